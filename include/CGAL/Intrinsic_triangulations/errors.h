@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The exceptions of the package: what a user can cause by input throws one of
+// these in every build; what a programmer does wrong is a CGAL precondition.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_ERRORS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_ERRORS_H
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsErrors
+/// \brief the base of every exception that the package throws.
+class Error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsErrors
+/// \brief says that the input is not a surface with a metric, and where.
+///
+/// The message names the first offending element and how many more there are.
+class Invalid_surface_error : public Error
+{
+public:
+  /// what is wrong with the input.
+  enum class Defect {
+    EMPTY,                  ///< there is no face
+    BAD_INDEX,              ///< a face names a vertex that does not exist
+    NOT_A_TRIANGLE,         ///< a face has fewer or more than three corners
+    REPEATED_CORNER,        ///< a face names a vertex twice
+    DUPLICATE_FACE,         ///< two faces have the same three corners
+    NON_MANIFOLD_EDGE,      ///< an edge has more than two faces
+    INCONSISTENT_ORIENTATION, ///< two faces traverse an edge in the same direction
+    NON_MANIFOLD_VERTEX,    ///< the faces around a vertex form more than one fan
+    INVALID_GLUING,         ///< a side is glued twice, to itself, or out of range
+    NOT_FINITE,             ///< a coordinate or a length is NaN or infinite
+    OUT_OF_RANGE,           ///< squared lengths over- or underflow, or there are too many elements
+    ZERO_LENGTH_EDGE,       ///< an edge joins coincident vertices
+    TRIANGLE_INEQUALITY,    ///< three lengths that no triangle has
+    DEGENERATE_FACE,        ///< a face of zero area, where the number type cannot handle it
+    UNREADABLE              ///< the text or file is not of the expected form
+  };
+
+  Invalid_surface_error(Defect defect, std::size_t element, std::size_t count,
+                        const std::string& message)
+    : Error(message), defect_(defect), element_(element), count_(count)
+  {}
+
+  /// returns what is wrong.
+  Defect defect() const { return defect_; }
+  /// returns the index of the first offending vertex, edge or face, as the message names it.
+  std::size_t element() const { return element_; }
+  /// returns the number of offending elements.
+  std::size_t count() const { return count_; }
+
+private:
+  Defect defect_;
+  std::size_t element_;
+  std::size_t count_;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsErrors
+/// \brief says that an inexact number type could not decide a predicate.
+class Undecided_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsErrors
+/// \brief says that an integer that counts crossings left the range of its type.
+class Integer_overflow_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_ERRORS_H
