@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The connectivity of a triangulated surface that need not be a simplicial
+// complex: the paper's triangulations (Fisher, Springborn, Schroeder, Bobenko
+// 2006, section 2) may have loops, several edges between the same vertices and
+// faces that meet themselves.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H
+
+#include <CGAL/Intrinsic_triangulations/Index.h>
+
+#include <CGAL/Iterator_range.h>
+#include <CGAL/assertions.h>
+
+#include <boost/iterator/iterator_facade.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// Runs through the descriptors 0, 1, 2, ... of one kind.
+template <class Descriptor>
+class Descriptor_iterator
+  : public boost::iterator_facade<Descriptor_iterator<Descriptor>, Descriptor,
+                                  std::random_access_iterator_tag, Descriptor>
+{
+public:
+  Descriptor_iterator() = default;
+  explicit Descriptor_iterator(std::uint32_t index) : index_(index) {}
+
+private:
+  friend class boost::iterator_core_access;
+  Descriptor dereference() const { return Descriptor(index_); }
+  bool equal(const Descriptor_iterator& other) const { return index_ == other.index_; }
+  void increment() { ++index_; }
+  void decrement() { --index_; }
+  void advance(std::ptrdiff_t n) { index_ = static_cast<std::uint32_t>(index_ + n); }
+  std::ptrdiff_t distance_to(const Descriptor_iterator& other) const
+  {
+    return std::ptrdiff_t(other.index_) - std::ptrdiff_t(index_);
+  }
+
+  std::uint32_t index_ = 0;
+};
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsConnectivity
+///
+/// \brief a triangulated oriented surface, with or without boundary, as halfedge arrays.
+///
+/// Faces are triangles; any gluing of their sides that gives an oriented surface is
+/// allowed: loops, several edges between the same two vertices, a face glued to itself,
+/// a surface with one vertex. Therefore nothing is ever looked up by its end vertices.
+/// Vertices without a face are allowed, too.
+///
+/// Descriptors of vertices, halfedges, edges and faces are the integers from zero, and
+/// a flip moves none of them. Halfedges `2e` and `2e + 1` are the two of edge `e`.
+/// A halfedge without a face is a border halfedge; `next()` and `prev()` of a border
+/// halfedge run along the border.
+///
+/// Memory: 32 bytes an edge, 4 a vertex and 4 a face.
+///
+/// \cgalModels `FaceListGraph`, `HalfedgeListGraph`, `BidirectionalGraph` (by
+///   `CGAL/Intrinsic_triangulations/graph_traits_Delta_complex.h`)
+class Delta_complex
+{
+public:
+  using size_type = std::uint32_t;
+
+  /// what is stored for a halfedge.
+  struct Halfedge
+  {
+    Halfedge_index next;
+    Halfedge_index prev;
+    Vertex_index target;
+    Face_index face; ///< null for a border halfedge
+  };
+
+  using Vertex_iterator = internal::Descriptor_iterator<Vertex_index>;
+  using Halfedge_iterator = internal::Descriptor_iterator<Halfedge_index>;
+  using Edge_iterator = internal::Descriptor_iterator<Edge_index>;
+  using Face_iterator = internal::Descriptor_iterator<Face_index>;
+
+  /// constructs the empty complex.
+  Delta_complex() = default;
+
+  /// constructs a complex from its arrays.
+  ///
+  /// \param halfedges two consecutive records for each edge
+  /// \param vertex_halfedges for each vertex a halfedge that points to it, a border
+  ///   halfedge if there is one, the null descriptor for an isolated vertex
+  /// \param face_halfedges for each face one of its halfedges
+  /// \pre `is_valid()` of the result. It is checked only if `CGAL_CHECK_EXPENSIVE` is defined.
+  Delta_complex(std::vector<Halfedge> halfedges, std::vector<Halfedge_index> vertex_halfedges,
+                std::vector<Halfedge_index> face_halfedges)
+    : halfedges_(std::move(halfedges)), vertex_halfedges_(std::move(vertex_halfedges)),
+      face_halfedges_(std::move(face_halfedges))
+  {
+    CGAL_expensive_precondition(is_valid());
+  }
+
+  /// \name Size
+  /// @{
+  size_type number_of_vertices() const { return size_type(vertex_halfedges_.size()); }
+  size_type number_of_halfedges() const { return size_type(halfedges_.size()); }
+  size_type number_of_edges() const { return size_type(halfedges_.size() / 2); }
+  size_type number_of_faces() const { return size_type(face_halfedges_.size()); }
+  /// @}
+
+  /// \name Ranges
+  /// @{
+  Iterator_range<Vertex_iterator> vertices() const { return range<Vertex_index>(number_of_vertices()); }
+  Iterator_range<Halfedge_iterator> halfedges() const { return range<Halfedge_index>(number_of_halfedges()); }
+  Iterator_range<Edge_iterator> edges() const { return range<Edge_index>(number_of_edges()); }
+  Iterator_range<Face_iterator> faces() const { return range<Face_index>(number_of_faces()); }
+  /// @}
+
+  /// \name Navigation
+  /// @{
+  /// returns the halfedge after `h` around its face, or along the border.
+  Halfedge_index next(Halfedge_index h) const { return record(h).next; }
+  /// returns the halfedge before `h`.
+  Halfedge_index prev(Halfedge_index h) const { return record(h).prev; }
+  /// returns the other halfedge of the edge of `h`.
+  Halfedge_index opposite(Halfedge_index h) const { return Halfedge_index(h.idx() ^ 1); }
+  /// returns the vertex that `h` points to.
+  Vertex_index target(Halfedge_index h) const { return record(h).target; }
+  /// returns the vertex that `h` comes from.
+  Vertex_index source(Halfedge_index h) const { return record(opposite(h)).target; }
+  /// returns the face to the left of `h`, or the null descriptor.
+  Face_index face(Halfedge_index h) const { return record(h).face; }
+  /// returns the edge of `h`.
+  Edge_index edge(Halfedge_index h) const { return Edge_index(h.idx() >> 1); }
+  /// returns halfedge `2e`.
+  Halfedge_index halfedge(Edge_index e) const { return Halfedge_index(e.idx() << 1); }
+  /// returns a halfedge that points to `v`, a border halfedge if there is one, the null
+  /// descriptor if `v` is isolated.
+  Halfedge_index halfedge(Vertex_index v) const { return vertex_halfedges_[v.idx()]; }
+  /// returns a halfedge of `f`.
+  Halfedge_index halfedge(Face_index f) const { return face_halfedges_[f.idx()]; }
+  /// returns the halfedge that points to the same vertex as `h` and follows it clockwise.
+  Halfedge_index next_around_target(Halfedge_index h) const { return opposite(next(h)); }
+  /// returns the halfedge with the same source as `h` that follows it counterclockwise.
+  Halfedge_index next_around_source(Halfedge_index h) const { return opposite(prev(h)); }
+  /// returns whether `h` has no face.
+  bool is_border(Halfedge_index h) const { return !face(h).is_valid(); }
+  /// returns whether one of the two halfedges of `e` has no face.
+  bool is_border(Edge_index e) const
+  {
+    return is_border(halfedge(e)) || is_border(opposite(halfedge(e)));
+  }
+  /// returns whether the same face is on both sides of `e`.
+  bool is_self_glued(Edge_index e) const
+  {
+    return face(halfedge(e)) == face(opposite(halfedge(e)));
+  }
+  /// returns whether `e` joins a vertex with itself.
+  bool is_loop(Edge_index e) const { return target(halfedge(e)) == source(halfedge(e)); }
+  /// returns whether `e` lies between two different faces, so that `flip()` makes sense
+  /// for the connectivity. Whether the flipped edge is a straight line is up to the metric.
+  bool is_flippable(Edge_index e) const { return !is_border(e) && !is_self_glued(e); }
+  /// @}
+
+  /// \brief replaces edge `e` by the other diagonal of the quadrilateral formed by its two faces.
+  ///
+  /// With `h = halfedge(e)` from i to j, k the third corner to its left and l to its
+  /// right, `h` leads from l to k afterwards: it turns counterclockwise. The face of
+  /// `h` becomes (i, l, k), that of its opposite (j, k, l). All descriptors keep their
+  /// meaning; four flips of the same edge are the identity. O(1).
+  ///
+  /// \pre `is_flippable(e)`
+  void flip(Edge_index e)
+  {
+    CGAL_precondition(is_flippable(e));
+    const Halfedge_index h = halfedge(e), g = opposite(h);
+    const Halfedge_index jk = next(h), ki = prev(h), il = next(g), lj = prev(g);
+    const Vertex_index i = target(g), j = target(h), k = target(jk), l = target(il);
+    const Face_index ilk = face(h), jkl = face(g);
+
+    set_face_cycle(ilk, h, ki, il);
+    set_face_cycle(jkl, g, lj, jk);
+    record(h).target = k;
+    record(g).target = l;
+    if (vertex_halfedges_[j.idx()] == h)
+      vertex_halfedges_[j.idx()] = lj;
+    if (vertex_halfedges_[i.idx()] == g)
+      vertex_halfedges_[i.idx()] = ki;
+  }
+
+  /// \brief returns whether the arrays describe a triangulated oriented surface.
+  ///
+  /// Every halfedge belongs to one cycle of three in a face or to one cycle along the
+  /// border, sources and targets agree, each vertex has one fan of faces, and the
+  /// halfedges of vertices and faces are incident to them. O(size).
+  /// \param verbose whether the first defect is described on `std::cerr`
+  bool is_valid(bool verbose = false) const
+  {
+    std::string defect;
+    if (has_valid_cycles(defect) && has_valid_vertices(defect))
+      return true;
+    if (verbose)
+      std::cerr << "Delta_complex: " << defect << std::endl;
+    return false;
+  }
+
+  /// returns whether both complexes have the same arrays.
+  friend bool operator==(const Delta_complex& a, const Delta_complex& b)
+  {
+    return a.vertex_halfedges_ == b.vertex_halfedges_ && a.face_halfedges_ == b.face_halfedges_ &&
+           has_equal_halfedges(a, b);
+  }
+  friend bool operator!=(const Delta_complex& a, const Delta_complex& b) { return !(a == b); }
+
+private:
+  template <class Descriptor>
+  static Iterator_range<internal::Descriptor_iterator<Descriptor>> range(size_type n)
+  {
+    using Iterator = internal::Descriptor_iterator<Descriptor>;
+    return make_range(Iterator(0), Iterator(n));
+  }
+
+  const Halfedge& record(Halfedge_index h) const
+  {
+    CGAL_precondition(h.idx() < halfedges_.size());
+    return halfedges_[h.idx()];
+  }
+  Halfedge& record(Halfedge_index h) { return halfedges_[h.idx()]; }
+
+  void set_face_cycle(Face_index f, Halfedge_index a, Halfedge_index b, Halfedge_index c)
+  {
+    Halfedge &ra = record(a), &rb = record(b), &rc = record(c);
+    ra.next = b;
+    ra.prev = c;
+    rb.next = c;
+    rb.prev = a;
+    rc.next = a;
+    rc.prev = b;
+    ra.face = rb.face = rc.face = f;
+    face_halfedges_[f.idx()] = a;
+  }
+
+  static bool has_equal_halfedges(const Delta_complex& a, const Delta_complex& b)
+  {
+    if (a.halfedges_.size() != b.halfedges_.size())
+      return false;
+    for (std::size_t h = 0; h < a.halfedges_.size(); ++h) {
+      const Halfedge &ra = a.halfedges_[h], &rb = b.halfedges_[h];
+      if (ra.next != rb.next || ra.prev != rb.prev || ra.target != rb.target || ra.face != rb.face)
+        return false;
+    }
+    return true;
+  }
+
+  template <class Descriptor>
+  static bool fails(std::string& defect, Descriptor element, const char* what)
+  {
+    defect = std::string(1, "vhef"[std::is_same<Descriptor, Halfedge_index>::value ? 1
+                                   : std::is_same<Descriptor, Face_index>::value   ? 3
+                                                                                   : 0]) +
+             std::to_string(element.idx()) + ": " + what;
+    return false;
+  }
+
+  bool has_valid_cycles(std::string& defect) const
+  {
+    if (halfedges_.size() % 2 != 0)
+      return fails(defect, Halfedge_index(number_of_halfedges()), "has no opposite");
+    size_type number_of_face_halfedges = 0;
+    for (Halfedge_index h : halfedges()) {
+      const Halfedge& r = record(h);
+      if (r.next.idx() >= number_of_halfedges() || r.prev.idx() >= number_of_halfedges())
+        return fails(defect, h, "next or prev is out of range");
+      if (r.target.idx() >= number_of_vertices())
+        return fails(defect, h, "target is out of range");
+      if (r.face.is_valid() && r.face.idx() >= number_of_faces())
+        return fails(defect, h, "face is out of range");
+      if (prev(r.next) != h || next(r.prev) != h)
+        return fails(defect, h, "next and prev are not inverse to each other");
+      if (source(r.next) != r.target)
+        return fails(defect, h, "the next halfedge does not start at the target");
+      if (face(r.next) != r.face)
+        return fails(defect, h, "the next halfedge has another face");
+      if (is_border(h)) {
+        if (is_border(opposite(h)))
+          return fails(defect, h, "has no face on either side");
+        continue;
+      }
+      ++number_of_face_halfedges;
+      if (next(next(r.next)) != h)
+        return fails(defect, h, "its face is not a triangle");
+    }
+    if (number_of_face_halfedges != 3 * std::size_t(number_of_faces()))
+      return fails(defect, Face_index(0), "faces do not have three halfedges each");
+    for (Face_index f : faces())
+      if (halfedge(f).idx() >= number_of_halfedges() || face(halfedge(f)) != f)
+        return fails(defect, f, "its halfedge belongs to another face");
+    return true;
+  }
+
+  bool has_valid_vertices(std::string& defect) const
+  {
+    std::size_t number_of_visited = 0;
+    for (Vertex_index v : vertices()) {
+      const Halfedge_index first = halfedge(v);
+      if (!first.is_valid())
+        continue;
+      if (first.idx() >= number_of_halfedges() || target(first) != v)
+        return fails(defect, v, "its halfedge does not point to it");
+      bool meets_border = false;
+      Halfedge_index h = first;
+      do {
+        meets_border = meets_border || is_border(h);
+        ++number_of_visited;
+        h = next_around_target(h);
+      } while (h != first);
+      if (meets_border && !is_border(first))
+        return fails(defect, v, "is on the border and its halfedge is not");
+    }
+    // Each halfedge points to one vertex and lies in one fan: all are visited exactly
+    // if no vertex has two fans.
+    if (number_of_visited != number_of_halfedges())
+      return fails(defect, Vertex_index(0), "some vertex has more than one fan of faces");
+    return true;
+  }
+
+  std::vector<Halfedge> halfedges_;
+  std::vector<Halfedge_index> vertex_halfedges_;
+  std::vector<Halfedge_index> face_halfedges_;
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The metric as squared lengths and areas: one square root per input face.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EDGE_LENGTH_TRAITS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EDGE_LENGTH_TRAITS_H
+
+#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/triangle_formulas_3.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/number_type_basic.h>
+
+#include <array>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsTraits
+///
+/// \brief the metric of a triangulation as squared edge lengths and face areas.
+///
+/// Each edge carries its squared length s, each face four times its area a. There is
+/// one square root per input face and none afterwards; a Delaunay test costs neither
+/// division nor root, a flip one division. The decisions are those of `FT_`: exact for
+/// an exact number type, rounded for a floating-point type; an interval that cannot
+/// decide gives an uncertain answer, never a guess.
+///
+/// \tparam FT_ a model of `FieldWithSqrt` and `RealEmbeddable`, for instance `float`,
+///   `double`, `long double`, `CGAL::Interval_nt<>`, `Mpfr_float`, or
+///   `CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT`.
+///
+/// \cgalModels `IntrinsicTriangulationTraits`
+///
+/// Source: the formulas of `hinge_formulas.h`; Delaunay criterion of Fisher, Springborn,
+/// Schroeder, Bobenko (2006), section 2.1.
+template <class FT_>
+class Edge_length_traits
+{
+public:
+  using FT = FT_;
+  /// squared length
+  using Edge_data = FT;
+  /// four times the area
+  using Face_data = FT;
+  /// `bool`, or `CGAL::Uncertain<bool>` for an interval type
+  using Boolean = typename Real_embeddable_traits<FT>::Boolean;
+  using Hinge_data = Hinge<Edge_data, Face_data>;
+  using Flipped_hinge_data = Flipped_hinge<Edge_data, Face_data>;
+  using Point_data = std::array<FT, 3>;
+
+  /// makes the data of an edge from its end points, its length or its squared length.
+  struct Construct_edge_data
+  {
+    Edge_data operator()(const Point_data& p, const Point_data& q) const
+    {
+      return internal::squared_distance_3(p, q);
+    }
+    Edge_data from_length(const FT& length) const { return length * length; }
+    Edge_data from_squared_length(const FT& squared_length) const { return squared_length; }
+  };
+
+  /// makes the data of a face from its corners, or from the data of its edges.
+  struct Construct_face_data
+  {
+    Face_data operator()(const Point_data& p, const Point_data& q, const Point_data& r) const
+    {
+      return internal::four_areas_3(p, q, r);
+    }
+    /// \pre the squares obey the triangle inequality
+    Face_data from_edges(const Edge_data& ij, const Edge_data& jk, const Edge_data& ki) const
+    {
+      return internal::sqrt_of_non_negative(squared_four_areas(ij, jk, ki));
+    }
+    /// \pre the lengths obey the triangle inequality
+    Face_data from_lengths(const FT& ij, const FT& jk, const FT& ki) const
+    {
+      return internal::sqrt_of_non_negative(squared_four_areas_from_lengths(ij, jk, ki));
+    }
+  };
+
+  /// decides whether the edge of a hinge is Delaunay: `cot k + cot l >= 0`.
+  ///
+  /// A tie is Delaunay. If both faces have zero area, the edge is Delaunay unless both
+  /// opposite angles are π.
+  struct Is_locally_Delaunay
+  {
+    Boolean operator()(const Hinge_data& h) const
+    {
+      const FT p_k = twice_scalar_product(h.jk, h.ki, h.ij);
+      const FT p_l = twice_scalar_product(h.il, h.lj, h.ij);
+      const FT value = delaunay_value(p_k, h.ijk, p_l, h.jil);
+      const auto sign_of_value = CGAL::sign(value);
+      if (certainly(sign_of_value == ZERO) && certainly(h.ijk == FT(0)) &&
+          certainly(h.jil == FT(0)))
+        return (p_k >= FT(0)) | (p_l >= FT(0));
+      return sign_of_value != NEGATIVE;
+    }
+  };
+
+  /// computes the flipped hinge and decides whether it exists, that is, whether the
+  /// quadrilateral is strictly convex.
+  struct Construct_flipped_hinge
+  {
+    Boolean operator()(const Hinge_data& h, Flipped_hinge_data& f) const
+    {
+      flip_hinge(h.ij, h.jk, h.ki, h.il, h.lj, h.ijk, h.jil, f.kl, f.ilk, f.jkl);
+      return (f.ilk > FT(0)) & (f.jkl > FT(0)) & (f.kl > FT(0));
+    }
+  };
+
+  /// gives the squared length of an edge.
+  struct Compute_squared_length
+  {
+    FT operator()(const Edge_data& e) const { return e; }
+  };
+  /// gives the length of an edge; rounded as the square root of `FT` is.
+  struct Compute_length
+  {
+    FT operator()(const Edge_data& e) const { return CGAL::sqrt(e); }
+  };
+  /// gives the area of a face.
+  struct Compute_area
+  {
+    FT operator()(const Face_data& f, const Edge_data&, const Edge_data&, const Edge_data&) const
+    {
+      return f / FT(4);
+    }
+  };
+  /// gives the cotangent of the corner opposite to edge ij in the face ijk.
+  /// \pre the area is not zero
+  struct Compute_cotangent
+  {
+    FT operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
+                  const Edge_data& ki) const
+    {
+      return twice_scalar_product(jk, ki, ij) / ijk;
+    }
+  };
+
+  Construct_edge_data construct_edge_data_object() const { return {}; }
+  Construct_face_data construct_face_data_object() const { return {}; }
+  Is_locally_Delaunay is_locally_Delaunay_object() const { return {}; }
+  Construct_flipped_hinge construct_flipped_hinge_object() const { return {}; }
+  Compute_squared_length compute_squared_length_object() const { return {}; }
+  Compute_length compute_length_object() const { return {}; }
+  Compute_area compute_area_object() const { return {}; }
+  Compute_cotangent compute_cotangent_object() const { return {}; }
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EDGE_LENGTH_TRAITS_H

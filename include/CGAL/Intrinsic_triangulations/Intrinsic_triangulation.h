@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// A triangulation of a piecewise-flat surface by geodesics between its vertices.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_TRIANGULATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_TRIANGULATION_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/metric_construction.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/assertions.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+///
+/// \brief a triangulation of a piecewise-flat surface: a `Delta_complex`, with one datum
+/// of the traits for each edge and each face.
+///
+/// The surface comes from points in space or from edge lengths; after that only lengths
+/// count. Internally all lengths are multiplied by a power of two if the input is so
+/// large or so small that products of squared lengths would over- or underflow; every
+/// number that is returned is in the unit of the input.
+///
+/// \tparam Traits_ a model of `IntrinsicTriangulationTraits`
+template <class Traits_>
+class Intrinsic_triangulation
+{
+public:
+  using Traits = Traits_;
+  using FT = typename Traits::FT;
+  using Boolean = typename Traits::Boolean;
+  using Edge_data = typename Traits::Edge_data;
+  using Face_data = typename Traits::Face_data;
+  using Point_data = typename Traits::Point_data;
+  using Hinge_data = Hinge<Edge_data, Face_data>;
+
+  /// what `flip()` did.
+  enum class Flip_outcome {
+    FLIPPED,    ///< the edge was flipped
+    NOT_CONVEX, ///< the hinge has no other diagonal; nothing was changed
+    UNDECIDED   ///< the number type cannot tell; nothing was changed
+  };
+
+  /// \brief constructs the triangulation of a surface in space.
+  ///
+  /// \param connectivity the triangles
+  /// \param points the position of each vertex, in the order of the vertices
+  /// \param traits the traits
+  /// \exception Invalid_surface_error if a coordinate is not finite, an edge has length
+  ///   zero, or squared lengths leave the range of the number type. O(size).
+  Intrinsic_triangulation(Delta_complex connectivity, std::vector<Point_data> points,
+                          const Traits& traits = Traits())
+    : connectivity_(std::move(connectivity)), traits_(traits)
+  {
+    exponent_ = internal::normalize_points(points);
+    internal::construct_metric_from_points(connectivity_, traits_, points, edges_, faces_);
+  }
+
+  /// \brief constructs the triangulation of a surface given by the lengths of its edges.
+  ///
+  /// \param connectivity the triangles
+  /// \param lengths the length of each edge, in the order of the edges
+  /// \param traits the traits
+  /// \exception Invalid_surface_error if a length is not positive and finite, or three
+  ///   lengths violate the triangle inequality; equality is accepted. O(size).
+  static Intrinsic_triangulation from_lengths(Delta_complex connectivity, std::vector<FT> lengths,
+                                              const Traits& traits = Traits())
+  {
+    Intrinsic_triangulation t(std::move(connectivity), traits);
+    t.exponent_ = internal::normalize_lengths(lengths);
+    internal::construct_metric_from_lengths(t.connectivity_, t.traits_, lengths, t.edges_,
+                                            t.faces_);
+    return t;
+  }
+
+  /// returns the triangles.
+  const Delta_complex& connectivity() const { return connectivity_; }
+  /// returns the traits.
+  const Traits& traits() const { return traits_; }
+
+  /// \name Metric
+  /// All values are as exact as the traits' functors say. Lengths are in the unit of the
+  /// input; cotangents and weights have no unit.
+  /// @{
+
+  /// returns the length of `e`.
+  FT length(Edge_index e) const
+  {
+    return in_input_unit(traits_.compute_length_object()(edge_data(e)), 1);
+  }
+  /// returns the squared length of `e`.
+  FT squared_length(Edge_index e) const
+  {
+    return in_input_unit(traits_.compute_squared_length_object()(edge_data(e)), 2);
+  }
+  /// returns the area of `f`.
+  FT area(Face_index f) const
+  {
+    const Halfedge_index h = connectivity_.halfedge(f);
+    return in_input_unit(traits_.compute_area_object()(face_data(f), edge_data(edge(h)),
+                                                       edge_data(edge(connectivity_.next(h))),
+                                                       edge_data(edge(connectivity_.prev(h)))),
+                         2);
+  }
+  /// returns the cotangent of the angle opposite to `h` in its face.
+  /// \pre `h` is not a border halfedge, and its face has positive area
+  FT cotangent(Halfedge_index h) const
+  {
+    CGAL_precondition(!connectivity_.is_border(h));
+    return traits_.compute_cotangent_object()(face_data(connectivity_.face(h)), edge_data(edge(h)),
+                                              edge_data(edge(connectivity_.next(h))),
+                                              edge_data(edge(connectivity_.prev(h))));
+  }
+  /// returns the sum of the cotangents of the one or two angles opposite to `e`, without
+  /// a factor: a weight of the Laplace-Beltrami operator (section 3.1 of the paper).
+  FT cotangent_weight(Edge_index e) const
+  {
+    const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
+    if (connectivity_.is_border(h))
+      return cotangent(g);
+    if (connectivity_.is_border(g))
+      return cotangent(h);
+    return cotangent(h) + cotangent(g);
+  }
+  /// @}
+
+  /// \brief returns whether `e` is Delaunay: whether the opposite angles sum to at most π.
+  ///
+  /// Border edges and edges with the same face on both sides are.
+  /// \return an uncertain value if an interval number type cannot tell
+  Boolean is_locally_Delaunay(Edge_index e) const
+  {
+    if (!connectivity_.is_flippable(e))
+      return true;
+    return traits_.is_locally_Delaunay_object()(hinge(e));
+  }
+
+  /// \brief flips `e` if its two faces form a strictly convex quadrilateral.
+  ///
+  /// Numbers are computed from the old hinge first, then the connectivity is changed and
+  /// they are stored; nothing changes unless the outcome is `FLIPPED`. O(1).
+  /// \pre `connectivity().is_flippable(e)`
+  Flip_outcome flip(Edge_index e)
+  {
+    CGAL_precondition(connectivity_.is_flippable(e));
+    typename Traits::Flipped_hinge_data flipped{};
+    const Boolean is_convex = traits_.construct_flipped_hinge_object()(hinge(e), flipped);
+    if (!certainly(is_convex))
+      return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
+    const Halfedge_index h = connectivity_.halfedge(e);
+    const Face_index f = connectivity_.face(h),
+                     g = connectivity_.face(connectivity_.opposite(h));
+    connectivity_.flip(e);
+    edges_[e.idx()] = flipped.kl;
+    faces_[f.idx()] = flipped.ilk;
+    faces_[g.idx()] = flipped.jkl;
+    return Flip_outcome::FLIPPED;
+  }
+
+  /// returns the datum that the traits keep for `e`, in the internal unit.
+  const Edge_data& edge_data(Edge_index e) const { return edges_[e.idx()]; }
+  /// returns the datum that the traits keep for `f`, in the internal unit.
+  const Face_data& face_data(Face_index f) const { return faces_[f.idx()]; }
+  /// returns k such that one internal unit of length is `2^k` units of the input.
+  int unit_exponent() const { return exponent_; }
+
+private:
+  Intrinsic_triangulation(Delta_complex connectivity, const Traits& traits)
+    : connectivity_(std::move(connectivity)), traits_(traits)
+  {}
+
+  Edge_index edge(Halfedge_index h) const { return connectivity_.edge(h); }
+
+  Hinge_data hinge(Edge_index e) const
+  {
+    const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
+    return {edge_data(e),
+            edge_data(edge(connectivity_.next(h))),
+            edge_data(edge(connectivity_.prev(h))),
+            edge_data(edge(connectivity_.next(g))),
+            edge_data(edge(connectivity_.prev(g))),
+            face_data(connectivity_.face(h)),
+            face_data(connectivity_.face(g))};
+  }
+
+  FT in_input_unit(FT x, int dimension) const
+  {
+    return exponent_ == 0 ? x : internal::times_power_of_two(x, dimension * exponent_);
+  }
+
+  Delta_complex connectivity_;
+  Traits traits_;
+  std::vector<Edge_data> edges_;
+  std::vector<Face_data> faces_;
+  int exponent_ = 0;
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_TRIANGULATION_H

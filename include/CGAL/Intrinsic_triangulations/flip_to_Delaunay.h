@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The flip algorithm of the paper, section 2.2: a stack of edges, a mark for each.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_DELAUNAY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_DELAUNAY_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/Delaunay_flipper.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// \brief the default visitor of `flip_to_Delaunay()`: it does nothing and never cancels.
+///
+/// \cgalModels `IntrinsicFlipVisitor`
+struct Default_flip_visitor
+{
+  /// is called before each test, with the numbers of tests and flips so far; the
+  /// algorithm stops if it returns `false`.
+  bool go_further(std::uint64_t /* tests */, std::uint64_t /* flips */) { return true; }
+  /// is called after each flip.
+  void after_flip(Edge_index) {}
+};
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// \brief returns the default bound on the number of flips for a surface with
+/// `number_of_edges` edges and an inexact number type.
+///
+/// Rounded decisions can flip for ever; this is far beyond what a surface needs.
+inline std::uint64_t default_maximum_number_of_flips(std::size_t number_of_edges)
+{
+  return (std::max)(std::uint64_t(10000000), 100 * std::uint64_t(number_of_edges));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// \brief flips edges until the triangulation is Delaunay.
+///
+/// All edges are visited in order. When one is not Delaunay it is flipped, and the four
+/// edges around it go on a stack unless they are on it already or still to be visited;
+/// the stack is emptied before the next edge is visited. With exact decisions the
+/// algorithm ends, and every edge that is not constrained is Delaunay then.
+///
+/// An edge that is not Delaunay but whose hinge has no other diagonal, as rounding can
+/// have it, is left as it is and reported; so is one that an interval cannot decide.
+///
+/// \tparam Triangulation an `Intrinsic_triangulation`
+/// \tparam NamedParameters a sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{a property map that tells which edges must not be flipped}
+///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is constrained}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told of each flip and can cancel; pass `std::ref()` to keep its state}
+///     \cgalParamType{a model of `IntrinsicFlipVisitor`}
+///     \cgalParamDefault{`Default_flip_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number}
+///     \cgalParamDescription{the flip budget: the number of flips after which the algorithm gives up}
+///     \cgalParamType{`std::uint64_t`}
+///     \cgalParamDefault{unlimited for an exact number type, `default_maximum_number_of_flips()` otherwise}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return what happened. The triangulation is valid whatever the status.
+///
+/// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.2.
+template <class Triangulation, class NamedParameters = parameters::Default_named_parameters>
+Flip_report flip_to_Delaunay(Triangulation& triangulation,
+                             const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+  constexpr bool is_exact =
+    Algebraic_structure_traits<typename Triangulation::FT>::Is_exact::value;
+
+  const std::uint64_t budget = choose_parameter(
+    get_parameter(np, internal_np::maximum_number),
+    is_exact ? (std::numeric_limits<std::uint64_t>::max)()
+             : default_maximum_number_of_flips(triangulation.connectivity().number_of_edges()));
+  auto is_constrained =
+    choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                     Static_boolean_property_map<Edge_index, false>());
+  auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_flip_visitor());
+  return internal::make_Delaunay_flipper(triangulation, is_constrained, visitor, budget).run();
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_DELAUNAY_H

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// From points or lengths to the traits' data of edges and faces, with the checks that
+// an input needs to be a metric.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_METRIC_CONSTRUCTION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_METRIC_CONSTRUCTION_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+using Defect = Invalid_surface_error::Defect;
+
+// The number type whose exponent range FT has, or FT itself.
+template <class FT>
+struct Machine_type { using type = FT; };
+template <bool b>
+struct Machine_type<Interval_nt<b>> { using type = double; };
+
+template <class FT>
+constexpr bool has_small_exponent_range = std::is_floating_point<typename Machine_type<FT>::type>::value;
+
+// Products of two squared lengths occur, and differences of such products matter down to
+// their rounding: lengths up to 2^(a tenth of the largest exponent) stay far from over-
+// and underflow.
+template <class FT>
+int unit_exponent(double largest)
+{
+  if constexpr (has_small_exponent_range<FT>) {
+    const int limit = std::numeric_limits<typename Machine_type<FT>::type>::max_exponent / 10;
+    const int exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
+    return exponent > limit || exponent < -limit ? exponent : 0;
+  } else {
+    return 0;
+  }
+}
+
+template <class FT>
+FT times_power_of_two(const FT& x, int exponent)
+{
+  if constexpr (std::is_floating_point<FT>::value)
+    return std::ldexp(x, exponent);
+  else if constexpr (has_small_exponent_range<FT>)
+    return FT(std::ldexp(x.inf(), exponent), std::ldexp(x.sup(), exponent));
+  else
+    return x;
+}
+
+template <class FT>
+double magnitude(const FT& x)
+{
+  if constexpr (std::is_floating_point<FT>::value)
+    return std::abs(double(x));
+  else {
+    const std::pair<double, double> range = CGAL::to_interval(x);
+    return (std::max)(std::abs(range.first), std::abs(range.second));
+  }
+}
+
+// Counts the offending elements and keeps the first.
+struct Offenders
+{
+  void add(std::size_t element)
+  {
+    first = count == 0 ? element : first;
+    ++count;
+  }
+  std::string and_more() const
+  {
+    return count > 1 ? " (and " + std::to_string(count - 1) + " more)" : std::string();
+  }
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+template <class FT>
+int normalize_points(std::vector<std::array<FT, 3>>& points)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
+  Offenders offenders;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    for (int i = 0; i < 3; ++i) {
+      const double x = CGAL::to_double(points[v][i]);
+      if (!(std::abs(x) < infinity)) {
+        // An exact number may be finite and still beyond double.
+        offenders.add(v);
+        break;
+      }
+      low[i] = x < low[i] ? x : low[i];
+      high[i] = x > high[i] ? x : high[i];
+    }
+  }
+  if (offenders.count > 0)
+    throw Invalid_surface_error(Defect::NOT_FINITE, offenders.first, offenders.count,
+                                "vertex " + std::to_string(offenders.first) +
+                                  " has a coordinate that is not a finite number" +
+                                  offenders.and_more());
+  double largest = 0;
+  for (int i = 0; i < 3; ++i) // halves, so that the extent itself does not overflow
+    if (high[i] > low[i])
+      largest = (std::max)(largest, high[i] / 2 - low[i] / 2);
+  const int exponent = unit_exponent<FT>(largest);
+  if (exponent != 0)
+    for (std::array<FT, 3>& p : points)
+      for (FT& x : p)
+        x = times_power_of_two(x, -exponent);
+  return exponent;
+}
+
+template <class FT>
+int normalize_lengths(std::vector<FT>& lengths)
+{
+  double largest = 0;
+  Offenders offenders;
+  for (std::size_t e = 0; e < lengths.size(); ++e) {
+    const double l = magnitude(lengths[e]);
+    if (!(l < std::numeric_limits<double>::infinity()) || !certainly(lengths[e] > FT(0)))
+      offenders.add(e);
+    largest = l > largest ? l : largest;
+  }
+  if (offenders.count > 0)
+    throw Invalid_surface_error(Defect::NOT_FINITE, offenders.first, offenders.count,
+                                "the length of edge " + std::to_string(offenders.first) +
+                                  " is not a positive finite number" + offenders.and_more());
+  const int exponent = unit_exponent<FT>(largest);
+  if (exponent != 0)
+    for (FT& l : lengths)
+      l = times_power_of_two(l, -exponent);
+  return exponent;
+}
+
+template <class Traits, class Point_data>
+void construct_metric_from_points(const Delta_complex& complex, const Traits& traits,
+                                  const std::vector<Point_data>& points,
+                                  std::vector<typename Traits::Edge_data>& edges,
+                                  std::vector<typename Traits::Face_data>& faces)
+{
+  CGAL_precondition(points.size() == complex.number_of_vertices());
+  using FT = typename Traits::FT;
+  const auto construct_edge_data = traits.construct_edge_data_object();
+  const auto construct_face_data = traits.construct_face_data_object();
+  const auto compute_squared_length = traits.compute_squared_length_object();
+  const auto point = [&](Vertex_index v) -> const Point_data& { return points[v.idx()]; };
+
+  Offenders offenders;
+  edges.reserve(complex.number_of_edges());
+  for (Edge_index e : complex.edges()) {
+    const Halfedge_index h = complex.halfedge(e);
+    edges.push_back(construct_edge_data(point(complex.source(h)), point(complex.target(h))));
+    if (!possibly(compute_squared_length(edges.back()) > FT(0)))
+      offenders.add(e.idx());
+  }
+  if (offenders.count > 0) {
+    const Halfedge_index h = complex.halfedge(Edge_index(std::uint32_t(offenders.first)));
+    const Point_data &p = point(complex.source(h)), &q = point(complex.target(h));
+    const bool is_coincident =
+      certainly(p[0] == q[0]) && certainly(p[1] == q[1]) && certainly(p[2] == q[2]);
+    throw Invalid_surface_error(
+      is_coincident ? Defect::ZERO_LENGTH_EDGE : Defect::OUT_OF_RANGE, offenders.first,
+      offenders.count,
+      "edge " + std::to_string(offenders.first) + " joins vertices " +
+        std::to_string(complex.source(h).idx()) + " and " +
+        std::to_string(complex.target(h).idx()) +
+        (is_coincident ? ", which coincide: merge them first"
+                       : ", whose squared distance underflows beside the size of the surface") +
+        offenders.and_more());
+  }
+
+  faces.reserve(complex.number_of_faces());
+  for (Face_index f : complex.faces()) {
+    const Halfedge_index h = complex.halfedge(f);
+    faces.push_back(construct_face_data(point(complex.source(h)), point(complex.target(h)),
+                                        point(complex.target(complex.next(h)))));
+  }
+}
+
+template <class Traits>
+void construct_metric_from_lengths(const Delta_complex& complex, const Traits& traits,
+                                   const std::vector<typename Traits::FT>& lengths,
+                                   std::vector<typename Traits::Edge_data>& edges,
+                                   std::vector<typename Traits::Face_data>& faces)
+{
+  CGAL_precondition(lengths.size() == complex.number_of_edges());
+  using FT = typename Traits::FT;
+  const auto construct_edge_data = traits.construct_edge_data_object();
+  const auto construct_face_data = traits.construct_face_data_object();
+
+  edges.reserve(lengths.size());
+  for (const FT& l : lengths)
+    edges.push_back(construct_edge_data.from_length(l));
+
+  Offenders offenders;
+  faces.reserve(complex.number_of_faces());
+  for (Face_index f : complex.faces()) {
+    const Halfedge_index h = complex.halfedge(f);
+    const FT &ij = lengths[complex.edge(h).idx()],
+             &jk = lengths[complex.edge(complex.next(h)).idx()],
+             &ki = lengths[complex.edge(complex.prev(h)).idx()];
+    if (certainly(squared_four_areas_from_lengths(ij, jk, ki) < FT(0)))
+      offenders.add(f.idx());
+    faces.push_back(construct_face_data.from_lengths(ij, jk, ki));
+  }
+  if (offenders.count > 0)
+    throw Invalid_surface_error(Defect::TRIANGLE_INEQUALITY, offenders.first, offenders.count,
+                                "the lengths of face " + std::to_string(offenders.first) +
+                                  " violate the triangle inequality" + offenders.and_more());
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_METRIC_CONSTRUCTION_H

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Builds the connectivity from a face graph, from index triples or from a gluing.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_MAKE_DELTA_COMPLEX_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_MAKE_DELTA_COMPLEX_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/Delta_complex_builder.h>
+#include <CGAL/Intrinsic_triangulations/internal/Graph_numbering.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsConnectivity
+/// \brief copies the connectivity of a triangle mesh.
+///
+/// The i-th vertex, edge and face of the result are the i-th of `vertices(graph)`,
+/// `edges(graph)` and `faces(graph)`; halfedge `2e` is `halfedge(e, graph)`. For a
+/// `CGAL::Surface_mesh` without garbage the positions are those of its own descriptors.
+/// O(size).
+///
+/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \exception Invalid_surface_error if a face is not a triangle or there are too many edges
+template <class FaceGraph>
+Delta_complex make_Delta_complex(const FaceGraph& graph)
+{
+  using Graph_traits = boost::graph_traits<FaceGraph>;
+  using Record = Delta_complex::Halfedge;
+
+  const internal::Graph_numbering<FaceGraph> numbering(graph);
+  std::vector<Record> records;
+  std::vector<Halfedge_index> face_halfedges;
+  records.reserve(numbering.number_of_halfedges());
+  face_halfedges.reserve(numbering.number_of_faces());
+  numbering.apply([&](auto vertex_position, auto halfedge_position, auto face_position) {
+    const auto append = [&](typename Graph_traits::halfedge_descriptor h) {
+      const auto f = face(h, graph);
+      records.push_back(
+        {Halfedge_index(halfedge_position(next(h, graph))),
+         Halfedge_index(halfedge_position(prev(h, graph))),
+         Vertex_index(vertex_position(target(h, graph))),
+         f == Graph_traits::null_face() ? Face_index() : Face_index(face_position(f))});
+    };
+    for (typename Graph_traits::edge_descriptor e : edges(graph)) {
+      const auto h = halfedge(e, graph);
+      append(h);
+      append(opposite(h, graph));
+    }
+    for (typename Graph_traits::face_descriptor f : faces(graph))
+      face_halfedges.push_back(Halfedge_index(halfedge_position(halfedge(f, graph))));
+  });
+
+  internal::check_triangles(records, face_halfedges);
+  std::vector<Halfedge_index> vertex_halfedges(numbering.number_of_vertices());
+  internal::set_vertex_halfedges(records, vertex_halfedges);
+  return Delta_complex(std::move(records), std::move(vertex_halfedges), std::move(face_halfedges));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsConnectivity
+/// \brief builds the connectivity of a simplicial surface from the corners of its triangles.
+///
+/// Edges are numbered by their first appearance around the faces in order; corner i of
+/// face f starts side i, from corner i to corner i + 1, and `halfedge(f)` is side 0.
+/// Vertices that no face names become isolated vertices. O(size), no hashing.
+///
+/// \tparam TriangleRange a range of random access ranges of three vertex indices each
+/// \exception Invalid_surface_error if an index is out of range or repeated, an edge has
+///   more than two faces, two faces traverse an edge in the same direction, or the faces
+///   around a vertex form more than one fan
+template <class TriangleRange>
+Delta_complex make_Delta_complex_from_triangles(std::size_t number_of_vertices,
+                                                const TriangleRange& triangles)
+{
+  return internal::Delta_complex_builder::from_triangles(number_of_vertices, triangles);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsConnectivity
+/// \brief builds the connectivity of a surface from triangles and glued sides.
+///
+/// Side `3 f + i` runs from corner i of face f to corner i + 1. Two glued sides run in
+/// opposite directions along their common edge; a side that is glued to none lies on
+/// the boundary. Any gluing is allowed, a face with itself included. Edges are numbered
+/// by their first side in order, and so are the vertices by their first corner. O(size).
+///
+/// \tparam SidePairRange a range of pairs (random access ranges of two) of side numbers
+/// \exception Invalid_surface_error if a side is out of range, glued twice or to itself
+template <class SidePairRange>
+Delta_complex make_Delta_complex_from_gluing(std::size_t number_of_faces,
+                                             const SidePairRange& glued_sides)
+{
+  return internal::Delta_complex_builder::from_gluing(number_of_faces, glued_sides);
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_MAKE_DELTA_COMPLEX_H
