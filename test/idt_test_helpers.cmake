@@ -13,7 +13,8 @@ function(add_idt_test name)
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()
-  get_filename_component(labels ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  set_property(DIRECTORY PROPERTY LABELS ${folder})
 
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PRIVATE
@@ -25,17 +26,16 @@ function(add_idt_test name)
   # CMAKE_CURRENT_FUNCTION_LIST_DIR is test/, where the shared headers are.
   target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
 
+  set(label)
   if(arg_SANITIZE)
-    list(APPEND labels sanitize)
+    set(label LABELS sanitize)
     add_dependencies(sanitize_tests ${name})
   endif()
-  # A list that reaches CTest through gtest_discover_tests needs its semicolons escaped.
-  list(JOIN labels "\\;" labels)
   gtest_discover_tests(${name}
     TEST_PREFIX "${arg_PREFIX}"
     DISCOVERY_MODE PRE_TEST
     DISCOVERY_TIMEOUT 120
-    PROPERTIES LABELS "${labels}" TIMEOUT ${arg_TIMEOUT})
+    PROPERTIES ${label} TIMEOUT ${arg_TIMEOUT})
 endfunction()
 
 # add_idt_number_type_tests(NAME BODY NUMBER_TYPE... [SANITIZE_TYPES NUMBER_TYPE...]
