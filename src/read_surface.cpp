@@ -160,14 +160,14 @@ std::string place(const Scanner& scanner, const char* const kind, const std::siz
   return "line " + std::to_string(scanner.line()) + " (" + kind + " " + std::to_string(element) + ")";
 }
 
-// Refuses a word that should have been a coordinate.
-void check_coordinate(const std::string& path, const std::string& word, const std::string& where,
-                      const std::size_t vertex)
+// The coordinate that a word is; refuses the word if it is none.
+double check_coordinate(const std::string& path, const std::string& word, const std::string& where,
+                        const std::size_t vertex)
 {
-  double number;
+  double number = 0;
   switch (read_number(word, number)) {
   case Number_state::GOOD:
-    return;
+    return number;
   case Number_state::NOT_FINITE:
     refuse(path, where + ": the coordinate " + quote(word) + " is not finite", Defect::NOT_FINITE, vertex);
   case Number_state::TOO_LARGE:
@@ -184,6 +184,7 @@ void check_coordinate(const std::string& path, const std::string& word, const st
 struct Off_header
 {
   bool is_plain;                // no normals, colors, textures or fourth coordinate
+  bool is_homogeneous;          // a fourth coordinate, by which the three are divided
   std::size_t numbers_per_vertex;
   std::size_t vertices;
   std::size_t faces;
@@ -235,7 +236,8 @@ Off_header read_off_header(const std::string& path, Scanner& scanner, const std:
   if (vertices > file_size / 6 + 1 || faces > file_size / 2 + 1)
     refuse(path, "the header announces " + std::to_string(vertices) + " vertices and " + std::to_string(faces)
            + " faces, more than fit into the " + std::to_string(file_size) + " bytes of the file");
-  return Off_header{ first == "OFF", numbers, static_cast<std::size_t>(vertices), static_cast<std::size_t>(faces) };
+  return Off_header{ first == "OFF", homogeneous == 1, numbers, static_cast<std::size_t>(vertices),
+                     static_cast<std::size_t>(faces) };
 }
 
 // Goes through a text line by line and refuses the first line that is not as
@@ -256,7 +258,9 @@ void diagnose_off(const std::string& path, const std::string& text)
       if (word.empty())
         refuse(path, place(scanner, "vertex", v) + ": there are " + std::to_string(i) + " numbers where "
                + std::to_string(header.numbers_per_vertex) + " are needed", Defect::UNREADABLE, v);
-      check_coordinate(path, word, place(scanner, "vertex", v), v);
+      const double number = check_coordinate(path, word, place(scanner, "vertex", v), v);
+      if (i == 3 && header.is_homogeneous && number == 0)
+        refuse(path, place(scanner, "vertex", v) + ": the fourth coordinate is zero", Defect::NOT_FINITE, v);
     }
     scanner.skip_line();
   }
@@ -572,10 +576,33 @@ void diagnose_stl(const std::string& path, const std::string& text)
 
 // ---- OBJ, PLY and TS ---------------------------------------------------------
 
+bool has_tab(const std::string& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  std::vector<char> buffer(1 << 16);
+  do {
+    in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    if (std::memchr(buffer.data(), '\t', static_cast<std::size_t>(in.gcount())) != nullptr)
+      return true;
+  } while (in);
+  return false;
+}
+
+// The text of a file as the library's reader needs it: its OBJ reader loses
+// the corners of a face that stand behind a tab.
+std::string load_for_reader(const std::string& path, const std::string& extension)
+{
+  std::string text = load(path);
+  if (extension == "obj")
+    std::replace(text.begin(), text.end(), '\t', ' ');
+  return text;
+}
+
 // Lets the library's reader try once more, on a stream that tells where it stopped.
 void diagnose_by_position(const std::string& path, const std::string& extension)
 {
-  std::ifstream in(path, std::ios::binary);
+  const std::string text = load_for_reader(path, extension);
+  std::istringstream in(text);
   CGAL::IO::set_mode(in, extension == "ply" ? CGAL::IO::BINARY : CGAL::IO::ASCII);
   Points points;
   Polygons polygons;
@@ -587,7 +614,6 @@ void diagnose_by_position(const std::string& path, const std::string& extension)
   else
     CGAL::IO::read_GOCAD(in, points, polygons, quiet);
   in.clear();
-  const std::string text = load(path);
   const std::streamoff told = in.tellg();
   const std::size_t position = told < 0 ? text.size() : static_cast<std::size_t>(told);
   const bool is_at_end = text.find_first_not_of(" \t\n\v\f\r", position) == std::string::npos;
@@ -674,7 +700,10 @@ bool read_soup(const std::string& path, const std::string& extension, Points& po
   if (extension == "vtp")
     return CGAL::IO::read_VTP(path, points, polygons);
 #endif
-  (void) extension;
+  if (extension == "obj" && has_tab(path)) {
+    std::istringstream in(load_for_reader(path, extension));
+    return CGAL::IO::read_OBJ(in, points, polygons, CGAL::parameters::verbose(false));
+  }
   return CGAL::IO::read_polygon_soup(path, points, polygons, CGAL::parameters::verbose(false));
 }
 
