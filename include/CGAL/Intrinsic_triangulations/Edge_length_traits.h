@@ -48,6 +48,10 @@ public:
   using Hinge_data = Hinge<Edge_data, Face_data>;
   using Flipped_hinge_data = Flipped_hinge<Edge_data, Face_data>;
   using Point_data = std::array<FT, 3>;
+  /// whether decisions are those of exact arithmetic
+  using Has_exact_decisions = typename Algebraic_structure_traits<FT>::Is_exact;
+  /// no decision needs more than the data of the hinge
+  using Uses_exact_geometry = Tag_false;
 
   /// makes the data of an edge from its end points, its length or its squared length.
   struct Construct_edge_data

@@ -6,6 +6,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_TRIANGULATION_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_construction.h>
@@ -15,6 +16,8 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -43,6 +46,7 @@ public:
   using Face_data = typename Traits::Face_data;
   using Point_data = typename Traits::Point_data;
   using Hinge_data = Hinge<Edge_data, Face_data>;
+  static constexpr bool uses_exact_geometry = Traits::Uses_exact_geometry::value;
 
   /// what `flip()` did.
   enum class Flip_outcome {
@@ -64,6 +68,8 @@ public:
   {
     exponent_ = internal::normalize_points(points);
     internal::construct_metric_from_points(connectivity_, traits_, points, edges_, faces_);
+    if constexpr (uses_exact_geometry)
+      keep_input(Input_metric::from_normalized_points(std::move(points), exponent_));
   }
 
   /// \brief constructs the triangulation of a surface given by the lengths of its edges.
@@ -80,7 +86,34 @@ public:
     t.exponent_ = internal::normalize_lengths(lengths);
     internal::construct_metric_from_lengths(t.connectivity_, t.traits_, lengths, t.edges_,
                                             t.faces_);
+    if constexpr (uses_exact_geometry)
+      t.keep_input(Input_metric::from_normalized_lengths(std::move(lengths), t.exponent_));
     return t;
+  }
+
+  /// \brief keeps the input beside the triangulation from now on: where it lies, and its
+  /// exact metric.
+  ///
+  /// Needed for `verify_Delaunay()` and for everything that relates input and result.
+  /// With `Filtered_edge_length_traits` the constructors do it.
+  /// \param metric the exact metric of the current, as yet unflipped triangulation
+  void keep_input(Input_metric metric)
+  {
+    geometry_.emplace(connectivity_, std::move(metric));
+  }
+
+  /// returns whether the input was kept.
+  bool keeps_input() const { return geometry_.has_value(); }
+
+  /// \brief returns the exact geometry, ready for its queries.
+  ///
+  /// The first call costs O(size), and is not safe beside another thread's on this object.
+  /// \pre `keeps_input()`
+  Exact_geometry& exact_geometry() const
+  {
+    CGAL_precondition(keeps_input());
+    geometry_->prepare(connectivity_);
+    return *geometry_;
   }
 
   /// returns the triangles.
@@ -96,6 +129,8 @@ public:
   /// returns the length of `e`.
   FT length(Edge_index e) const
   {
+    if constexpr (uses_exact_geometry)
+      return exact_geometry().length(connectivity_, e);
     return in_input_unit(traits_.compute_length_object()(edge_data(e)), 1);
   }
   /// returns the squared length of `e`.
@@ -106,6 +141,8 @@ public:
   /// returns the area of `f`.
   FT area(Face_index f) const
   {
+    if constexpr (uses_exact_geometry)
+      return exact_geometry().area(connectivity_, f);
     const Halfedge_index h = connectivity_.halfedge(f);
     return in_input_unit(traits_.compute_area_object()(face_data(f), edge_data(edge(h)),
                                                        edge_data(edge(connectivity_.next(h))),
@@ -117,6 +154,8 @@ public:
   FT cotangent(Halfedge_index h) const
   {
     CGAL_precondition(!connectivity_.is_border(h));
+    if constexpr (uses_exact_geometry)
+      return exact_geometry().cotangent(connectivity_, h);
     return traits_.compute_cotangent_object()(face_data(connectivity_.face(h)), edge_data(edge(h)),
                                               edge_data(edge(connectivity_.next(h))),
                                               edge_data(edge(connectivity_.prev(h))));
@@ -125,6 +164,8 @@ public:
   /// a factor: a weight of the Laplace-Beltrami operator (section 3.1 of the paper).
   FT cotangent_weight(Edge_index e) const
   {
+    if constexpr (uses_exact_geometry)
+      return exact_geometry().cotangent_weight(connectivity_, e);
     const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
     if (connectivity_.is_border(h))
       return cotangent(g);
@@ -142,7 +183,30 @@ public:
   {
     if (!connectivity_.is_flippable(e))
       return true;
-    return traits_.is_locally_Delaunay_object()(hinge(e));
+    const Boolean answer = traits_.is_locally_Delaunay_object()(hinge(e));
+    if constexpr (uses_exact_geometry)
+      if (!is_certain(answer)) {
+        Exact_geometry::Opposite_corners corners;
+        return exact_geometry().sign_of_cotangents(connectivity_, e, corners) != NEGATIVE;
+      }
+    return answer;
+  }
+
+  /// \brief as `is_locally_Delaunay()`; where the stored numbers could not decide, they
+  /// are replaced by the tight ones that did.
+  Boolean test_and_refine(Edge_index e)
+  {
+    const Boolean answer = traits_.is_locally_Delaunay_object()(hinge(e));
+    if constexpr (uses_exact_geometry) {
+      if (!is_certain(answer)) {
+        Exact_geometry::Opposite_corners corners;
+        const Sign sign = exact_geometry().sign_of_cotangents(connectivity_, e, corners);
+        refine(connectivity_.halfedge(e), corners.k);
+        refine(connectivity_.opposite(connectivity_.halfedge(e)), corners.l);
+        return sign != NEGATIVE;
+      }
+    }
+    return answer;
   }
 
   /// \brief flips `e` if its two faces form a strictly convex quadrilateral.
@@ -160,10 +224,16 @@ public:
     const Halfedge_index h = connectivity_.halfedge(e);
     const Face_index f = connectivity_.face(h),
                      g = connectivity_.face(connectivity_.opposite(h));
+    if (geometry_)
+      geometry_->flip(connectivity_, e);
     connectivity_.flip(e);
     edges_[e.idx()] = flipped.kl;
     faces_[f.idx()] = flipped.ilk;
     faces_[g.idx()] = flipped.jkl;
+    if constexpr (uses_exact_geometry)
+      if (!traits_.has_positive_area_object()(flipped.ilk) &&
+          !traits_.has_positive_area_object()(flipped.jkl))
+        check_length(e);
     return Flip_outcome::FLIPPED;
   }
 
@@ -193,6 +263,28 @@ private:
             face_data(connectivity_.face(g))};
   }
 
+  void refine(Halfedge_index h, const Exact_geometry::Corner& c)
+  {
+    const auto refined = traits_.construct_refined_data_object();
+    edges_[edge(connectivity_.prev(h)).idx()] = refined(c.s_first);
+    edges_[edge(connectivity_.next(h)).idx()] = refined(c.s_second);
+    edges_[edge(h).idx()] = refined(c.s_opposite);
+    faces_[connectivity_.face(h).idx()] = refined(c.four_areas);
+  }
+
+  // Between two faces without area the new edge may have no length either.
+  void check_length(Edge_index e)
+  {
+    if (!exact_geometry().has_length_zero(connectivity_, e))
+      return;
+    const Halfedge_index h = connectivity_.halfedge(e);
+    throw Invalid_surface_error(Invalid_surface_error::Defect::ZERO_LENGTH_EDGE,
+                                connectivity_.source(h).idx(), 1,
+                                "vertices " + std::to_string(connectivity_.source(h).idx()) +
+                                  " and " + std::to_string(connectivity_.target(h).idx()) +
+                                  " coincide on the surface, though no edge joins them; merge them first");
+  }
+
   FT in_input_unit(FT x, int dimension) const
   {
     return exponent_ == 0 ? x : internal::times_power_of_two(x, dimension * exponent_);
@@ -203,6 +295,7 @@ private:
   std::vector<Edge_data> edges_;
   std::vector<Face_data> faces_;
   int exponent_ = 0;
+  mutable std::optional<Exact_geometry> geometry_;
 };
 
 } // namespace Intrinsic_triangulations

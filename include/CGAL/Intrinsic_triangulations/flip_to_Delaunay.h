@@ -89,7 +89,7 @@ Flip_report flip_to_Delaunay(Triangulation& triangulation,
   using parameters::get_parameter;
   using parameters::get_parameter_reference;
   constexpr bool is_exact =
-    Algebraic_structure_traits<typename Triangulation::FT>::Is_exact::value;
+    Triangulation::Traits::Has_exact_decisions::value;
 
   const std::uint64_t budget = choose_parameter(
     get_parameter(np, internal_np::maximum_number),

@@ -96,7 +96,7 @@ private:
       return false;
     }
     ++report_.tests;
-    const auto is_Delaunay = triangulation_.is_locally_Delaunay(e);
+    const auto is_Delaunay = triangulation_.test_and_refine(e);
     if (certainly(is_Delaunay))
       return true;
     if (possibly(is_Delaunay)) {

@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Exact decisions and trustworthy numbers from the input and the integers alone.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_GEOMETRY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_GEOMETRY_H
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \brief the stages of an exact Delaunay test, each taken when those before cannot decide.
+enum class Stage {
+  FILTER,         ///< the stored squared lengths and areas with their error bounds
+  UNFOLDING,      ///< the unfolding over the input triangles, in double-doubles with error bounds
+  RATIONAL,       ///< both faces are input faces: rational arithmetic
+  MULTIPRECISION, ///< the unfolding in MPFR intervals
+  ALGEBRAIC       ///< the unfolding in a multiquadratic field: a proof of zero
+};
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \brief the number of stages.
+constexpr std::size_t number_of_stages = 5;
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \brief how many Delaunay tests each stage decided, and how many were ties.
+struct Stage_counts
+{
+  std::array<std::uint64_t, number_of_stages> decided{}; ///< by `Stage`
+  std::uint64_t ties = 0; ///< tests whose opposite angles sum to exactly π
+
+  /// returns the number of tests that `stage` decided.
+  std::uint64_t operator[](Stage stage) const { return decided[std::size_t(stage)]; }
+};
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+///
+/// \brief the exact geometry of a current triangulation: the metric of the input, and
+/// where the input lies in the current triangulation.
+///
+/// Every answer is a function of the input and of the connectivity and does not depend on
+/// the flips that led there.
+class Exact_geometry
+{
+  using Double_double = internal::Bounded_double_double;
+
+  template <class Metric>
+  struct Both_corners
+  {
+    typename Unfolding<Metric>::Corner k, l;
+  };
+
+public:
+  /// a corner in double-doubles with error bounds.
+  using Corner = Unfolding<internal::Double_double_metric>::Corner;
+  /// the corners opposite to an edge, k to its left and l to its right.
+  using Opposite_corners = Both_corners<internal::Double_double_metric>;
+
+  /// constructs the geometry of an input triangulation in itself.
+  Exact_geometry(const Delta_complex& input, Input_metric metric)
+    : correspondence_(input), metric_(std::move(metric))
+  {}
+
+  /// returns where the input lies in the current triangulation.
+  const Correspondence& correspondence() const { return correspondence_; }
+  /// returns the metric of the input.
+  const Input_metric& metric() const { return metric_; }
+  /// returns how the tests so far were decided.
+  const Stage_counts& stage_counts() const { return counts_; }
+
+  /// updates the integers, before the flip of the connectivity.
+  /// \exception Integer_overflow_error as `Normal_coordinates::flip()`
+  void flip(const Delta_complex& complex, Edge_index e) { correspondence_.flip(complex, e); }
+  /// notes that the filter decided a test.
+  void count_filter_decision() { ++counts_.decided[std::size_t(Stage::FILTER)]; }
+  /// makes the queries below possible. O(size) once after the construction.
+  void prepare(const Delta_complex& complex) { correspondence_.recover_input(complex); }
+
+  /// \brief returns the sign of `cot k + cot l` for the angles opposite to `e`, exactly.
+  ///
+  /// Where both faces have zero area, it is `NEGATIVE` if both angles are π, and `ZERO`
+  /// otherwise. \pre `prepare()` was called; `e` lies between two different faces
+  /// \param corners receives the two corners
+  /// \exception Undecided_error where a zero is too entangled to be proven: more than
+  ///   about a dozen independent square roots
+  Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e, Opposite_corners& corners)
+  {
+    internal::Double_double_metric metric(correspondence_.input(), metric_);
+    corners = opposite_corners(complex, e, metric);
+    Uncertain<Sign> sign = sign_of(corners.k, corners.l);
+    if (is_certain(sign))
+      return decided(Stage::UNFOLDING, sign);
+    if (has_input_faces(complex, e))
+      return decided(Stage::RATIONAL, rational_sign(complex, e));
+    for (long precision : {128l, 256l, 512l}) {
+      sign = multiprecision_sign(complex, e, precision);
+      if (is_certain(sign))
+        return decided(Stage::MULTIPRECISION, sign);
+    }
+    try {
+      internal::Multiquadratic_metric field(correspondence_.input(), metric_);
+      const auto exact = opposite_corners(complex, e, field);
+      if ((exact.k.p * exact.l.four_areas + exact.l.p * exact.k.four_areas).is_zero())
+        return decided(Stage::ALGEBRAIC, exact.k.p.is_zero() || exact.l.p.is_zero()
+                                           ? ZERO
+                                           : sign_of_tie(complex, e));
+    } catch (const internal::Too_many_roots&) {
+    }
+    for (long precision = 1024; precision <= largest_precision; precision *= 2) {
+      sign = multiprecision_sign(complex, e, precision);
+      if (is_certain(sign))
+        return decided(Stage::MULTIPRECISION, sign);
+    }
+    throw Undecided_error("edge " + std::to_string(e.idx()) +
+                          ": the sum of the opposite angles differs from pi by less than 2^-" +
+                          std::to_string(largest_precision) +
+                          " and cannot be proven to be pi: too many independent square roots");
+  }
+
+  /// returns the length of `e` in the unit of the input, within 0.51 units in the last
+  /// place. \pre `prepare()` was called
+  double length(const Delta_complex& complex, Edge_index e) const
+  {
+    internal::Double_double_metric metric(correspondence_.input(), metric_);
+    const Double_double s =
+      Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);
+    if (s.relative_error() < 0x1p-70) {
+      const Double_double l = sqrt(s);
+      return std::ldexp(l.hi() + l.lo(), metric_.unit_exponent());
+    }
+    for (long precision = 128;; precision *= 2) {
+      const internal::Mpfr_interval s = multiprecision_squared_length(complex, e, precision);
+      const internal::Mpfr_interval l = sqrt(s);
+      const double low = l.lower_double(), high = l.upper_double();
+      if (high <= std::nextafter(low, high) || precision > largest_precision)
+        return std::ldexp(mpfr_get_d(l.lower(), MPFR_RNDN), metric_.unit_exponent());
+    }
+  }
+
+  /// returns an interval around the length of `e`, in the unit of the input.
+  /// \pre `prepare()` was called
+  Interval_nt<> length_interval(const Delta_complex& complex, Edge_index e) const
+  {
+    const internal::Mpfr_interval l = sqrt(multiprecision_squared_length(complex, e, 128));
+    return Interval_nt<>(std::ldexp(l.lower_double(), metric_.unit_exponent()),
+                         std::ldexp(l.upper_double(), metric_.unit_exponent()));
+  }
+
+  /// returns the cotangent of the angle opposite to `h`, up to `2^-50 (1 + |cot|)`.
+  /// \pre `prepare()` was called; `h` is not a border halfedge, its face has positive area
+  double cotangent(const Delta_complex& complex, Halfedge_index h) const
+  {
+    const Corner c = corner(complex, h);
+    const double value = c.p.hi() / c.four_areas.hi();
+    if (c.four_areas.relative_error() < 0x1p-60 &&
+        c.p.error() < 0x1p-60 * (std::abs(c.p.hi()) + c.four_areas.hi()))
+      return value;
+    return with_increasing_precision(complex, h, [](const auto& corner) {
+      return corner.p / corner.four_areas;
+    });
+  }
+
+  /// returns the sum of the cotangents of the one or two angles opposite to `e`, up to
+  /// `2^-49` times one plus the sum of their absolute values. A sum of zero is exactly zero, and the sign is right.
+  /// \pre `prepare()` was called; `e` lies in faces of positive area
+  double cotangent_weight(const Delta_complex& complex, Edge_index e)
+  {
+    const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+    if (complex.is_border(h))
+      return cotangent(complex, g);
+    if (complex.is_border(g))
+      return cotangent(complex, h);
+    const Corner k = corner(complex, h), l = corner(complex, g);
+    const Double_double weight = k.p / k.four_areas + l.p / l.four_areas;
+    const Uncertain<Sign> sign = weight.sign();
+    if (is_certain(sign) && weight.error() < 0x1p-52 * (1 + std::abs(weight.hi())))
+      return weight.hi();
+    const double sum = cotangent(complex, h) + cotangent(complex, g);
+    if (!complex.is_flippable(e))
+      return sum;
+    Opposite_corners corners;
+    const Stage_counts counts = counts_;
+    const Sign exact_sign = sign_of_cotangents(complex, e, corners);
+    counts_ = counts; // not a test of the algorithm
+    return exact_sign == ZERO || CGAL::sign(sum) != exact_sign ? 0. : sum;
+  }
+
+  /// returns the area of `f` in the unit of the input, up to a relative error of `2^-50`.
+  /// \pre `prepare()` was called
+  double area(const Delta_complex& complex, Face_index f) const
+  {
+    const Halfedge_index h = complex.halfedge(f);
+    const Double_double a = corner(complex, h).four_areas;
+    const double value = a.is_zero() || a.relative_error() < 0x1p-54
+                           ? a.hi()
+                           : with_increasing_precision(complex, h, [](const auto& corner) {
+                               return corner.four_areas;
+                             });
+    return std::ldexp(value, 2 * metric_.unit_exponent() - 2);
+  }
+
+  /// returns whether two vertices coincide: whether `e` has length zero.
+  /// \pre `prepare()` was called
+  bool has_length_zero(const Delta_complex& complex, Edge_index e) const
+  {
+    internal::Double_double_metric metric(correspondence_.input(), metric_);
+    const Double_double s =
+      Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);
+    if (is_certain(s.sign()))
+      return s.is_zero();
+    internal::Multiquadratic_metric field(correspondence_.input(), metric_);
+    return Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
+      .squared_length(e)
+      .is_zero();
+  }
+
+  /// returns the corner opposite to `h`, in double-doubles with error bounds and in the
+  /// unit of the metric. \pre `prepare()` was called; `h` is not a border halfedge
+  Corner corner(const Delta_complex& complex, Halfedge_index h) const
+  {
+    internal::Double_double_metric metric(correspondence_.input(), metric_);
+    return Unfolding<internal::Double_double_metric>(complex, correspondence_, metric)
+      .opposite_corner(h);
+  }
+
+private:
+  static constexpr long largest_precision = 1l << 16;
+
+  template <class Metric>
+  Both_corners<Metric> opposite_corners(const Delta_complex& complex, Edge_index e,
+                                        Metric& metric) const
+  {
+    const Unfolding<Metric> unfolding(complex, correspondence_, metric);
+    const Halfedge_index h = complex.halfedge(e);
+    return {unfolding.opposite_corner(h), unfolding.opposite_corner(complex.opposite(h))};
+  }
+
+  // The sign of cot k + cot l; a zero is only certain with both areas positive, or with
+  // the signs of both scalar products known.
+  template <class Corner_>
+  static Uncertain<Sign> sign_of(const Corner_& k, const Corner_& l)
+  {
+    const Uncertain<Sign> sign = (k.p * l.four_areas + l.p * k.four_areas).sign();
+    if (!is_certain(sign) || get_certain(sign) != ZERO)
+      return sign;
+    const Uncertain<Sign> sign_k = k.p.sign(), sign_l = l.p.sign();
+    if (!is_certain(sign_k) || !is_certain(sign_l))
+      return Uncertain<Sign>::indeterminate();
+    return tie(get_certain(sign_k), get_certain(sign_l));
+  }
+
+  // The angles sum to 0, π or 2π; only in the last case are both obtuse.
+  static Sign tie(Sign sign_k, Sign sign_l)
+  {
+    return sign_k == NEGATIVE && sign_l == NEGATIVE ? NEGATIVE : ZERO;
+  }
+
+  Sign decided(Stage stage, Uncertain<Sign> sign)
+  {
+    ++counts_.decided[std::size_t(stage)];
+    if (get_certain(sign) == ZERO)
+      ++counts_.ties;
+    return get_certain(sign);
+  }
+
+  bool has_input_faces(const Delta_complex& complex, Edge_index e) const
+  {
+    const Normal_coordinates& n = correspondence_.coordinates();
+    const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+    for (Halfedge_index x : {h, complex.next(h), complex.prev(h), complex.next(g), complex.prev(g)})
+      if (!n.is_original(complex.edge(x)))
+        return false;
+    return true;
+  }
+
+  // The sign of p_k √q_l + p_l √q_k for two input faces. The current edge coincides with an
+  // input edge, which need not have the same number: it is found by its roundabout.
+  Sign rational_sign(const Delta_complex& complex, Edge_index e) const
+  {
+    const Halfedge_index h = complex.halfedge(e);
+    const auto k = rational_corner(complex, h), l = rational_corner(complex, complex.opposite(h));
+    const Sign p_k = internal::sign_of(k.first), p_l = internal::sign_of(l.first);
+    const Sign term_k = l.second == 0 ? ZERO : p_k, term_l = k.second == 0 ? ZERO : p_l;
+    if (term_k == ZERO || term_l == ZERO || term_k == term_l) {
+      const Sign sum = term_k == ZERO ? term_l : term_k;
+      return sum == ZERO ? tie(p_k, p_l) : sum;
+    }
+    const Sign difference =
+      internal::sign_of(k.first * k.first * l.second - l.first * l.first * k.second);
+    return difference == ZERO ? ZERO : term_k * difference;
+  }
+
+  // Twice the scalar product and the square of four times the area.
+  std::pair<internal::Rational, internal::Rational> rational_corner(const Delta_complex& complex,
+                                                                    Halfedge_index h) const
+  {
+    const Delta_complex& input = correspondence_.input();
+    const Halfedge_index ij = correspondence_.input_halfedge(
+      complex.source(h), correspondence_.roundabout(complex, h));
+    const auto s_ij = metric_.squared_length(input, input.edge(ij)),
+               s_jk = metric_.squared_length(input, input.edge(input.next(ij))),
+               s_ki = metric_.squared_length(input, input.edge(input.prev(ij)));
+    return {twice_scalar_product(s_jk, s_ki, s_ij), squared_four_areas(s_ij, s_jk, s_ki)};
+  }
+
+  Uncertain<Sign> multiprecision_sign(const Delta_complex& complex, Edge_index e,
+                                      long precision) const
+  {
+    internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
+    const auto corners = opposite_corners(complex, e, metric);
+    return sign_of(corners.k, corners.l);
+  }
+
+  internal::Mpfr_interval multiprecision_squared_length(const Delta_complex& complex, Edge_index e,
+                                                        long precision) const
+  {
+    internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
+    return Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric).squared_length(e);
+  }
+
+  // Known to be a tie in which no opposite angle is right: the signs of the scalar products
+  // tell which.
+  Sign sign_of_tie(const Delta_complex& complex, Edge_index e) const
+  {
+    for (long precision = 128; precision <= largest_precision; precision *= 2) {
+      internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
+      const auto corners = opposite_corners(complex, e, metric);
+      const Uncertain<Sign> k = corners.k.p.sign(), l = corners.l.p.sign();
+      if (is_certain(k) && is_certain(l))
+        return tie(get_certain(k), get_certain(l));
+    }
+    throw Undecided_error("edge " + std::to_string(e.idx()) + ": the opposite angles are too near to pi/2");
+  }
+
+  template <class Evaluate>
+  double with_increasing_precision(const Delta_complex& complex, Halfedge_index h,
+                                   const Evaluate& evaluate) const
+  {
+    for (long precision = 128;; precision *= 2) {
+      internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
+      const internal::Mpfr_interval x = evaluate(
+        Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric).opposite_corner(h));
+      const double low = x.lower_double(), high = x.upper_double();
+      if (high - low <= 0x1p-52 * std::abs(high) || (high < 0x1p-80 && low > -0x1p-80) ||
+          precision > 4096)
+        return low + (high - low) / 2;
+    }
+  }
+
+  Correspondence correspondence_;
+  Input_metric metric_;
+  Stage_counts counts_;
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_GEOMETRY_H

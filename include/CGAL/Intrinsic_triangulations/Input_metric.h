@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The metric of the input triangulation, exactly as it was given.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/Multiquadratic.h>
+#include <CGAL/Intrinsic_triangulations/internal/Mpfr_interval.h>
+#include <CGAL/Intrinsic_triangulations/internal/Rational.h>
+#include <CGAL/Intrinsic_triangulations/internal/metric_construction.h>
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+///
+/// \brief the squared lengths of the input edges, as exact functions of what was given:
+/// points with `double` coordinates, lengths, or rational squared lengths.
+///
+/// Coordinates and lengths are multiplied by a power of two, which is exact, if they are
+/// so large or so small that products of squared lengths would over- or underflow.
+class Input_metric
+{
+public:
+  using Rational = internal::Rational;
+
+  Input_metric() = default;
+
+  /// constructs the metric of a surface in space, from the points of its vertices.
+  /// \exception Invalid_surface_error if a coordinate is not finite
+  static Input_metric from_points(std::vector<std::array<double, 3>> points)
+  {
+    const int exponent = internal::normalize_points(points);
+    return from_normalized_points(std::move(points), exponent);
+  }
+  /// constructs the metric from the length of each edge.
+  /// \exception Invalid_surface_error if a length is not positive and finite
+  static Input_metric from_lengths(std::vector<double> lengths)
+  {
+    const int exponent = internal::normalize_lengths(lengths);
+    return from_normalized_lengths(std::move(lengths), exponent);
+  }
+  /// constructs the metric from the exact squared length of each edge.
+  static Input_metric from_squared_lengths(std::vector<Rational> squared_lengths)
+  {
+    Input_metric m;
+    m.squared_lengths_ = std::move(squared_lengths);
+    return m;
+  }
+
+  /// returns k such that one unit of this metric is `2^k` units of the input.
+  int unit_exponent() const { return exponent_; }
+  /// returns the points, empty unless they were given.
+  const std::vector<std::array<double, 3>>& points() const { return points_; }
+
+  /// returns the squared length of an input edge exactly.
+  Rational squared_length(const Delta_complex& input, Edge_index e) const
+  {
+    if (!squared_lengths_.empty())
+      return squared_lengths_[e.idx()];
+    if (!lengths_.empty()) {
+      const Rational l(lengths_[e.idx()]);
+      return l * l;
+    }
+    const Halfedge_index h = input.halfedge(e);
+    const auto &p = points_[input.source(h).idx()], &q = points_[input.target(h).idx()];
+    Rational s(0);
+    for (int i = 0; i < 3; ++i) {
+      const Rational d = Rational(q[i]) - Rational(p[i]);
+      s += d * d;
+    }
+    return s;
+  }
+
+  /// returns the square of four times the area of an input face exactly.
+  Rational squared_four_areas(const Delta_complex& input, Face_index f) const
+  {
+    const Halfedge_index h = input.halfedge(f);
+    return Intrinsic_triangulations::squared_four_areas(
+      squared_length(input, input.edge(h)), squared_length(input, input.edge(input.next(h))),
+      squared_length(input, input.edge(input.prev(h))));
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  static Input_metric from_normalized_points(std::vector<std::array<double, 3>> points,
+                                             int exponent)
+  {
+    Input_metric m;
+    m.exponent_ = exponent;
+    m.points_ = std::move(points);
+    return m;
+  }
+  static Input_metric from_normalized_lengths(std::vector<double> lengths, int exponent)
+  {
+    Input_metric m;
+    m.exponent_ = exponent;
+    m.lengths_ = std::move(lengths);
+    return m;
+  }
+
+  using Double_double = internal::Bounded_double_double;
+
+  Double_double squared_length_double_double(const Delta_complex& input, Edge_index e) const
+  {
+    if (!squared_lengths_.empty())
+      return rounded(squared_lengths_[e.idx()]);
+    if (!lengths_.empty()) {
+      const Double_double l(lengths_[e.idx()]);
+      return l * l;
+    }
+    const Halfedge_index h = input.halfedge(e);
+    const auto d = difference(input.source(h), input.target(h));
+    return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+  }
+
+  Double_double four_areas_double_double(const Delta_complex& input, Face_index f) const
+  {
+    const Halfedge_index h = input.halfedge(f);
+    if (!squared_lengths_.empty())
+      return sqrt(rounded(squared_four_areas(input, f)));
+    if (!lengths_.empty()) {
+      // Kahan's order of operations; a difference of doubles is exact.
+      std::array<double, 3> l{lengths_[input.edge(h).idx()],
+                              lengths_[input.edge(input.next(h)).idx()],
+                              lengths_[input.edge(input.prev(h)).idx()]};
+      std::sort(l.begin(), l.end());
+      const Double_double c(l[0]), b(l[1]), a(l[2]), ab = Double_double::difference(l[2], l[1]);
+      return sqrt((a + (b + c)) * (c - ab) * (c + ab) * (a + (b - c)));
+    }
+    const Vertex_index p = input.source(h);
+    const auto u = difference(p, input.target(h)),
+               v = difference(p, input.target(input.next(h)));
+    const Double_double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2],
+                        z = u[0] * v[1] - u[1] * v[0];
+    return sqrt(x * x + y * y + z * z).scaled(2);
+  }
+  /// \endcond
+
+private:
+  std::array<Double_double, 3> difference(Vertex_index from, Vertex_index to) const
+  {
+    const auto &p = points_[from.idx()], &q = points_[to.idx()];
+    return {Double_double::difference(q[0], p[0]), Double_double::difference(q[1], p[1]),
+            Double_double::difference(q[2], p[2])};
+  }
+
+  static Double_double rounded(const Rational& x)
+  {
+    const double hi = x.convert_to<double>();
+    const Rational rest = x - Rational(hi);
+    const double lo = rest.convert_to<double>();
+    const Rational error = rest - Rational(lo);
+    return {hi, lo, error == 0 ? 0 : std::abs(lo) * 0x1p-50 + 1e-300};
+  }
+
+  int exponent_ = 0;
+  std::vector<std::array<double, 3>> points_;
+  std::vector<double> lengths_;
+  std::vector<Rational> squared_lengths_;
+};
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// The metric in double-doubles with error bounds (see Unfolding).
+class Double_double_metric
+{
+public:
+  using Real = Bounded_double_double;
+  Double_double_metric(const Delta_complex& input, const Input_metric& metric)
+    : input_(input), metric_(metric)
+  {}
+  Real constant(int x) const { return Real(x); }
+  Real squared_length(Edge_index e) const { return metric_.squared_length_double_double(input_, e); }
+  Real four_areas(Face_index f) const { return metric_.four_areas_double_double(input_, f); }
+
+private:
+  const Delta_complex& input_;
+  const Input_metric& metric_;
+};
+
+// The metric in multiple-precision intervals.
+class Mpfr_metric
+{
+public:
+  using Real = Mpfr_interval;
+  Mpfr_metric(const Delta_complex& input, const Input_metric& metric, long precision)
+    : input_(input), metric_(metric), precision_(precision)
+  {}
+  Real constant(int x) const { return Real(double(x), precision_); }
+  Real squared_length(Edge_index e) const
+  {
+    return Real(data(metric_.squared_length(input_, e)), precision_);
+  }
+  Real four_areas(Face_index f) const
+  {
+    return sqrt(Real(data(metric_.squared_four_areas(input_, f)), precision_));
+  }
+
+private:
+  const Delta_complex& input_;
+  const Input_metric& metric_;
+  long precision_;
+};
+
+// The metric in the multiquadratic field of the roots that it is asked for.
+class Multiquadratic_metric
+{
+public:
+  using Real = Multiquadratic;
+  Multiquadratic_metric(const Delta_complex& input, const Input_metric& metric)
+    : input_(input), metric_(metric)
+  {}
+  Real constant(int x) const { return Real(&basis_, 0, Rational(x)); }
+  Real squared_length(Edge_index e) const
+  {
+    return Real(&basis_, 0, metric_.squared_length(input_, e));
+  }
+  Real four_areas(Face_index f)
+  {
+    const Square_root_basis::Root root = basis_.root(metric_.squared_four_areas(input_, f));
+    return Real(&basis_, root.mask, root.coefficient);
+  }
+
+private:
+  const Delta_complex& input_;
+  const Input_metric& metric_;
+  Square_root_basis basis_;
+};
+
+} // namespace internal
+/// \endcond
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_H

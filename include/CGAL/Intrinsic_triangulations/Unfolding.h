@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// An edge of the current triangulation, laid out over the input triangles that it crosses.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_UNFOLDING_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_UNFOLDING_H
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/Crossing_sequence.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstdint>
+#include <utility>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \brief a complex number, or a vector in a plane, over a ring.
+template <class Real>
+struct Planar_vector
+{
+  Real x; ///< real part
+  Real y; ///< imaginary part
+
+  /// returns the product of complex numbers.
+  friend Planar_vector operator*(const Planar_vector& a, const Planar_vector& b)
+  {
+    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+  }
+  /// returns the sum.
+  friend Planar_vector operator+(const Planar_vector& a, const Planar_vector& b)
+  {
+    return {a.x + b.x, a.y + b.y};
+  }
+  /// returns the difference.
+  friend Planar_vector operator-(const Planar_vector& a, const Planar_vector& b)
+  {
+    return {a.x - b.x, a.y - b.y};
+  }
+  /// returns `a` times the conjugate of `b`.
+  friend Planar_vector times_conjugate(const Planar_vector& a, const Planar_vector& b)
+  {
+    return {a.x * b.x + a.y * b.y, a.y * b.x - a.x * b.y};
+  }
+  /// returns the squared absolute value.
+  friend Real squared_norm(const Planar_vector& a) { return a.x * a.x + a.y * a.y; }
+};
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+///
+/// \brief lengths, angles and areas of the current triangulation from the input alone.
+///
+/// The input triangles that an edge crosses are laid out one after the other in the
+/// plane. Positions are products and sums of corner ratios of input triangles,
+/// `z = (x + i √q) / (2 s)` with `x = s_ij + s_ki − s_jk` at the corner i from ij to ki:
+/// numbers of the multiquadratic field over the rationals that the square roots √q of
+/// the input faces span, divided by input quantities alone. Hence the results depend on
+/// the input and on where the edge runs, not on the flips that led there, and the same
+/// code gives intervals, multiple-precision numbers or exact ones.
+///
+/// \tparam Metric gives the images in some ring of the squared length of an input edge and
+///   of √q of an input face (four times its area): a type `Real`, members
+///   `squared_length(Edge_index)` and `four_areas(Face_index)`, and `constant(int)`.
+///
+/// Lengths are in the unit of the metric. Cost: proportional to the number of crossings,
+/// plus that of finding their order.
+template <class Metric>
+class Unfolding
+{
+public:
+  using Real = typename Metric::Real;
+  using Vector = Planar_vector<Real>;
+
+  /// \brief an edge as a vector in the frame of an input halfedge: 1 is that halfedge.
+  struct Edge_vector
+  {
+    Vector vector;
+    std::int64_t reference; ///< index of that input halfedge around the source
+  };
+
+  /// \brief what a corner knows of its triangle.
+  struct Corner
+  {
+    Real p;            ///< twice the scalar product of its sides
+    Real four_areas;   ///< four times the area
+    Real s_first;      ///< squared length of the side clockwise
+    Real s_second;     ///< squared length of the side counterclockwise
+    Real s_opposite;   ///< squared length of the opposite side
+  };
+
+  /// \pre `correspondence.recover_input()` was called
+  Unfolding(const Delta_complex& complex, const Correspondence& correspondence, Metric& metric)
+    : complex_(complex), correspondence_(correspondence), input_(correspondence.input()),
+      metric_(metric)
+  {}
+
+  /// returns `h` as a vector.
+  Edge_vector edge_vector(Halfedge_index h) const
+  {
+    const Vertex_index v = complex_.source(h);
+    const std::int64_t roundabout = correspondence_.roundabout(complex_, h);
+    const Vector one = {metric_.constant(1), metric_.constant(0)};
+    if (correspondence_.coordinates().is_original(complex_.edge(h)))
+      return {one, roundabout};
+
+    // h leaves v between the input halfedges `roundabout - 1` and `roundabout`.
+    const Halfedge_index first = correspondence_.input_halfedge(v, roundabout - 1);
+    Vector right = one, left = corner_ratio(first);
+    Halfedge_index crossed = input_.opposite(input_.next(first)); // from left to right
+    for (internal::Crossing_sequence sequence(complex_, correspondence_.coordinates(), h);;
+         sequence.advance()) {
+      const Vector apex = left + (right - left) * corner_ratio(crossed);
+      if (sequence.is_last())
+        return {apex, roundabout - 1};
+      if (sequence.turns_left()) {
+        right = apex;
+        crossed = input_.opposite(input_.prev(crossed));
+      } else {
+        left = apex;
+        crossed = input_.opposite(input_.next(crossed));
+      }
+    }
+  }
+
+  /// returns the squared length of `e`.
+  Real squared_length(Edge_index e) const
+  {
+    const Halfedge_index h = complex_.halfedge(e);
+    const Edge_vector u = edge_vector(h);
+    return squared_norm(u.vector) * reference_length(complex_.source(h), u.reference);
+  }
+
+  /// returns the corner opposite to `h` in its face.
+  /// \pre `h` is not a border halfedge
+  Corner opposite_corner(Halfedge_index h) const
+  {
+    CGAL_precondition(!complex_.is_border(h));
+    const Halfedge_index ki = complex_.prev(h), kj = complex_.opposite(complex_.next(h));
+    const Vertex_index k = complex_.source(ki);
+    const Edge_vector u = edge_vector(ki), v = edge_vector(kj);
+    // From the frame of u to the frame of v there is a fan of input triangles.
+    Vector w = v.vector;
+    const Normal_coordinates& coordinates = correspondence_.coordinates();
+    const std::int64_t fan = coordinates.triangle_crossings(complex_, h).e_k +
+                             (coordinates.is_original(complex_.edge(kj)) ? 1 : 0);
+    for (std::int64_t i = 0; i < fan; ++i)
+      w = w * corner_ratio(correspondence_.input_halfedge(k, u.reference + i));
+    const Real s = reference_length(k, u.reference), two_s = s + s;
+    const Vector z = times_conjugate(w, u.vector);
+    return {two_s * z.x, two_s * z.y, s * squared_norm(u.vector), s * squared_norm(w),
+            s * squared_norm(w - u.vector)};
+  }
+
+private:
+  Real reference_length(Vertex_index v, std::int64_t reference) const
+  {
+    return metric_.squared_length(input_.edge(correspondence_.input_halfedge(v, reference)));
+  }
+
+  // The ratio at the source of an input halfedge from it to the next counterclockwise.
+  Vector corner_ratio(Halfedge_index ij) const
+  {
+    const Real s_ij = metric_.squared_length(input_.edge(ij));
+    const Real s_jk = metric_.squared_length(input_.edge(input_.next(ij)));
+    const Real s_ki = metric_.squared_length(input_.edge(input_.prev(ij)));
+    const Real two_s = s_ij + s_ij;
+    return {(s_ij + s_ki - s_jk) / two_s, metric_.four_areas(input_.face(ij)) / two_s};
+  }
+
+  const Delta_complex& complex_;
+  const Correspondence& correspondence_;
+  const Delta_complex& input_;
+  Metric& metric_;
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_UNFOLDING_H
