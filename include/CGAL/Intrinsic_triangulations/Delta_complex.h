@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H
 
 #include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
@@ -21,7 +22,6 @@
 #include <iterator>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -80,15 +80,18 @@ class Delta_complex
 public:
   using size_type = std::uint32_t;
 
-  /// what is stored for a halfedge.
+  /// what is stored for a halfedge: the positions of other elements. (A descriptor would
+  /// initialize itself, which costs a pass over memory for each new array.)
   struct Halfedge
   {
-    Halfedge_index next;
-    Halfedge_index prev;
-    Vertex_index target;
-    Face_index face; ///< null for a border halfedge
+    size_type next;
+    size_type prev;
+    size_type target;
+    size_type face; ///< `Face_index::null_index()` for a border halfedge
   };
 
+  using Halfedge_vector = internal::Large_vector<Halfedge>;
+  using Descriptor_vector = internal::Large_vector<Halfedge_index>;
   using Vertex_iterator = internal::Descriptor_iterator<Vertex_index>;
   using Halfedge_iterator = internal::Descriptor_iterator<Halfedge_index>;
   using Edge_iterator = internal::Descriptor_iterator<Edge_index>;
@@ -104,8 +107,8 @@ public:
   ///   halfedge if there is one, the null descriptor for an isolated vertex
   /// \param face_halfedges for each face one of its halfedges
   /// \pre `is_valid()` of the result. It is checked only if `CGAL_CHECK_EXPENSIVE` is defined.
-  Delta_complex(std::vector<Halfedge> halfedges, std::vector<Halfedge_index> vertex_halfedges,
-                std::vector<Halfedge_index> face_halfedges)
+  Delta_complex(Halfedge_vector halfedges, Descriptor_vector vertex_halfedges,
+                Descriptor_vector face_halfedges)
     : halfedges_(std::move(halfedges)), vertex_halfedges_(std::move(vertex_halfedges)),
       face_halfedges_(std::move(face_halfedges))
   {
@@ -131,17 +134,17 @@ public:
   /// \name Navigation
   /// @{
   /// returns the halfedge after `h` around its face, or along the border.
-  Halfedge_index next(Halfedge_index h) const { return record(h).next; }
+  Halfedge_index next(Halfedge_index h) const { return Halfedge_index(record(h).next); }
   /// returns the halfedge before `h`.
-  Halfedge_index prev(Halfedge_index h) const { return record(h).prev; }
+  Halfedge_index prev(Halfedge_index h) const { return Halfedge_index(record(h).prev); }
   /// returns the other halfedge of the edge of `h`.
   Halfedge_index opposite(Halfedge_index h) const { return Halfedge_index(h.idx() ^ 1); }
   /// returns the vertex that `h` points to.
-  Vertex_index target(Halfedge_index h) const { return record(h).target; }
+  Vertex_index target(Halfedge_index h) const { return Vertex_index(record(h).target); }
   /// returns the vertex that `h` comes from.
-  Vertex_index source(Halfedge_index h) const { return record(opposite(h)).target; }
+  Vertex_index source(Halfedge_index h) const { return Vertex_index(record(opposite(h)).target); }
   /// returns the face to the left of `h`, or the null descriptor.
-  Face_index face(Halfedge_index h) const { return record(h).face; }
+  Face_index face(Halfedge_index h) const { return Face_index(record(h).face); }
   /// returns the edge of `h`.
   Edge_index edge(Halfedge_index h) const { return Edge_index(h.idx() >> 1); }
   /// returns halfedge `2e`.
@@ -192,8 +195,8 @@ public:
 
     set_face_cycle(ilk, h, ki, il);
     set_face_cycle(jkl, g, lj, jk);
-    record(h).target = k;
-    record(g).target = l;
+    record(h).target = k.idx();
+    record(g).target = l.idx();
     if (vertex_halfedges_[j.idx()] == h)
       vertex_halfedges_[j.idx()] = lj;
     if (vertex_halfedges_[i.idx()] == g)
@@ -242,13 +245,10 @@ private:
   void set_face_cycle(Face_index f, Halfedge_index a, Halfedge_index b, Halfedge_index c)
   {
     Halfedge &ra = record(a), &rb = record(b), &rc = record(c);
-    ra.next = b;
-    ra.prev = c;
-    rb.next = c;
-    rb.prev = a;
-    rc.next = a;
-    rc.prev = b;
-    ra.face = rb.face = rc.face = f;
+    ra.next = rc.prev = b.idx();
+    rb.next = ra.prev = c.idx();
+    rc.next = rb.prev = a.idx();
+    ra.face = rb.face = rc.face = f.idx();
     face_halfedges_[f.idx()] = a;
   }
 
@@ -281,17 +281,17 @@ private:
     size_type number_of_face_halfedges = 0;
     for (Halfedge_index h : halfedges()) {
       const Halfedge& r = record(h);
-      if (r.next.idx() >= number_of_halfedges() || r.prev.idx() >= number_of_halfedges())
+      if (r.next >= number_of_halfedges() || r.prev >= number_of_halfedges())
         return fails(defect, h, "next or prev is out of range");
-      if (r.target.idx() >= number_of_vertices())
+      if (r.target >= number_of_vertices())
         return fails(defect, h, "target is out of range");
-      if (r.face.is_valid() && r.face.idx() >= number_of_faces())
+      if (!is_border(h) && r.face >= number_of_faces())
         return fails(defect, h, "face is out of range");
-      if (prev(r.next) != h || next(r.prev) != h)
+      if (prev(next(h)) != h || next(prev(h)) != h)
         return fails(defect, h, "next and prev are not inverse to each other");
-      if (source(r.next) != r.target)
+      if (source(next(h)) != target(h))
         return fails(defect, h, "the next halfedge does not start at the target");
-      if (face(r.next) != r.face)
+      if (face(next(h)) != face(h))
         return fails(defect, h, "the next halfedge has another face");
       if (is_border(h)) {
         if (is_border(opposite(h)))
@@ -299,7 +299,7 @@ private:
         continue;
       }
       ++number_of_face_halfedges;
-      if (next(next(r.next)) != h)
+      if (next(next(next(h))) != h)
         return fails(defect, h, "its face is not a triangle");
     }
     if (number_of_face_halfedges != 3 * std::size_t(number_of_faces()))
@@ -336,9 +336,9 @@ private:
     return true;
   }
 
-  std::vector<Halfedge> halfedges_;
-  std::vector<Halfedge_index> vertex_halfedges_;
-  std::vector<Halfedge_index> face_halfedges_;
+  Halfedge_vector halfedges_;
+  Descriptor_vector vertex_halfedges_;
+  Descriptor_vector face_halfedges_;
 };
 
 } // namespace Intrinsic_triangulations

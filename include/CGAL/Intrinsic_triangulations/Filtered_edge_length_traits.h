@@ -23,8 +23,8 @@ namespace Intrinsic_triangulations {
 /// \brief a double and an upper bound on its absolute error.
 struct Bounded_double
 {
-  double value = 0;
-  double error = 0;
+  double value;
+  double error;
 };
 
 /// \ingroup PkgIntrinsicTriangulationsTraits

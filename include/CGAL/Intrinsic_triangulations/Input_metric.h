@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/Multiquadratic.h>
+#include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/Mpfr_interval.h>
 #include <CGAL/Intrinsic_triangulations/internal/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_construction.h>
@@ -33,12 +34,13 @@ class Input_metric
 {
 public:
   using Rational = internal::Rational;
+  using Point_vector = internal::Large_vector<std::array<double, 3>>;
 
   Input_metric() = default;
 
   /// constructs the metric of a surface in space, from the points of its vertices.
   /// \exception Invalid_surface_error if a coordinate is not finite
-  static Input_metric from_points(std::vector<std::array<double, 3>> points)
+  static Input_metric from_points(Point_vector points)
   {
     const int exponent = internal::normalize_points(points);
     return from_normalized_points(std::move(points), exponent);
@@ -61,7 +63,7 @@ public:
   /// returns k such that one unit of this metric is `2^k` units of the input.
   int unit_exponent() const { return exponent_; }
   /// returns the points, empty unless they were given.
-  const std::vector<std::array<double, 3>>& points() const { return points_; }
+  const Point_vector& points() const { return points_; }
 
   /// returns the squared length of an input edge exactly.
   Rational squared_length(const Delta_complex& input, Edge_index e) const
@@ -92,7 +94,7 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  static Input_metric from_normalized_points(std::vector<std::array<double, 3>> points,
+  static Input_metric from_normalized_points(Point_vector points,
                                              int exponent)
   {
     Input_metric m;
@@ -164,7 +166,7 @@ private:
   }
 
   int exponent_ = 0;
-  std::vector<std::array<double, 3>> points_;
+  Point_vector points_;
   std::vector<double> lengths_;
   std::vector<Rational> squared_lengths_;
 };

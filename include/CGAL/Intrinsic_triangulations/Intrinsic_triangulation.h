@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_construction.h>
 
 #include <CGAL/Uncertain.h>
@@ -48,6 +49,9 @@ public:
   using Hinge_data = Hinge<Edge_data, Face_data>;
   static constexpr bool uses_exact_geometry = Traits::Uses_exact_geometry::value;
 
+  /// the points of the vertices, in a vector that can be filled without being initialized first
+  using Point_vector = internal::Large_vector<Point_data>;
+
   /// what `flip()` did.
   enum class Flip_outcome {
     FLIPPED,    ///< the edge was flipped
@@ -62,9 +66,17 @@ public:
   /// \param traits the traits
   /// \exception Invalid_surface_error if a coordinate is not finite, an edge has length
   ///   zero, or squared lengths leave the range of the number type. O(size).
-  Intrinsic_triangulation(Delta_complex connectivity, std::vector<Point_data> points,
+  template <class PointRange>
+  Intrinsic_triangulation(Delta_complex connectivity, const PointRange& points,
                           const Traits& traits = Traits())
-    : connectivity_(std::move(connectivity)), traits_(traits)
+    : Intrinsic_triangulation(std::move(connectivity), Point_vector(points.begin(), points.end()),
+                              traits)
+  {}
+
+  /// \brief as above, and takes the points over instead of copying them.
+  Intrinsic_triangulation(Delta_complex connectivity, Point_vector&& points,
+                          const Traits& traits = Traits())
+    : Intrinsic_triangulation(std::move(connectivity), traits)
   {
     exponent_ = internal::normalize_points(points);
     internal::construct_metric_from_points(connectivity_, traits_, points, edges_, faces_);
@@ -246,7 +258,9 @@ public:
 
 private:
   Intrinsic_triangulation(Delta_complex connectivity, const Traits& traits)
-    : connectivity_(std::move(connectivity)), traits_(traits)
+    : connectivity_(std::move(connectivity)), traits_(traits),
+      edges_(connectivity_.number_of_edges(), internal::default_init),
+      faces_(connectivity_.number_of_faces(), internal::default_init)
   {}
 
   Edge_index edge(Halfedge_index h) const { return connectivity_.edge(h); }
@@ -292,8 +306,9 @@ private:
 
   Delta_complex connectivity_;
   Traits traits_;
-  std::vector<Edge_data> edges_;
-  std::vector<Face_data> faces_;
+  // Not initialized before they are filled: at this speed, one pass more can be felt.
+  internal::Large_vector<Edge_data> edges_;
+  internal::Large_vector<Face_data> faces_;
   int exponent_ = 0;
   mutable std::optional<Exact_geometry> geometry_;
 };

@@ -7,12 +7,12 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -58,7 +58,8 @@ class Normal_coordinates
 public:
   /// constructs the coordinates of an input triangulation in itself.
   explicit Normal_coordinates(const Delta_complex& input)
-    : crossings_(input.number_of_edges(), -1), roundabouts_(input.number_of_halfedges()),
+    : crossings_(input.number_of_edges(), -1), 
+      roundabouts_(input.number_of_halfedges(), internal::default_init),
       degrees_(input.number_of_vertices(), 0)
   {}
 
@@ -177,9 +178,9 @@ private:
     return std::uint32_t(r < d ? r : r - d);
   }
 
-  std::vector<std::int64_t> crossings_;
-  std::vector<std::uint32_t> roundabouts_;
-  std::vector<std::uint32_t> degrees_;
+  internal::Large_vector<std::int64_t> crossings_;
+  internal::Large_vector<std::uint32_t> roundabouts_;
+  internal::Large_vector<std::uint32_t> degrees_;
 };
 
 } // namespace Intrinsic_triangulations

@@ -65,14 +65,16 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
   const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
   const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                           get_const_property_map(vertex_point, mesh));
-  std::vector<typename Traits::Point_data> points;
-  points.reserve(num_vertices(mesh));
+  Delta_complex connectivity = make_Delta_complex(mesh);
+  typename Intrinsic_triangulation<Traits>::Point_vector points(connectivity.number_of_vertices(),
+                                                                internal::default_init);
+  auto* point = points.data();
   for (typename boost::graph_traits<TriangleMesh>::vertex_descriptor v : vertices(mesh)) {
     const auto& p = get(point_map, v);
-    points.push_back({internal::convert_number<FT>(p.x()), internal::convert_number<FT>(p.y()),
-                      internal::convert_number<FT>(p.z())});
+    *point++ = {internal::convert_number<FT>(p.x()), internal::convert_number<FT>(p.y()),
+                internal::convert_number<FT>(p.z())};
   }
-  return Intrinsic_triangulation<Traits>(make_Delta_complex(mesh), std::move(points), traits);
+  return Intrinsic_triangulation<Traits>(std::move(connectivity), std::move(points), traits);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRef

@@ -6,6 +6,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DELAUNAY_FLIPPER_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 
 #include <CGAL/Uncertain.h>
 
@@ -171,7 +172,7 @@ private:
   std::uint64_t budget_;
   Flip_report report_;
   std::vector<Edge_index> stack_;
-  std::vector<std::uint8_t> is_pending_;
+  Large_vector<std::uint8_t> is_pending_;
 };
 
 template <class Triangulation, class ConstraintMap, class Visitor>

@@ -29,14 +29,14 @@ inline void check_size(std::size_t number_of_halfedges)
                                 "the surface has too many edges for 32-bit indices");
 }
 
-inline void check_triangles(const std::vector<Delta_complex::Halfedge>& records,
-                            const std::vector<Halfedge_index>& face_halfedges)
+inline void check_triangles(const Delta_complex::Halfedge_vector& records,
+                            const Delta_complex::Descriptor_vector& face_halfedges)
 {
   std::size_t first = 0, count = 0;
   for (std::size_t f = 0; f < face_halfedges.size(); ++f) {
     const Halfedge_index h = face_halfedges[f];
-    const Halfedge_index last = records[records[h.idx()].next.idx()].next;
-    if (records[last.idx()].next != h || last == h) {
+    const std::uint32_t last = records[records[h.idx()].next].next;
+    if (records[last].next != h.idx() || last == h.idx()) {
       first = count == 0 ? f : first;
       ++count;
     }
@@ -49,12 +49,12 @@ inline void check_triangles(const std::vector<Delta_complex::Halfedge>& records,
 }
 
 // A border halfedge wins, as the complex wants it.
-inline void set_vertex_halfedges(const std::vector<Delta_complex::Halfedge>& records,
-                                 std::vector<Halfedge_index>& vertex_halfedges)
+inline void set_vertex_halfedges(const Delta_complex::Halfedge_vector& records,
+                                 Delta_complex::Descriptor_vector& vertex_halfedges)
 {
   for (std::size_t h = 0; h < records.size(); ++h) {
-    Halfedge_index& current = vertex_halfedges[records[h].target.idx()];
-    if (!current.is_valid() || !records[h].face.is_valid())
+    Halfedge_index& current = vertex_halfedges[records[h].target];
+    if (!current.is_valid() || records[h].face == Face_index::null_index())
       current = Halfedge_index(std::uint32_t(h));
   }
 }
@@ -214,14 +214,14 @@ private:
     for (std::uint32_t s = 0; s < n; ++s)
       halfedge_of[s] = glued_to_[s] < s ? halfedge_of[glued_to_[s]] + 1 : 2 * number_of_edges++;
 
-    std::vector<Delta_complex::Halfedge> records(2 * std::size_t(number_of_edges));
-    std::vector<Halfedge_index> face_halfedges(n / 3), vertex_halfedges(number_of_vertices_);
+    Delta_complex::Halfedge_vector records(2 * std::size_t(number_of_edges), default_init);
+    Delta_complex::Descriptor_vector face_halfedges(n / 3), vertex_halfedges(number_of_vertices_);
     for (std::uint32_t s = 0; s < n; ++s) {
       Delta_complex::Halfedge& r = records[halfedge_of[s]];
-      r.next = Halfedge_index(halfedge_of[next_side(s)]);
-      r.prev = Halfedge_index(halfedge_of[previous_side(s)]);
-      r.target = Vertex_index(corner_vertex_[next_side(s)]);
-      r.face = Face_index(s / 3);
+      r.next = halfedge_of[next_side(s)];
+      r.prev = halfedge_of[previous_side(s)];
+      r.target = corner_vertex_[next_side(s)];
+      r.face = s / 3;
       if (s % 3 == 0)
         face_halfedges[s / 3] = Halfedge_index(halfedge_of[s]);
     }
@@ -234,9 +234,10 @@ private:
       while (glued_to_[t] != null)
         t = previous_side(glued_to_[t]);
       Delta_complex::Halfedge& r = records[halfedge_of[s] + 1];
-      r.next = Halfedge_index(halfedge_of[t] + 1);
-      r.target = Vertex_index(corner_vertex_[s]);
-      records[halfedge_of[t] + 1].prev = Halfedge_index(halfedge_of[s] + 1);
+      r.next = halfedge_of[t] + 1;
+      r.target = corner_vertex_[s];
+      r.face = Face_index::null_index();
+      records[halfedge_of[t] + 1].prev = halfedge_of[s] + 1;
     }
     set_vertex_halfedges(records, vertex_halfedges);
     return Delta_complex(std::move(records), std::move(vertex_halfedges), std::move(face_halfedges));

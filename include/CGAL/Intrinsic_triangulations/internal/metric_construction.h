@@ -90,29 +90,43 @@ struct Offenders
   std::size_t count = 0;
 };
 
-template <class FT>
-int normalize_points(std::vector<std::array<FT, 3>>& points)
+// Is zero for finite numbers and NaN otherwise, and needs no branch. An exact number may be
+// finite and still beyond double, where scaling cannot help either.
+inline double zero_if_finite(double x) { return x - x; }
+
+template <class PointVector>
+Offenders non_finite_points(const PointVector& points)
 {
+  Offenders offenders;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (!(zero_if_finite(CGAL::to_double(points[v][0])) +
+            zero_if_finite(CGAL::to_double(points[v][1])) +
+            zero_if_finite(CGAL::to_double(points[v][2])) == 0))
+      offenders.add(v);
+  return offenders;
+}
+
+template <class PointVector>
+int normalize_points(PointVector& points)
+{
+  using FT = typename PointVector::value_type::value_type;
   const double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
-  Offenders offenders;
-  for (std::size_t v = 0; v < points.size(); ++v) {
+  double zero = 0;
+  for (const std::array<FT, 3>& p : points)
     for (int i = 0; i < 3; ++i) {
-      const double x = CGAL::to_double(points[v][i]);
-      if (!(std::abs(x) < infinity)) {
-        // An exact number may be finite and still beyond double.
-        offenders.add(v);
-        break;
-      }
+      const double x = CGAL::to_double(p[i]);
+      zero += zero_if_finite(x);
       low[i] = x < low[i] ? x : low[i];
       high[i] = x > high[i] ? x : high[i];
     }
-  }
-  if (offenders.count > 0)
+  if (!(zero == 0)) {
+    const Offenders offenders = non_finite_points(points);
     throw Invalid_surface_error(Defect::NOT_FINITE, offenders.first, offenders.count,
                                 "vertex " + std::to_string(offenders.first) +
                                   " has a coordinate that is not a finite number" +
                                   offenders.and_more());
+  }
   double largest = 0;
   for (int i = 0; i < 3; ++i) // halves, so that the extent itself does not overflow
     if (high[i] > low[i])
@@ -147,68 +161,76 @@ int normalize_lengths(std::vector<FT>& lengths)
   return exponent;
 }
 
-template <class Traits, class Point_data>
+// Names the first edge whose squared length is zero.
+template <class PointVector>
+[[noreturn]] void throw_zero_length(const Delta_complex& complex, const PointVector& points,
+                                    const Offenders& offenders)
+{
+  const Halfedge_index h = complex.halfedge(Edge_index(std::uint32_t(offenders.first)));
+  const std::size_t v = complex.source(h).idx(), w = complex.target(h).idx();
+  const bool is_coincident = certainly(points[v][0] == points[w][0]) &&
+                             certainly(points[v][1] == points[w][1]) &&
+                             certainly(points[v][2] == points[w][2]);
+  throw Invalid_surface_error(
+    is_coincident ? Defect::ZERO_LENGTH_EDGE : Defect::OUT_OF_RANGE, offenders.first,
+    offenders.count,
+    "edge " + std::to_string(offenders.first) + " joins vertices " + std::to_string(v) + " and " +
+      std::to_string(w) +
+      (is_coincident ? ", which coincide: merge them first"
+                     : ", whose squared distance underflows beside the size of the surface") +
+      offenders.and_more());
+}
+
+template <class Traits, class PointVector, class EdgeVector, class FaceVector>
 void construct_metric_from_points(const Delta_complex& complex, const Traits& traits,
-                                  const std::vector<Point_data>& points,
-                                  std::vector<typename Traits::Edge_data>& edges,
-                                  std::vector<typename Traits::Face_data>& faces)
+                                  const PointVector& points, EdgeVector& edges,
+                                  FaceVector& faces)
 {
   CGAL_precondition(points.size() == complex.number_of_vertices());
   using FT = typename Traits::FT;
   const auto construct_edge_data = traits.construct_edge_data_object();
   const auto construct_face_data = traits.construct_face_data_object();
   const auto compute_squared_length = traits.compute_squared_length_object();
-  const auto point = [&](Vertex_index v) -> const Point_data& { return points[v.idx()]; };
+  const auto* const point = points.data();
 
-  Offenders offenders;
-  edges.reserve(complex.number_of_edges());
+  bool has_zero = false;
+  auto* edge = edges.data();
   for (Edge_index e : complex.edges()) {
     const Halfedge_index h = complex.halfedge(e);
-    edges.push_back(construct_edge_data(point(complex.source(h)), point(complex.target(h))));
-    if (!possibly(compute_squared_length(edges.back()) > FT(0)))
-      offenders.add(e.idx());
+    *edge = construct_edge_data(point[complex.source(h).idx()], point[complex.target(h).idx()]);
+    has_zero |= !possibly(compute_squared_length(*edge) > FT(0));
+    ++edge;
   }
-  if (offenders.count > 0) {
-    const Halfedge_index h = complex.halfedge(Edge_index(std::uint32_t(offenders.first)));
-    const Point_data &p = point(complex.source(h)), &q = point(complex.target(h));
-    const bool is_coincident =
-      certainly(p[0] == q[0]) && certainly(p[1] == q[1]) && certainly(p[2] == q[2]);
-    throw Invalid_surface_error(
-      is_coincident ? Defect::ZERO_LENGTH_EDGE : Defect::OUT_OF_RANGE, offenders.first,
-      offenders.count,
-      "edge " + std::to_string(offenders.first) + " joins vertices " +
-        std::to_string(complex.source(h).idx()) + " and " +
-        std::to_string(complex.target(h).idx()) +
-        (is_coincident ? ", which coincide: merge them first"
-                       : ", whose squared distance underflows beside the size of the surface") +
-        offenders.and_more());
+  if (has_zero) {
+    Offenders offenders;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      if (!possibly(compute_squared_length(edges[e]) > FT(0)))
+        offenders.add(e);
+    throw_zero_length(complex, points, offenders);
   }
 
-  faces.reserve(complex.number_of_faces());
+  auto* face = faces.data();
   for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f);
-    faces.push_back(construct_face_data(point(complex.source(h)), point(complex.target(h)),
-                                        point(complex.target(complex.next(h)))));
+    *face++ = construct_face_data(point[complex.source(h).idx()], point[complex.target(h).idx()],
+                                  point[complex.target(complex.next(h)).idx()]);
   }
 }
 
-template <class Traits>
+template <class Traits, class EdgeVector, class FaceVector>
 void construct_metric_from_lengths(const Delta_complex& complex, const Traits& traits,
                                    const std::vector<typename Traits::FT>& lengths,
-                                   std::vector<typename Traits::Edge_data>& edges,
-                                   std::vector<typename Traits::Face_data>& faces)
+                                   EdgeVector& edges, FaceVector& faces)
 {
   CGAL_precondition(lengths.size() == complex.number_of_edges());
   using FT = typename Traits::FT;
   const auto construct_edge_data = traits.construct_edge_data_object();
   const auto construct_face_data = traits.construct_face_data_object();
 
-  edges.reserve(lengths.size());
-  for (const FT& l : lengths)
-    edges.push_back(construct_edge_data.from_length(l));
+  for (std::size_t e = 0; e < lengths.size(); ++e)
+    edges[e] = construct_edge_data.from_length(lengths[e]);
 
   Offenders offenders;
-  faces.reserve(complex.number_of_faces());
   for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f);
     const FT &ij = lengths[complex.edge(h).idx()],
@@ -216,7 +238,7 @@ void construct_metric_from_lengths(const Delta_complex& complex, const Traits& t
              &ki = lengths[complex.edge(complex.prev(h)).idx()];
     if (certainly(squared_four_areas_from_lengths(ij, jk, ki) < FT(0)))
       offenders.add(f.idx());
-    faces.push_back(construct_face_data.from_lengths(ij, jk, ki));
+    faces[f.idx()] = construct_face_data.from_lengths(ij, jk, ki);
   }
   if (offenders.count > 0)
     throw Invalid_surface_error(Defect::TRIANGLE_INEQUALITY, offenders.first, offenders.count,
