@@ -21,7 +21,9 @@
 #include <iostream>
 #include <iterator>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -219,11 +221,15 @@ public:
     return false;
   }
 
-  /// returns whether both complexes have the same arrays.
+  /// \brief returns whether both complexes have the same elements, glued in the same way.
+  ///
+  /// Numbers, orientation and `halfedge(Face_index)` count. `halfedge(Vertex_index)` does
+  /// not: of the halfedges that point to an inner vertex it is any one, which depends on
+  /// the flips that were made. O(size).
   friend bool operator==(const Delta_complex& a, const Delta_complex& b)
   {
-    return a.vertex_halfedges_ == b.vertex_halfedges_ && a.face_halfedges_ == b.face_halfedges_ &&
-           has_equal_halfedges(a, b);
+    return a.number_of_vertices() == b.number_of_vertices() &&
+           a.face_halfedges_ == b.face_halfedges_ && has_equal_halfedges(a, b);
   }
   friend bool operator!=(const Delta_complex& a, const Delta_complex& b) { return !(a == b); }
 
@@ -278,7 +284,6 @@ private:
   {
     if (halfedges_.size() % 2 != 0)
       return fails(defect, Halfedge_index(number_of_halfedges()), "has no opposite");
-    size_type number_of_face_halfedges = 0;
     for (Halfedge_index h : halfedges()) {
       const Halfedge& r = record(h);
       if (r.next >= number_of_halfedges() || r.prev >= number_of_halfedges())
@@ -287,6 +292,9 @@ private:
         return fails(defect, h, "target is out of range");
       if (!is_border(h) && r.face >= number_of_faces())
         return fails(defect, h, "face is out of range");
+    }
+    std::size_t number_of_face_halfedges = 0;
+    for (Halfedge_index h : halfedges()) {
       if (prev(next(h)) != h || next(prev(h)) != h)
         return fails(defect, h, "next and prev are not inverse to each other");
       if (source(next(h)) != target(h))
@@ -340,6 +348,40 @@ private:
   Descriptor_vector vertex_halfedges_;
   Descriptor_vector face_halfedges_;
 };
+
+/// \ingroup PkgIntrinsicTriangulationsConnectivity
+/// \brief returns whether the complex is simplicial: whether each edge and each face is
+/// known by its vertices.
+///
+/// There is no loop, no two edges have the same end vertices, and no two faces the same
+/// corners. Only then is it safe to look an element up by its vertices, as generic mesh
+/// algorithms and most file formats do. O(size).
+inline bool is_simplicial(const Delta_complex& complex)
+{
+  std::vector<Vertex_index> last_met_from(complex.number_of_vertices());
+  for (Vertex_index v : complex.vertices()) {
+    const Halfedge_index first = complex.halfedge(v);
+    if (!first.is_valid())
+      continue;
+    Halfedge_index h = first;
+    do {
+      Vertex_index& met_from = last_met_from[complex.source(h).idx()];
+      if (met_from == v) // by another edge, or by the other halfedge of a loop
+        return false;
+      met_from = v;
+      h = complex.next_around_target(h);
+    } while (h != first);
+  }
+  // Where no two edges have the same ends, faces with the same corners share all edges.
+  for (Face_index f : complex.faces()) {
+    const Halfedge_index h = complex.halfedge(f);
+    const Face_index g = complex.face(complex.opposite(h));
+    if (g.is_valid() && complex.face(complex.opposite(complex.next(h))) == g &&
+        complex.face(complex.opposite(complex.prev(h))) == g)
+      return false;
+  }
+  return true;
+}
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
