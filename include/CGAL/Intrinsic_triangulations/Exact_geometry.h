@@ -70,10 +70,8 @@ public:
   /// the corners opposite to an edge, k to its left and l to its right.
   using Opposite_corners = Both_corners<internal::Double_double_metric>;
 
-  /// constructs the geometry of an input triangulation in itself.
-  Exact_geometry(const Delta_complex& input, Input_metric metric)
-    : correspondence_(input), metric_(std::move(metric))
-  {}
+  /// constructs the geometry of a triangulation that has not been flipped yet.
+  explicit Exact_geometry(Input_metric metric) : metric_(std::move(metric)) {}
 
   /// returns where the input lies in the current triangulation.
   const Correspondence& correspondence() const { return correspondence_; }
@@ -87,8 +85,8 @@ public:
   void flip(const Delta_complex& complex, Edge_index e) { correspondence_.flip(complex, e); }
   /// notes that the filter decided a test.
   void count_filter_decision() { ++counts_.decided[std::size_t(Stage::FILTER)]; }
-  /// makes the queries below possible. O(size) once after the construction.
-  void prepare(const Delta_complex& complex) { correspondence_.recover_input(complex); }
+  /// makes the queries below possible; as `Correspondence::prepare()`.
+  void prepare(const Delta_complex& complex) { correspondence_.prepare(complex); }
 
   /// \brief returns the sign of `cot k + cot l` for the angles opposite to `e`, exactly.
   ///
@@ -310,7 +308,7 @@ private:
   {
     const Delta_complex& input = correspondence_.input();
     const Halfedge_index ij = correspondence_.input_halfedge(
-      complex.source(h), correspondence_.roundabout(complex, h));
+      complex.source(h), correspondence_.coordinates().roundabout(h));
     const auto s_ij = metric_.squared_length(input, input.edge(ij)),
                s_jk = metric_.squared_length(input, input.edge(input.next(ij))),
                s_ki = metric_.squared_length(input, input.edge(input.prev(ij)));

@@ -111,7 +111,7 @@ public:
   /// \param metric the exact metric of the current, as yet unflipped triangulation
   void keep_input(Input_metric metric)
   {
-    geometry_.emplace(connectivity_, std::move(metric));
+    geometry_.emplace(std::move(metric));
   }
 
   /// returns whether the input was kept.

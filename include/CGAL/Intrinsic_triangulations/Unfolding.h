@@ -91,7 +91,7 @@ public:
     Real s_opposite;   ///< squared length of the opposite side
   };
 
-  /// \pre `correspondence.recover_input()` was called
+  /// \pre `correspondence.is_prepared()`
   Unfolding(const Delta_complex& complex, const Correspondence& correspondence, Metric& metric)
     : complex_(complex), correspondence_(correspondence), input_(correspondence.input()),
       metric_(metric)
@@ -101,7 +101,7 @@ public:
   Edge_vector edge_vector(Halfedge_index h) const
   {
     const Vertex_index v = complex_.source(h);
-    const std::int64_t roundabout = correspondence_.roundabout(complex_, h);
+    const std::int64_t roundabout = correspondence_.coordinates().roundabout(h);
     const Vector one = {metric_.constant(1), metric_.constant(0)};
     if (correspondence_.coordinates().is_original(complex_.edge(h)))
       return {one, roundabout};
