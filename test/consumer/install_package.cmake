@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+file(REMOVE_RECURSE ${PREFIX})
+execute_process(
+  COMMAND ${CMAKE_COMMAND} --install ${BINARY_DIR} --prefix ${PREFIX} --config ${CONFIG}
+  COMMAND_ERROR_IS_FATAL ANY)
+
+foreach(file include/CGAL/Intrinsic_triangulations/errors.h
+    share/cmake/Intrinsic_triangulations/Intrinsic_triangulationsConfig.cmake)
+  if(NOT EXISTS ${PREFIX}/${file})
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endforeach()
+if(INSTALLED_COMMAND AND NOT EXISTS ${INSTALLED_COMMAND})
+  message(FATAL_ERROR "${INSTALLED_COMMAND} is not installed")
+endif()
+# The installed files must not know where they were built.
+file(GLOB_RECURSE files ${PREFIX}/share/cmake/*.cmake)
+foreach(file IN LISTS files)
+  file(READ ${file} text)
+  string(FIND "${text}" "${BINARY_DIR}" position)
+  if(NOT position EQUAL -1)
+    message(FATAL_ERROR "${file} names the build folder")
+  endif()
+endforeach()

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What both translation units of the consumer include of the package.
+
+#if __has_include(<CGAL/Intrinsic_triangulations.h>)
+#include <CGAL/Intrinsic_triangulations.h>
+#endif
+#include <CGAL/Intrinsic_triangulations/errors.h>

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# A test is one line in the CMakeLists.txt of its folder. The name of the folder
+# (unit, property, regress, fuzz) becomes its label: `ctest -L unit`.
+
+# add_idt_test(NAME SOURCE... [SANITIZE] [LIBRARIES TARGET...] [DEFINITIONS DEF...]
+#              [TIMEOUT SECONDS] [PREFIX PREFIX])
+#
+# One GoogleTest executable, each of whose cases is a test of its own in CTest.
+# SANITIZE marks a test that the sanitizer lane of .ci/run builds and runs.
+function(add_idt_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE" "TIMEOUT;PREFIX" "LIBRARIES;DEFINITIONS")
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 120)
+  endif()
+  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  set_property(DIRECTORY PROPERTY LABELS ${folder})
+
+  add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
+  target_link_libraries(${name} PRIVATE
+    Intrinsic_triangulations::Intrinsic_triangulations
+    Intrinsic_triangulations_own_options
+    ${arg_LIBRARIES}
+    GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE ${arg_DEFINITIONS})
+  # CMAKE_CURRENT_FUNCTION_LIST_DIR is test/, where the shared headers are.
+  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
+
+  set(label)
+  if(arg_SANITIZE)
+    set(label LABELS sanitize)
+    add_dependencies(sanitize_tests ${name})
+  endif()
+  gtest_discover_tests(${name}
+    TEST_PREFIX "${arg_PREFIX}"
+    DISCOVERY_MODE PRE_TEST
+    DISCOVERY_TIMEOUT 120
+    PROPERTIES ${label} TIMEOUT ${arg_TIMEOUT})
+endfunction()
+
+# add_idt_number_type_tests(NAME BODY NUMBER_TYPE... [SANITIZE_TYPES NUMBER_TYPE...]
+#                           [options of add_idt_test])
+#
+# The tests in the header BODY, once for each number type: one executable
+# NAME_<number type> from one generated source, so that these compile apart. The
+# header uses the type `Number_type`, which number_types/<number type>.h defines.
+# With SANITIZE_TYPES, the sanitizer lane takes the tests of those types.
+function(add_idt_number_type_tests name body)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "TIMEOUT" "SANITIZE_TYPES;LIBRARIES;DEFINITIONS")
+  get_filename_component(body ${body} ABSOLUTE)
+  foreach(number_type IN LISTS arg_UNPARSED_ARGUMENTS)
+    set(number_type_header
+      ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/number_types/${number_type}.h)
+    if(NOT EXISTS ${number_type_header})
+      message(FATAL_ERROR "${name}: there is no ${number_type_header}")
+    endif()
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}_${number_type}.cpp)
+    file(CONFIGURE OUTPUT ${source} @ONLY CONTENT
+      "#include \"@number_type_header@\"\n#include \"@body@\"\n")
+    set(options)
+    if(number_type IN_LIST arg_SANITIZE_TYPES)
+      list(APPEND options SANITIZE)
+    endif()
+    if(arg_TIMEOUT)
+      list(APPEND options TIMEOUT ${arg_TIMEOUT})
+    endif()
+    add_idt_test(${name}_${number_type} ${source} ${options}
+      PREFIX "${number_type}."
+      LIBRARIES ${arg_LIBRARIES}
+      DEFINITIONS ${arg_DEFINITIONS})
+  endforeach()
+endfunction()

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/number_type_basic.h>
+
+using Number_type = long double;
