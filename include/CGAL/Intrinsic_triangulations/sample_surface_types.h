@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The two plain forms in which the sample surfaces are handed out: triangles
+// in space, and triangles that are glued side by side and have lengths alone.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SAMPLE_SURFACE_TYPES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_SAMPLE_SURFACE_TYPES_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsSamples
+/// \brief triangles in space that share points by index.
+struct Indexed_triangles
+{
+  /// the coordinates of each vertex.
+  std::vector<std::array<double, 3>> points;
+  /// the three vertices of each face, counterclockwise.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsSamples
+/// \brief a surface that is given by lengths alone, without a place in space.
+///
+/// Side `3 * f + i` runs from corner `i` to corner `(i + 1) % 3` of face `f`.
+/// Loops, several edges with the same end vertices and faces that are glued to
+/// themselves are allowed; vertices are what the gluing makes of the corners.
+struct Gluing
+{
+  /// the number of triangles.
+  std::size_t number_of_faces = 0;
+  /// the pairs of sides that are glued, each with opposite directions, so that
+  /// the surface is oriented; a side in no pair lies on the boundary.
+  std::vector<std::array<std::uint32_t, 2>> glued_sides;
+  /// one length for each side; glued sides have equal lengths.
+  std::vector<double> side_lengths;
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_SAMPLE_SURFACE_TYPES_H
