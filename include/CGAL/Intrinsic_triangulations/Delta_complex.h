@@ -20,6 +20,7 @@
 #include <iostream>
 #include <iterator>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -216,11 +217,15 @@ public:
     return false;
   }
 
-  /// returns whether both complexes have the same arrays.
+  /// \brief returns whether both complexes have the same elements, glued in the same way.
+  ///
+  /// Numbers, orientation and `halfedge(Face_index)` count. `halfedge(Vertex_index)` does
+  /// not: of the halfedges that point to an inner vertex it is any one, which depends on
+  /// the flips that were made. O(size).
   friend bool operator==(const Delta_complex& a, const Delta_complex& b)
   {
-    return a.vertex_halfedges_ == b.vertex_halfedges_ && a.face_halfedges_ == b.face_halfedges_ &&
-           has_equal_halfedges(a, b);
+    return a.number_of_vertices() == b.number_of_vertices() &&
+           a.face_halfedges_ == b.face_halfedges_ && has_equal_halfedges(a, b);
   }
   friend bool operator!=(const Delta_complex& a, const Delta_complex& b) { return !(a == b); }
 
@@ -340,6 +345,40 @@ private:
   std::vector<Halfedge_index> vertex_halfedges_;
   std::vector<Halfedge_index> face_halfedges_;
 };
+
+/// \ingroup PkgIntrinsicTriangulationsConnectivity
+/// \brief returns whether the complex is simplicial: whether each edge and each face is
+/// known by its vertices.
+///
+/// There is no loop, no two edges have the same end vertices, and no two faces the same
+/// corners. Only then is it safe to look an element up by its vertices, as generic mesh
+/// algorithms and most file formats do. O(size).
+inline bool is_simplicial(const Delta_complex& complex)
+{
+  std::vector<Vertex_index> neighbor_of(complex.number_of_vertices());
+  for (Vertex_index v : complex.vertices()) {
+    const Halfedge_index first = complex.halfedge(v);
+    if (!first.is_valid())
+      continue;
+    Halfedge_index h = first;
+    do {
+      const Vertex_index u = complex.source(h);
+      if (u == v || neighbor_of[u.idx()] == v)
+        return false;
+      neighbor_of[u.idx()] = v;
+      h = complex.next_around_target(h);
+    } while (h != first);
+  }
+  // Where no two edges have the same ends, faces with the same corners share all edges.
+  for (Face_index f : complex.faces()) {
+    const Halfedge_index h = complex.halfedge(f);
+    const Face_index g = complex.face(complex.opposite(h));
+    if (g.is_valid() && complex.face(complex.opposite(complex.next(h))) == g &&
+        complex.face(complex.opposite(complex.prev(h))) == g)
+      return false;
+  }
+  return true;
+}
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

@@ -107,6 +107,28 @@ public:
     return b.assemble();
   }
 
+  // As the other two, with given names: `corner_vertex[s]` is the source of side s and
+  // `halfedge_of[s]` its halfedge; halfedges that no side has are border halfedges. The
+  // caller has checked that glued sides have the same ends.
+  static Delta_complex from_numbered_sides(std::size_t number_of_vertices,
+                                           std::vector<std::uint32_t> corner_vertex,
+                                           const std::vector<std::uint32_t>& halfedge_of,
+                                           std::size_t number_of_edges)
+  {
+    Delta_complex_builder b;
+    std::vector<std::uint32_t> side_of(2 * number_of_edges, null);
+    for (std::size_t s = 0; s < halfedge_of.size(); ++s)
+      side_of[halfedge_of[s]] = std::uint32_t(s);
+    b.glued_to_.resize(halfedge_of.size());
+    for (std::size_t s = 0; s < halfedge_of.size(); ++s)
+      b.glued_to_[s] = side_of[halfedge_of[s] ^ 1];
+    b.number_of_vertices_ = number_of_vertices;
+    b.corner_vertex_ = std::move(corner_vertex);
+    Delta_complex complex = b.assemble(halfedge_of, number_of_edges);
+    check_fans(complex);
+    return complex;
+  }
+
 private:
   static constexpr std::uint32_t null = (std::numeric_limits<std::uint32_t>::max)();
 
@@ -213,8 +235,14 @@ private:
     std::uint32_t number_of_edges = 0;
     for (std::uint32_t s = 0; s < n; ++s)
       halfedge_of[s] = glued_to_[s] < s ? halfedge_of[glued_to_[s]] + 1 : 2 * number_of_edges++;
+    return assemble(halfedge_of, number_of_edges);
+  }
 
-    std::vector<Delta_complex::Halfedge> records(2 * std::size_t(number_of_edges));
+  Delta_complex assemble(const std::vector<std::uint32_t>& halfedge_of,
+                         std::size_t number_of_edges) const
+  {
+    const std::uint32_t n = std::uint32_t(glued_to_.size());
+    std::vector<Delta_complex::Halfedge> records(2 * number_of_edges);
     std::vector<Halfedge_index> face_halfedges(n / 3), vertex_halfedges(number_of_vertices_);
     for (std::uint32_t s = 0; s < n; ++s) {
       Delta_complex::Halfedge& r = records[halfedge_of[s]];
@@ -233,10 +261,10 @@ private:
       std::uint32_t t = previous_side(s);
       while (glued_to_[t] != null)
         t = previous_side(glued_to_[t]);
-      Delta_complex::Halfedge& r = records[halfedge_of[s] + 1];
-      r.next = Halfedge_index(halfedge_of[t] + 1);
+      Delta_complex::Halfedge& r = records[halfedge_of[s] ^ 1];
+      r.next = Halfedge_index(halfedge_of[t] ^ 1);
       r.target = Vertex_index(corner_vertex_[s]);
-      records[halfedge_of[t] + 1].prev = Halfedge_index(halfedge_of[s] + 1);
+      records[halfedge_of[t] ^ 1].prev = Halfedge_index(halfedge_of[s] ^ 1);
     }
     set_vertex_halfedges(records, vertex_halfedges);
     return Delta_complex(std::move(records), std::move(vertex_halfedges), std::move(face_halfedges));

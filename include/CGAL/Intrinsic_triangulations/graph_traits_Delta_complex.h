@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Delta_complex as a graph of the Boost Graph Library and of CGAL.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_GRAPH_TRAITS_DELTA_COMPLEX_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_GRAPH_TRAITS_DELTA_COMPLEX_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Iterator_range.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/iterator/iterator_adaptor.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <ostream>
+#include <utility>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsConnectivity
+/// \brief the edge descriptor of `boost::graph_traits<Delta_complex>`: an undirected edge
+/// that remembers from which end it was reached.
+///
+/// The Boost Graph Library asks that `source(e, g)` is `v` for each edge `e` of
+/// `out_edges(v, g)`, which an `Edge_index` cannot tell. Two descriptors are equal if they
+/// are of the same edge, whatever their directions. An `Oriented_edge` becomes an
+/// `Edge_index` by itself; the other way, its direction is that of
+/// `Delta_complex::halfedge(Edge_index)`.
+class Oriented_edge
+{
+public:
+  using size_type = Edge_index::size_type;
+
+  /// constructs the null descriptor.
+  constexpr Oriented_edge() = default;
+  /// constructs the edge of `h` in the direction of `h`.
+  constexpr explicit Oriented_edge(Halfedge_index h) : halfedge_(h) {}
+  /// constructs the edge `e` in the direction of its first halfedge.
+  constexpr explicit Oriented_edge(Edge_index e)
+    : halfedge_(e.is_valid() ? Halfedge_index(e.idx() << 1) : Halfedge_index())
+  {}
+
+  /// returns the halfedge that gives the direction.
+  constexpr Halfedge_index halfedge() const { return halfedge_; }
+  /// returns whether this is not the null descriptor.
+  constexpr bool is_valid() const { return halfedge_.is_valid(); }
+  /// returns the position of the edge.
+  constexpr size_type idx() const { return Edge_index(*this).idx(); }
+  /// returns the edge without a direction.
+  constexpr operator Edge_index() const
+  {
+    return is_valid() ? Edge_index(halfedge_.idx() >> 1) : Edge_index();
+  }
+
+  friend constexpr bool operator==(Oriented_edge a, Oriented_edge b) { return a.idx() == b.idx(); }
+  friend constexpr bool operator!=(Oriented_edge a, Oriented_edge b) { return !(a == b); }
+  friend constexpr bool operator<(Oriented_edge a, Oriented_edge b) { return a.idx() < b.idx(); }
+  friend constexpr bool operator>(Oriented_edge a, Oriented_edge b) { return b < a; }
+  friend constexpr bool operator<=(Oriented_edge a, Oriented_edge b) { return !(b < a); }
+  friend constexpr bool operator>=(Oriented_edge a, Oriented_edge b) { return !(a < b); }
+
+  friend std::size_t hash_value(Oriented_edge e) { return e.idx(); }
+  friend std::ostream& operator<<(std::ostream& os, Oriented_edge e) { return os << Edge_index(e); }
+
+private:
+  Halfedge_index halfedge_;
+};
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+class Oriented_edge_iterator
+  : public boost::iterator_adaptor<Oriented_edge_iterator, Delta_complex::Edge_iterator,
+                                   Oriented_edge, std::random_access_iterator_tag, Oriented_edge>
+{
+public:
+  Oriented_edge_iterator() = default;
+  explicit Oriented_edge_iterator(Delta_complex::Edge_iterator it)
+    : Oriented_edge_iterator::iterator_adaptor_(it)
+  {}
+
+private:
+  friend class boost::iterator_core_access;
+  Oriented_edge dereference() const { return Oriented_edge(*this->base_reference()); }
+};
+
+// The position of a descriptor.
+template <class Descriptor>
+struct Position_map
+{
+  using category = boost::readable_property_map_tag;
+  using key_type = Descriptor;
+  using value_type = std::uint32_t;
+  using reference = std::uint32_t;
+
+  value_type operator[](key_type k) const { return k.idx(); }
+  friend value_type get(const Position_map&, const key_type& k) { return k.idx(); }
+};
+
+// For a property tag, the descriptors that it is about.
+template <class Tag>
+struct Descriptor_of {};
+template <>
+struct Descriptor_of<boost::vertex_index_t> { using type = Vertex_index; };
+template <>
+struct Descriptor_of<boost::halfedge_index_t> { using type = Halfedge_index; };
+template <>
+struct Descriptor_of<boost::edge_index_t> { using type = Oriented_edge; };
+template <>
+struct Descriptor_of<boost::face_index_t> { using type = Face_index; };
+
+template <class Descriptor, class T>
+struct Dynamic_map
+{
+  using type = CGAL::internal::Dynamic_with_index<Descriptor, T>;
+  using const_type = type;
+};
+
+} // namespace internal
+/// \endcond
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+namespace boost {
+
+/// \ingroup PkgIntrinsicTriangulationsConnectivity
+/// \brief makes `CGAL::Intrinsic_triangulations::Delta_complex` a graph.
+///
+/// Halfedges, vertices and faces have the descriptors of `Delta_complex`, edges have
+/// `Oriented_edge`. Parallel edges and loops are allowed: a loop occurs twice among the
+/// `out_edges()` and twice among the `in_edges()` of its vertex, and counts twice in its
+/// `degree()`. The functions of the concepts are found by argument-dependent look-up;
+/// each takes O(1), but `degree(v, g)`, `out_degree(v, g)` and `in_degree(v, g)` count,
+/// and `edge(u, v, g)` and `halfedge(u, v, g)` search.
+///
+/// \warning `edge(u, v, g)` and `halfedge(u, v, g)` return *some* edge from `u` to `v`; there
+/// may be several. Algorithms that look edges up by their ends are right on a complex
+/// for which `CGAL::Intrinsic_triangulations::is_simplicial()` holds, and on no other.
+///
+/// Property maps: `vertex_index`, `halfedge_index`, `edge_index`, `face_index`, all of them
+/// the positions of the descriptors, which a flip does not change, and the dynamic
+/// properties of CGAL, which are arrays here.
+///
+/// \cgalModels `FaceListGraph`, `HalfedgeListGraph`, `BidirectionalGraph`, `VertexListGraph`,
+///   `EdgeListGraph`, `AdjacencyGraph`
+template <>
+struct graph_traits<CGAL::Intrinsic_triangulations::Delta_complex>
+{
+private:
+  using Graph = CGAL::Intrinsic_triangulations::Delta_complex;
+  struct Traversal_category : virtual bidirectional_graph_tag,
+                              virtual vertex_list_graph_tag,
+                              virtual edge_list_graph_tag,
+                              virtual adjacency_graph_tag
+  {};
+
+public:
+  using vertex_descriptor = CGAL::Intrinsic_triangulations::Vertex_index;
+  using halfedge_descriptor = CGAL::Intrinsic_triangulations::Halfedge_index;
+  using edge_descriptor = CGAL::Intrinsic_triangulations::Oriented_edge;
+  using face_descriptor = CGAL::Intrinsic_triangulations::Face_index;
+
+  using directed_category = undirected_tag;
+  using edge_parallel_category = allow_parallel_edge_tag;
+  using traversal_category = Traversal_category;
+
+  using vertex_iterator = Graph::Vertex_iterator;
+  using halfedge_iterator = Graph::Halfedge_iterator;
+  using edge_iterator = CGAL::Intrinsic_triangulations::internal::Oriented_edge_iterator;
+  using face_iterator = Graph::Face_iterator;
+  using out_edge_iterator = CGAL::Out_edge_iterator<Graph>;
+  using in_edge_iterator = CGAL::In_edge_iterator<Graph>;
+  using adjacency_iterator = CGAL::Vertex_around_target_iterator<Graph>;
+
+  using vertices_size_type = Graph::size_type;
+  using halfedges_size_type = Graph::size_type;
+  using edges_size_type = Graph::size_type;
+  using faces_size_type = Graph::size_type;
+  using degree_size_type = Graph::size_type;
+
+  static vertex_descriptor null_vertex() { return vertex_descriptor(); }
+  static halfedge_descriptor null_halfedge() { return halfedge_descriptor(); }
+  static face_descriptor null_face() { return face_descriptor(); }
+};
+
+/// \cond SKIP_IN_MANUAL
+template <>
+struct graph_traits<const CGAL::Intrinsic_triangulations::Delta_complex>
+  : graph_traits<CGAL::Intrinsic_triangulations::Delta_complex>
+{};
+/// \endcond
+
+} // namespace boost
+
+/// \cond SKIP_IN_MANUAL
+template <>
+struct std::hash<CGAL::Intrinsic_triangulations::Oriented_edge>
+{
+  std::size_t operator()(CGAL::Intrinsic_triangulations::Oriented_edge e) const { return e.idx(); }
+};
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+// Graph, IncidenceGraph, BidirectionalGraph, VertexListGraph, EdgeListGraph, AdjacencyGraph
+
+inline Delta_complex::size_type num_vertices(const Delta_complex& g) { return g.number_of_vertices(); }
+inline Delta_complex::size_type num_halfedges(const Delta_complex& g) { return g.number_of_halfedges(); }
+inline Delta_complex::size_type num_edges(const Delta_complex& g) { return g.number_of_edges(); }
+inline Delta_complex::size_type num_faces(const Delta_complex& g) { return g.number_of_faces(); }
+
+inline Iterator_range<Delta_complex::Vertex_iterator> vertices(const Delta_complex& g)
+{
+  return g.vertices();
+}
+inline Iterator_range<Delta_complex::Halfedge_iterator> halfedges(const Delta_complex& g)
+{
+  return g.halfedges();
+}
+inline Iterator_range<internal::Oriented_edge_iterator> edges(const Delta_complex& g)
+{
+  return make_range(internal::Oriented_edge_iterator(g.edges().begin()),
+                    internal::Oriented_edge_iterator(g.edges().end()));
+}
+inline Iterator_range<Delta_complex::Face_iterator> faces(const Delta_complex& g)
+{
+  return g.faces();
+}
+
+inline Vertex_index source(Halfedge_index h, const Delta_complex& g) { return g.source(h); }
+inline Vertex_index target(Halfedge_index h, const Delta_complex& g) { return g.target(h); }
+inline Vertex_index source(Oriented_edge e, const Delta_complex& g) { return g.source(e.halfedge()); }
+inline Vertex_index target(Oriented_edge e, const Delta_complex& g) { return g.target(e.halfedge()); }
+
+inline Delta_complex::size_type degree(Vertex_index v, const Delta_complex& g)
+{
+  const Halfedge_index first = g.halfedge(v);
+  Delta_complex::size_type n = 0;
+  if (first.is_valid()) {
+    Halfedge_index h = first;
+    do {
+      ++n;
+      h = g.next_around_target(h);
+    } while (h != first);
+  }
+  return n;
+}
+inline Delta_complex::size_type degree(Face_index, const Delta_complex&) { return 3; }
+inline Delta_complex::size_type out_degree(Vertex_index v, const Delta_complex& g) { return degree(v, g); }
+inline Delta_complex::size_type in_degree(Vertex_index v, const Delta_complex& g) { return degree(v, g); }
+
+inline Iterator_range<Out_edge_iterator<Delta_complex>> out_edges(Vertex_index v,
+                                                                  const Delta_complex& g)
+{
+  using Iterator = Out_edge_iterator<Delta_complex>;
+  return make_range(Iterator(g.halfedge(v), g), Iterator(g.halfedge(v), g, 1));
+}
+inline Iterator_range<In_edge_iterator<Delta_complex>> in_edges(Vertex_index v,
+                                                                const Delta_complex& g)
+{
+  using Iterator = In_edge_iterator<Delta_complex>;
+  return make_range(Iterator(g.halfedge(v), g), Iterator(g.halfedge(v), g, 1));
+}
+inline Iterator_range<Vertex_around_target_iterator<Delta_complex>>
+adjacent_vertices(Vertex_index v, const Delta_complex& g)
+{
+  return CGAL::vertices_around_target(v, g);
+}
+
+// HalfedgeGraph, FaceGraph
+
+inline Halfedge_index next(Halfedge_index h, const Delta_complex& g) { return g.next(h); }
+inline Halfedge_index prev(Halfedge_index h, const Delta_complex& g) { return g.prev(h); }
+inline Halfedge_index opposite(Halfedge_index h, const Delta_complex& g) { return g.opposite(h); }
+inline Face_index face(Halfedge_index h, const Delta_complex& g) { return g.face(h); }
+inline Oriented_edge edge(Halfedge_index h, const Delta_complex&) { return Oriented_edge(h); }
+inline Halfedge_index halfedge(Oriented_edge e, const Delta_complex&) { return e.halfedge(); }
+inline Halfedge_index halfedge(Vertex_index v, const Delta_complex& g) { return g.halfedge(v); }
+inline Halfedge_index halfedge(Face_index f, const Delta_complex& g) { return g.halfedge(f); }
+
+inline std::pair<Halfedge_index, bool> halfedge(Vertex_index u, Vertex_index v,
+                                                const Delta_complex& g)
+{
+  const Halfedge_index first = g.halfedge(v);
+  if (first.is_valid()) {
+    Halfedge_index h = first;
+    do {
+      if (g.source(h) == u)
+        return {h, true};
+      h = g.next_around_target(h);
+    } while (h != first);
+  }
+  return {Halfedge_index(), false};
+}
+inline std::pair<Oriented_edge, bool> edge(Vertex_index u, Vertex_index v, const Delta_complex& g)
+{
+  const std::pair<Halfedge_index, bool> h = halfedge(u, v, g);
+  return {Oriented_edge(h.first), h.second};
+}
+
+// PropertyGraph
+
+template <class Tag>
+internal::Position_map<typename internal::Descriptor_of<Tag>::type> get(Tag, const Delta_complex&)
+{
+  return {};
+}
+template <class Tag>
+std::uint32_t get(Tag, const Delta_complex&, typename internal::Descriptor_of<Tag>::type descriptor)
+{
+  return descriptor.idx();
+}
+
+template <class T>
+typename internal::Dynamic_map<Vertex_index, T>::type get(const dynamic_vertex_property_t<T>&,
+                                                          const Delta_complex& g)
+{
+  return typename internal::Dynamic_map<Vertex_index, T>::type(g.number_of_vertices());
+}
+template <class T>
+typename internal::Dynamic_map<Halfedge_index, T>::type get(const dynamic_halfedge_property_t<T>&,
+                                                            const Delta_complex& g)
+{
+  return typename internal::Dynamic_map<Halfedge_index, T>::type(g.number_of_halfedges());
+}
+template <class T>
+typename internal::Dynamic_map<Oriented_edge, T>::type get(const dynamic_edge_property_t<T>&,
+                                                           const Delta_complex& g)
+{
+  return typename internal::Dynamic_map<Oriented_edge, T>::type(g.number_of_edges());
+}
+template <class T>
+typename internal::Dynamic_map<Face_index, T>::type get(const dynamic_face_property_t<T>&,
+                                                        const Delta_complex& g)
+{
+  return typename internal::Dynamic_map<Face_index, T>::type(g.number_of_faces());
+}
+
+} // namespace Intrinsic_triangulations
+
+template <>
+struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::vertex_index_t> : Tag_true {};
+template <>
+struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::halfedge_index_t> : Tag_true {};
+template <>
+struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::edge_index_t> : Tag_true {};
+template <>
+struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::face_index_t> : Tag_true {};
+
+} // namespace CGAL
+
+namespace boost {
+
+#define CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(TAG)                                     \
+  template <>                                                                            \
+  struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, TAG>                \
+  {                                                                                      \
+    using type = CGAL::Intrinsic_triangulations::internal::Position_map<                 \
+      CGAL::Intrinsic_triangulations::internal::Descriptor_of<TAG>::type>;               \
+    using const_type = type;                                                             \
+  };
+CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(vertex_index_t)
+CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(halfedge_index_t)
+CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(edge_index_t)
+CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(face_index_t)
+#undef CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP
+
+template <class T>
+struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, CGAL::dynamic_vertex_property_t<T>>
+  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<
+      CGAL::Intrinsic_triangulations::Vertex_index, T>
+{};
+template <class T>
+struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, CGAL::dynamic_halfedge_property_t<T>>
+  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<
+      CGAL::Intrinsic_triangulations::Halfedge_index, T>
+{};
+template <class T>
+struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, CGAL::dynamic_edge_property_t<T>>
+  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<
+      CGAL::Intrinsic_triangulations::Oriented_edge, T>
+{};
+template <class T>
+struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, CGAL::dynamic_face_property_t<T>>
+  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<
+      CGAL::Intrinsic_triangulations::Face_index, T>
+{};
+
+} // namespace boost
+/// \endcond
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_GRAPH_TRAITS_DELTA_COMPLEX_H
