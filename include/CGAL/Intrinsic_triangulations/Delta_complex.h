@@ -283,7 +283,6 @@ private:
   {
     if (halfedges_.size() % 2 != 0)
       return fails(defect, Halfedge_index(number_of_halfedges()), "has no opposite");
-    size_type number_of_face_halfedges = 0;
     for (Halfedge_index h : halfedges()) {
       const Halfedge& r = record(h);
       if (r.next.idx() >= number_of_halfedges() || r.prev.idx() >= number_of_halfedges())
@@ -292,6 +291,10 @@ private:
         return fails(defect, h, "target is out of range");
       if (r.face.is_valid() && r.face.idx() >= number_of_faces())
         return fails(defect, h, "face is out of range");
+    }
+    std::size_t number_of_face_halfedges = 0;
+    for (Halfedge_index h : halfedges()) {
+      const Halfedge& r = record(h);
       if (prev(r.next) != h || next(r.prev) != h)
         return fails(defect, h, "next and prev are not inverse to each other");
       if (source(r.next) != r.target)

@@ -9,6 +9,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_HINGE_FORMULAS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_HINGE_FORMULAS_H
 
+#include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 
 #include <utility>
@@ -72,11 +73,12 @@ FT squared_four_areas(const FT& s_ij, const FT& s_jk, const FT& s_ki)
 template <class FT>
 FT squared_four_areas_from_lengths(FT a, FT b, FT c)
 {
-  if (a < b)
+  // Where intervals overlap, any order encloses the value.
+  if (certainly(a < b))
     std::swap(a, b);
-  if (b < c)
+  if (certainly(b < c))
     std::swap(b, c);
-  if (a < b)
+  if (certainly(a < b))
     std::swap(a, b);
   return (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
 }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/*!
+\ingroup PkgIntrinsicTriangulationsConcepts
+\cgalConcept
+
+The concept `IntrinsicFlipVisitor` describes what `flip_to_Delaunay()` tells of its progress,
+and how it is stopped. A model is `CopyConstructible`: the algorithm works on a copy, unless
+the visitor is passed as `std::ref(visitor)`.
+
+The member functions may read the triangulation, but not change it.
+
+\cgalHasModel `CGAL::Intrinsic_triangulations::Default_flip_visitor`
+
+\sa `IntrinsicTriangulationTraits`
+*/
+class IntrinsicFlipVisitor
+{
+public:
+  /// is called before each Delaunay test, with the numbers of tests and flips so far.
+  /// If it returns `false` the algorithm stops and reports `Flip_status::CANCELLED`; the
+  /// triangulation is valid then.
+  bool go_further(std::uint64_t tests, std::uint64_t flips);
+
+  /// is called after each flip, when connectivity and metric have changed; the edge has the
+  /// descriptor that it had before.
+  void after_flip(CGAL::Intrinsic_triangulations::Edge_index e);
+};

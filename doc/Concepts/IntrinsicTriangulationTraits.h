@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/*!
+\ingroup PkgIntrinsicTriangulationsConcepts
+\cgalConcept
+
+The concept `IntrinsicTriangulationTraits` says what `Intrinsic_triangulation` needs to know
+about a metric: what is kept for each edge and each face, when an edge is Delaunay, and what
+a flip makes of the numbers. The connectivity is not its business: functors see one hinge, an
+edge \f$ij\f$ with the triangle \f$ijk\f$ to its left and \f$jil\f$ to its right, and never a
+descriptor.
+
+A model is `CopyConstructible`. It is `DefaultConstructible` if it is to be used without being
+passed. Functors are made by the member functions with suffix `_object`; they are called on
+`const` objects.
+
+The decisions are those of the model. `CGAL::Uncertain<bool>` as `Boolean` lets an interval
+number type say that it cannot tell; the algorithms then report the edge and do not guess.
+
+\cgalHasModel `CGAL::Intrinsic_triangulations::Edge_length_traits`
+\cgalHasModel `CGAL::Intrinsic_triangulations::Half_angle_traits`
+
+\sa `IntrinsicFlipVisitor`
+*/
+class IntrinsicTriangulationTraits
+{
+public:
+  /// \name Types
+  /// @{
+
+  /*!
+  The number type of lengths, areas and weights.
+
+  It is `CopyConstructible`, `CopyAssignable`, and constructible from `int`; it has binary
+  `+`, `-` and `*`, and `<` and `>`, whose values are `Boolean`.
+  `CGAL::Algebraic_structure_traits<FT>::%Is_exact` is `CGAL::Tag_true` only if each decision
+  is that of the exact numbers: then `flip_to_Delaunay()` runs without a flip budget.
+  `CGAL::Real_embeddable_traits<FT>` provides `To_double`, and `To_interval` if `FT` is not a
+  built-in floating-point type.
+
+  To construct a triangulation from points, `FT` has `==` as well, and is constructible from
+  the coordinates of the points, from their numerators and denominators if they are
+  rational.
+
+  For a built-in floating-point type or `CGAL::Interval_nt`, very large or small input is
+  multiplied by a power of two before the functors see it.
+  */
+  typedef unspecified_type FT;
+
+  /// `bool` or `CGAL::Uncertain<bool>`
+  typedef unspecified_type Boolean;
+
+  /// what is kept for an edge; `CopyConstructible` and `CopyAssignable`
+  typedef unspecified_type Edge_data;
+
+  /// what is kept for a face; `CopyConstructible` and `CopyAssignable`
+  typedef unspecified_type Face_data;
+
+  /// a point in space
+  typedef std::array<FT, 3> Point_data;
+
+  /// the data around an edge, by reference
+  typedef CGAL::Intrinsic_triangulations::Hinge<Edge_data, Face_data> Hinge_data;
+
+  /// the data of the other diagonal and of the faces beside it: `DefaultConstructible`, with
+  /// members `kl` of type `Edge_data`, `ilk` and `jkl` of type `Face_data`; for instance
+  /// `CGAL::Intrinsic_triangulations::Flipped_hinge<Edge_data, Face_data>`
+  typedef unspecified_type Flipped_hinge_data;
+
+  /*!
+  Provides
+
+  `Edge_data operator()(const Point_data& p, const Point_data& q) const`: the edge between two
+  points, the same for \f$(p, q)\f$ and \f$(q, p)\f$;
+
+  `Edge_data from_length(const FT& length) const`: the edge of a length.
+
+  Each is required only for triangulations that are constructed that way.
+  */
+  typedef unspecified_type Construct_edge_data;
+
+  /*!
+  Provides
+
+  `Face_data operator()(const Point_data& p, const Point_data& q, const Point_data& r) const`;
+
+  `Face_data from_lengths(const FT& ij, const FT& jk, const FT& ki) const`, where the lengths
+  obey the triangle inequality, or a value that is thrown away if they do not.
+
+  Each is required only for triangulations that are constructed that way. The area may be
+  zero.
+  */
+  typedef unspecified_type Construct_face_data;
+
+  /*!
+  Provides `Boolean operator()(const Hinge_data& hinge) const`: whether the edge
+  \f$ij\f$ is Delaunay, that is, whether the angles at \f$k\f$ and \f$l\f$ sum to at most
+  \f$\pi\f$. A tie is Delaunay: only then does `flip_to_Delaunay()` end.
+  */
+  typedef unspecified_type Is_locally_Delaunay;
+
+  /*!
+  Provides `Boolean operator()(const Hinge_data& hinge, Flipped_hinge_data& flipped) const`:
+  returns whether the hinge is strictly convex, and if it certainly is, sets `flipped` to the
+  edge \f$kl\f$ and the faces \f$ilk\f$ and \f$jkl\f$. Otherwise `flipped` may hold anything.
+  */
+  typedef unspecified_type Construct_flipped_hinge;
+
+  /// provides `FT operator()(const Edge_data& ij) const`
+  typedef unspecified_type Compute_squared_length;
+
+  /// provides `FT operator()(const Edge_data& ij) const`
+  typedef unspecified_type Compute_length;
+
+  /// provides `FT operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
+  /// const Edge_data& ki) const`
+  typedef unspecified_type Compute_area;
+
+  /// provides `FT operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
+  /// const Edge_data& ki) const`: the cotangent of the corner \f$k\f$, opposite to \f$ij\f$
+  typedef unspecified_type Compute_cotangent;
+
+  /// @}
+
+  /// \name Operations
+  /// @{
+  Construct_edge_data construct_edge_data_object() const;
+  Construct_face_data construct_face_data_object() const;
+  Is_locally_Delaunay is_locally_Delaunay_object() const;
+  Construct_flipped_hinge construct_flipped_hinge_object() const;
+  Compute_squared_length compute_squared_length_object() const;
+  Compute_length compute_length_object() const;
+  Compute_area compute_area_object() const;
+  Compute_cotangent compute_cotangent_object() const;
+  /// @}
+};
