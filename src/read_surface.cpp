@@ -510,33 +510,8 @@ bool is_text_stl(const std::string& text)
          && (text[begin + 5] == ' ' || text[begin + 5] == '\n' || text[begin + 5] == '\r');
 }
 
-// What CGAL's reader would trust: that the first word tells text from binary,
-// that the number of facets is right, and that the coordinates can be compared.
-void check_stl(const std::string& path, const std::uintmax_t file_size)
-{
-  const std::string head = load(path, 4096);
-  std::uint32_t facets = 0;
-  if (head.size() >= 84)
-    std::memcpy(&facets, &head[80], 4);
-  const bool may_be_text = is_text_stl(head);
-  if (head.size() < 84 || file_size < 84 + std::uintmax_t(50) * facets) {
-    if (may_be_text)
-      return;
-    refuse(path, "neither text STL (the first word is not solid) nor binary STL (" + (head.size() < 84
-           ? std::string("shorter than the header of 84 bytes")
-           : "the header announces " + std::to_string(facets) + " facets, the file has room for "
-             + std::to_string((file_size - 84) / 50)) + ")");
-  }
-  const std::string text = load(path);
-  for (std::size_t f = 0; f < facets; ++f) {
-    float corner[9];
-    std::memcpy(corner, &text[84 + 50 * f + 12], sizeof(corner));
-    for (const float c : corner)
-      if (!std::isfinite(c))
-        refuse(path, "facet " + std::to_string(f) + ": a coordinate is not finite", Defect::NOT_FINITE, f);
-  }
-}
-
+// Goes through a text word by word and refuses the first facet that is not as
+// it should be; returns if there is none, or if the file is not text.
 void diagnose_stl(const std::string& path, const std::string& text)
 {
   if (!is_text_stl(text))
@@ -572,6 +547,37 @@ void diagnose_stl(const std::string& path, const std::string& text)
     refuse(path, "the file ends " + std::string(is_in_facet ? "within" : "after") + " facet "
            + std::to_string(facet - (is_in_facet || facet == 0 ? 0 : 1)) + ", without a line endsolid",
            Defect::UNREADABLE, facet);
+}
+
+// What CGAL's reader would trust: that the first word tells text from binary,
+// that the number of facets is right, and that the coordinates can be compared.
+void check_stl(const std::string& path, const std::uintmax_t file_size)
+{
+  const std::string head = load(path, 4096);
+  std::uint32_t facets = 0;
+  if (head.size() >= 84)
+    std::memcpy(&facets, &head[80], 4);
+  const bool may_be_text = is_text_stl(head);
+  if (head.size() < 84 || file_size < 84 + std::uintmax_t(50) * facets) {
+    if (may_be_text) {
+      // The reader takes any file as empty that is shorter than a binary header.
+      if (head.size() < 84)
+        diagnose_stl(path, head);
+      return;
+    }
+    refuse(path, "neither text STL (the first word is not solid) nor binary STL (" + (head.size() < 84
+           ? std::string("shorter than the header of 84 bytes")
+           : "the header announces " + std::to_string(facets) + " facets, the file has room for "
+             + std::to_string((file_size - 84) / 50)) + ")");
+  }
+  const std::string text = load(path);
+  for (std::size_t f = 0; f < facets; ++f) {
+    float corner[9];
+    std::memcpy(corner, &text[84 + 50 * f + 12], sizeof(corner));
+    for (const float c : corner)
+      if (!std::isfinite(c))
+        refuse(path, "facet " + std::to_string(f) + ": a coordinate is not finite", Defect::NOT_FINITE, f);
+  }
 }
 
 // ---- OBJ, PLY and TS ---------------------------------------------------------
