@@ -12,9 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <sstream>
 
@@ -62,8 +60,8 @@ void write_files(const Triangulate_options& options, Triangulation_result& resul
     Output_file file(options.edges_path);
     write_edges(file.stream(), result);
     file.commit();
+    result.write_seconds = stopwatch.seconds();
   }
-  result.write_seconds = stopwatch.seconds();
   if (!options.stats_path.empty()) {
     Output_file file(options.stats_path);
     file.stream() << statistics(result).dump(2) << '\n';
@@ -135,7 +133,9 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
     "triangulate", "Flip edges until the triangulation of each surface is intrinsic Delaunay");
   command.footer(number_type_help() +
                  "\nSeveral inputs are worked on one after the other; the status is that of the\n"
-                 "first that failed. Files that a run does not complete are not left behind.\n");
+                 "first that failed. An output file appears when it is complete. Ctrl-C ends the\n"
+                 "flips before the next decision and writes what there is; a second one, which ends\n"
+                 "everything, may be needed where a single decision takes long, as with core.\n");
   command
     .add_option("INPUT", options->inputs,
                 "meshes of triangles (OFF, OBJ, PLY, STL, TS), or .gluing files of triangles "
@@ -145,7 +145,7 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
     .add_option("--number-type", options->number_type, "what to compute with; see below")
     ->type_name("NT")
     ->capture_default_str();
-  command.add_option("--precision", options->precision, "bits of a number, for mpfr")
+  command.add_option("--precision", options->precision, "bits of a number at least, for mpfr")
     ->type_name("BITS")
     ->check(CLI::Range(2, 1000000))
     ->capture_default_str();
@@ -173,7 +173,8 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
                 "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,"
                 "original")
     ->type_name("F.csv");
-  command.callback([options, &selected] { selected = [options] { return run_triangulate(*options); }; });
+  command.callback(
+    [options, &selected] { selected = [options] { return run_triangulate(*options); }; });
 }
 
 } // namespace idt

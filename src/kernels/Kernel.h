@@ -23,7 +23,7 @@ namespace idt {
 struct Kernel_options
 {
   Number_type number_type = default_number_type;
-  int precision = 128; // bits, for MPFR alone
+  int precision = 128; // bits at least, for MPFR alone
   std::optional<std::uint64_t> maximum_number_of_flips;
 };
 
@@ -73,6 +73,7 @@ Outcome run_double(const Job& job);
 Outcome run_float(const Job& job);
 Outcome run_long_double(const Job& job);
 Outcome run_interval(const Job& job);
+Outcome run_mpfr(const Job& job);
 Outcome run_core(const Job& job);
 Outcome run_half_angle_double(const Job& job);
 Outcome run_half_angle_core(const Job& job);

@@ -23,6 +23,8 @@ Outcome dispatch(const Job& job)
     return run_long_double(job);
   case Number_type::INTERVAL:
     return run_interval(job);
+  case Number_type::MPFR:
+    return run_mpfr(job);
   case Number_type::CORE:
     return run_core(job);
   case Number_type::HALF_ANGLE_DOUBLE:
@@ -38,7 +40,7 @@ Outcome dispatch(const Job& job)
 
 bool is_available(Number_type number_type)
 {
-  return number_type != Number_type::FILTERED && number_type != Number_type::MPFR;
+  return number_type != Number_type::FILTERED;
 }
 
 Outcome run(const Job& job)
