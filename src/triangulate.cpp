@@ -48,6 +48,8 @@ Kernel_options kernel_options(const Triangulate_options& options)
 
 void check(const Triangulate_options& options)
 {
+  if (options.mollification && !(*options.mollification >= 0 && *options.mollification <= 1e6))
+    throw Usage_error("--mollify: D is between 0 and 1e6");
   if (options.inputs.size() > 1 && !(options.stats_path.empty() && options.edges_path.empty()))
     throw Usage_error("--stats and --edges take one input: several would go to the same file");
   check_output_paths({options.stats_path, options.edges_path}, options.inputs);
@@ -153,14 +155,14 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
     .add_option("--maximum-flips", options->maximum_number_of_flips,
                 "give up after that many flips (default: unlimited for an exact number type, "
                 "else the larger of 10,000,000 and 100 times the number of edges)")
-    ->type_name("N");
+    ->type_name("N")
+    ->check(CLI::NonNegativeNumber);
   CLI::Option* const mollify =
     command
       .add_option("--mollify", options->mollification,
                   "first lengthen all edges by the same amount, so that each triangle "
                   "inequality holds with a margin of D times the mean length")
-      ->type_name("D")
-      ->check(CLI::Range(0., 1e6));
+      ->type_name("D");
   command
     .add_flag("--mollify-local", options->is_mollification_local,
               "lengthen only edges of triangles that lack the margin")
