@@ -234,7 +234,8 @@ TEST(Make_Delta_complex_from_triangles, refuses_what_is_no_oriented_surface)
   expect_defect(build(4, {{0, 1, 2}, {0, 1, 3}}), Defect::INCONSISTENT_ORIENTATION, 1, "edge 0-1");
   expect_defect(build(5, {{0, 1, 2}, {2, 3, 4}}), Defect::NON_MANIFOLD_VERTEX, 2, "vertex 2");
   // two tetrahedra that share vertex 0
-  expect_defect(build(7, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}, {0, 4, 5}, {0, 6, 4}, {4, 6, 5}, {5, 6, 0}}),
+  expect_defect(build(7, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0},
+                          {0, 4, 5}, {0, 6, 4}, {4, 6, 5}, {5, 6, 0}}),
                 Defect::NON_MANIFOLD_VERTEX, 0, "vertex 0");
 }
 

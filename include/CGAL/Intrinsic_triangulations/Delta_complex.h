@@ -358,17 +358,17 @@ private:
 /// algorithms and most file formats do. O(size).
 inline bool is_simplicial(const Delta_complex& complex)
 {
-  std::vector<Vertex_index> neighbor_of(complex.number_of_vertices());
+  std::vector<Vertex_index> last_met_from(complex.number_of_vertices());
   for (Vertex_index v : complex.vertices()) {
     const Halfedge_index first = complex.halfedge(v);
     if (!first.is_valid())
       continue;
     Halfedge_index h = first;
     do {
-      const Vertex_index u = complex.source(h);
-      if (u == v || neighbor_of[u.idx()] == v)
+      Vertex_index& met_from = last_met_from[complex.source(h).idx()];
+      if (met_from == v) // by another edge, or by the other halfedge of a loop
         return false;
-      neighbor_of[u.idx()] = v;
+      met_from = v;
       h = complex.next_around_target(h);
     } while (h != first);
   }

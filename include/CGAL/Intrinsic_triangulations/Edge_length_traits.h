@@ -92,8 +92,10 @@ public:
       const FT value = delaunay_value(p_k, h.ijk, p_l, h.jil);
       const auto sign_of_value = CGAL::sign(value);
       if (certainly(sign_of_value == ZERO) && certainly(h.ijk == FT(0)) &&
-          certainly(h.jil == FT(0)))
-        return (p_k >= FT(0)) | (p_l >= FT(0));
+          certainly(h.jil == FT(0))) {
+        const Boolean is_k_sharp = p_k >= FT(0), is_l_sharp = p_l >= FT(0);
+        return is_k_sharp | is_l_sharp;
+      }
       return sign_of_value != NEGATIVE;
     }
   };
@@ -105,7 +107,8 @@ public:
     Boolean operator()(const Hinge_data& h, Flipped_hinge_data& f) const
     {
       flip_hinge(h.ij, h.jk, h.ki, h.il, h.lj, h.ijk, h.jil, f.kl, f.ilk, f.jkl);
-      return (f.ilk > FT(0)) & (f.jkl > FT(0)) & (f.kl > FT(0));
+      const Boolean turns_at_i = f.ilk > FT(0), turns_at_j = f.jkl > FT(0), has_length = f.kl > FT(0);
+      return turns_at_i & turns_at_j & has_length;
     }
   };
 

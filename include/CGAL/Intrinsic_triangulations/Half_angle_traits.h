@@ -104,14 +104,17 @@ public:
       const FT at_j = tan_half_angle(h.ki, h.ij, h.jk);
       const FT at_j_below = tan_half_angle(h.il, h.ij, h.lj);
       const FT denominator = FT(1) - at_i * at_i_below;
-      const Boolean is_convex = (denominator > FT(0)) & (at_j * at_j_below < FT(1));
-      if (!possibly(is_convex) || possibly(denominator == FT(0)))
-        return is_convex & (denominator != FT(0));
+      const Boolean is_convex_at_i = denominator > FT(0), is_convex_at_j = at_j * at_j_below < FT(1),
+                    is_regular = denominator != FT(0);
+      const Boolean is_convex = is_convex_at_i & is_convex_at_j;
+      if (!possibly(is_convex) || !certainly(is_regular))
+        return is_convex & is_regular;
       const FT t = (at_i + at_i_below) / denominator;
       const FT cosine = (FT(1) - t * t) / (FT(1) + t * t);
       const FT squared = h.ki * h.ki + h.il * h.il - FT(2) * h.ki * h.il * cosine;
       f.kl = internal::sqrt_of_non_negative(squared);
-      return is_convex & (f.kl > FT(0));
+      const Boolean has_length = f.kl > FT(0);
+      return is_convex & has_length;
     }
   };
 
