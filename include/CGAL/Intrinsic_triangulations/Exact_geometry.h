@@ -129,6 +129,41 @@ public:
                           " and cannot be proven to be pi: too many independent square roots");
   }
 
+  /// as above, without the corners; not counted as a test of the algorithm.
+  Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e)
+  {
+    const Stage_counts counts = counts_;
+    Opposite_corners corners;
+    const Sign sign = sign_of_cotangents(complex, e, corners);
+    counts_ = counts;
+    return sign;
+  }
+
+  /// returns the sign of the area of `f`, laid out over the input. It is `NEGATIVE` only if
+  /// some flip was made in a hinge that is not convex. \pre `prepare()` was called
+  Sign sign_of_area(const Delta_complex& complex, Face_index f) const
+  {
+    const Halfedge_index h = complex.halfedge(f);
+    Uncertain<Sign> sign = corner(complex, h).four_areas.sign();
+    for (long precision = 128; !is_certain(sign); precision *= 2) {
+      internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
+      sign = Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric)
+               .opposite_corner(h)
+               .four_areas.sign();
+      if (!is_certain(sign) && precision == 512) {
+        internal::Multiquadratic_metric field(correspondence_.input(), metric_);
+        if (Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
+              .opposite_corner(h)
+              .four_areas.is_zero())
+          return ZERO;
+      }
+      if (precision > largest_precision)
+        throw Undecided_error("face " + std::to_string(f.idx()) +
+                              ": the sign of its area cannot be decided");
+    }
+    return get_certain(sign);
+  }
+
   /// returns the length of `e` in the unit of the input, within 0.51 units in the last
   /// place. \pre `prepare()` was called
   double length(const Delta_complex& complex, Edge_index e) const
@@ -190,10 +225,7 @@ public:
     const double sum = cotangent(complex, h) + cotangent(complex, g);
     if (!complex.is_flippable(e))
       return sum;
-    Opposite_corners corners;
-    const Stage_counts counts = counts_;
-    const Sign exact_sign = sign_of_cotangents(complex, e, corners);
-    counts_ = counts; // not a test of the algorithm
+    const Sign exact_sign = sign_of_cotangents(complex, e);
     return exact_sign == ZERO || CGAL::sign(sum) != exact_sign ? 0. : sum;
   }
 
