@@ -97,7 +97,7 @@ public:
   ///   about a dozen independent square roots
   Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e, Opposite_corners& corners)
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_);
+    internal::Double_double_metric metric(correspondence_.input(), metric_, memory_);
     corners = opposite_corners(complex, e, metric);
     Uncertain<Sign> sign = sign_of(corners.k, corners.l);
     if (is_certain(sign))
@@ -168,7 +168,7 @@ public:
   /// place. \pre `prepare()` was called
   double length(const Delta_complex& complex, Edge_index e) const
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_);
+    internal::Double_double_metric metric(correspondence_.input(), metric_, memory_);
     const Double_double s =
       Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);
     if (s.relative_error() < 0x1p-70) {
@@ -247,7 +247,7 @@ public:
   /// \pre `prepare()` was called
   bool has_length_zero(const Delta_complex& complex, Edge_index e) const
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_);
+    internal::Double_double_metric metric(correspondence_.input(), metric_, memory_);
     const Double_double s =
       Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);
     if (is_certain(s.sign()))
@@ -262,7 +262,7 @@ public:
   /// unit of the metric. \pre `prepare()` was called; `h` is not a border halfedge
   Corner corner(const Delta_complex& complex, Halfedge_index h) const
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_);
+    internal::Double_double_metric metric(correspondence_.input(), metric_, memory_);
     return Unfolding<internal::Double_double_metric>(complex, correspondence_, metric)
       .opposite_corner(h);
   }
@@ -394,6 +394,7 @@ private:
   Correspondence correspondence_;
   Input_metric metric_;
   Stage_counts counts_;
+  mutable internal::Double_double_metric::Memory memory_;
 };
 
 } // namespace Intrinsic_triangulations
