@@ -106,6 +106,31 @@ public:
     return t;
   }
 
+  /// \brief constructs the triangulation of a surface given by the exact squared lengths of
+  /// its edges, as those between points with rational coordinates are.
+  ///
+  /// For traits with exact geometry only.
+  /// \exception Invalid_surface_error if a squared length is not positive, or three
+  ///   violate the triangle inequality; equality is accepted. O(size) rational operations.
+  static Intrinsic_triangulation
+  from_squared_lengths(Delta_complex connectivity,
+                       std::vector<Input_metric::Rational> squared_lengths,
+                       const Traits& traits = Traits())
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    Intrinsic_triangulation t(std::move(connectivity), traits);
+    Input_metric metric = Input_metric::from_squared_lengths(std::move(squared_lengths));
+    metric.check(t.connectivity_);
+    t.exponent_ = metric.unit_exponent();
+    const auto refined = traits.construct_refined_data_object();
+    for (Edge_index e : t.connectivity_.edges())
+      t.edges_[e.idx()] = refined(metric.squared_length_double_double(t.connectivity_, e));
+    for (Face_index f : t.connectivity_.faces())
+      t.faces_[f.idx()] = refined(metric.four_areas_double_double(t.connectivity_, f));
+    t.keep_input(std::move(metric));
+    return t;
+  }
+
   /// \brief keeps the input beside the triangulation from now on: where it lies, and its
   /// exact metric.
   ///
