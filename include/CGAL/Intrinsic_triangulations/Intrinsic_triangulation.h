@@ -350,7 +350,11 @@ private:
     const Halfedge_index h = connectivity_.halfedge(e);
     throw Invalid_surface_error(Invalid_surface_error::Defect::ZERO_LENGTH_EDGE,
                                 connectivity_.source(h).idx(), 1,
-                                "vertices " + std::to_string(connectivity_.source(h).idx()) +
+                                connectivity_.is_loop(e)
+                                  ? "a loop at vertex " +
+                                      std::to_string(connectivity_.source(h).idx()) +
+                                      " has length zero: the lengths leave no room there"
+                                  : "vertices " + std::to_string(connectivity_.source(h).idx()) +
                                   " and " + std::to_string(connectivity_.target(h).idx()) +
                                   " coincide on the surface, though no edge joins them; merge them first");
   }
