@@ -15,6 +15,8 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
 
+#include <boost/config.hpp>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -209,15 +211,9 @@ public:
   Boolean test_and_refine(Edge_index e)
   {
     const Boolean answer = traits_.is_locally_Delaunay_object()(hinge(e));
-    if constexpr (uses_exact_geometry) {
-      if (!is_certain(answer)) {
-        Exact_geometry::Opposite_corners corners;
-        const Sign sign = exact_geometry().sign_of_cotangents(connectivity_, e, corners);
-        refine(connectivity_.halfedge(e), corners.k);
-        refine(connectivity_.opposite(connectivity_.halfedge(e)), corners.l);
-        return sign != NEGATIVE;
-      }
-    }
+    if constexpr (uses_exact_geometry)
+      if (!is_certain(answer))
+        return decide_and_refine(e);
     return answer;
   }
 
@@ -275,6 +271,15 @@ private:
             edge_data(edge(connectivity_.prev(g))),
             face_data(connectivity_.face(h)),
             face_data(connectivity_.face(g))};
+  }
+
+  BOOST_NOINLINE bool decide_and_refine(Edge_index e)
+  {
+    Exact_geometry::Opposite_corners corners;
+    const Sign sign = exact_geometry().sign_of_cotangents(connectivity_, e, corners);
+    refine(connectivity_.halfedge(e), corners.k);
+    refine(connectivity_.opposite(connectivity_.halfedge(e)), corners.l);
+    return sign != NEGATIVE;
   }
 
   void refine(Halfedge_index h, const Exact_geometry::Corner& c)

@@ -10,6 +10,7 @@
 
 #include <CGAL/Uncertain.h>
 
+#include <boost/config.hpp>
 #include <boost/core/ref.hpp>
 
 #include <cstdint>
@@ -77,30 +78,36 @@ private:
   bool visit_all()
   {
     for (Edge_index e : triangulation_.connectivity().edges()) {
-      stack_.push_back(e);
+      if (!visit(e))
+        return false;
       while (!stack_.empty()) {
         const Edge_index top = stack_.back();
         stack_.pop_back();
-        is_pending_[top.idx()] = 0;
-        if (!get(is_constrained_, top) && triangulation_.connectivity().is_flippable(top) &&
-            !visit(top))
+        if (!visit(top))
           return false;
       }
     }
     return true;
   }
 
+  // Most edges are Delaunay: this much is inlined in the loop, and no more.
   bool visit(Edge_index e)
   {
+    is_pending_[e.idx()] = 0;
+    if (get(is_constrained_, e) || !triangulation_.connectivity().is_flippable(e))
+      return true;
     if (!unwrapped_visitor().go_further(report_.tests, report_.flips)) {
       report_.status = Flip_status::CANCELLED;
       return false;
     }
     ++report_.tests;
     const auto is_Delaunay = triangulation_.test_and_refine(e);
-    if (certainly(is_Delaunay))
-      return true;
-    if (possibly(is_Delaunay)) {
+    return certainly(is_Delaunay) || flip_or_note(e, possibly(is_Delaunay));
+  }
+
+  BOOST_NOINLINE bool flip_or_note(Edge_index e, bool is_possibly_Delaunay)
+  {
+    if (is_possibly_Delaunay) {
       report_.undecided.push_back(e);
       return true;
     }
