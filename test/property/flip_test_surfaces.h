@@ -58,7 +58,7 @@ inline Surface shaken(const std::string& name, IT::Indexed_triangles triangles, 
 }
 
 // The length of each edge of the complex that make_Delta_complex_from_gluing() builds.
-inline std::vector<double> edge_lengths(const IT::Gluing& gluing, const IT::Delta_complex& complex)
+inline std::vector<double> edge_lengths(const IT::Glued_triangles& gluing, const IT::Delta_complex& complex)
 {
   std::vector<double> lengths(complex.number_of_edges());
   for (IT::Face_index f : complex.faces()) {
@@ -69,7 +69,7 @@ inline std::vector<double> edge_lengths(const IT::Gluing& gluing, const IT::Delt
   return lengths;
 }
 
-inline Surface from_gluing(const std::string& name, const IT::Gluing& gluing)
+inline Surface from_gluing(const std::string& name, const IT::Glued_triangles& gluing)
 {
   Surface surface{
     name, IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides), {}, {}};
