@@ -97,7 +97,7 @@ public:
   ///   about a dozen independent square roots
   Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e, Opposite_corners& corners)
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_);
+    internal::Double_double_metric metric(correspondence_.input(), metric_, memory_);
     corners = opposite_corners(complex, e, metric);
     Uncertain<Sign> sign = sign_of(corners.k, corners.l);
     if (is_certain(sign))
@@ -129,11 +129,46 @@ public:
                           " and cannot be proven to be pi: too many independent square roots");
   }
 
+  /// as above, without the corners; not counted as a test of the algorithm.
+  Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e)
+  {
+    const Stage_counts counts = counts_;
+    Opposite_corners corners;
+    const Sign sign = sign_of_cotangents(complex, e, corners);
+    counts_ = counts;
+    return sign;
+  }
+
+  /// returns the sign of the area of `f`, laid out over the input. It is `NEGATIVE` only if
+  /// some flip was made in a hinge that is not convex. \pre `prepare()` was called
+  Sign sign_of_area(const Delta_complex& complex, Face_index f) const
+  {
+    const Halfedge_index h = complex.halfedge(f);
+    Uncertain<Sign> sign = corner(complex, h).four_areas.sign();
+    for (long precision = 128; !is_certain(sign); precision *= 2) {
+      internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
+      sign = Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric)
+               .opposite_corner(h)
+               .four_areas.sign();
+      if (!is_certain(sign) && precision == 512) {
+        internal::Multiquadratic_metric field(correspondence_.input(), metric_);
+        if (Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
+              .opposite_corner(h)
+              .four_areas.is_zero())
+          return ZERO;
+      }
+      if (precision > largest_precision)
+        throw Undecided_error("face " + std::to_string(f.idx()) +
+                              ": the sign of its area cannot be decided");
+    }
+    return get_certain(sign);
+  }
+
   /// returns the length of `e` in the unit of the input, within 0.51 units in the last
   /// place. \pre `prepare()` was called
   double length(const Delta_complex& complex, Edge_index e) const
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_);
+    internal::Double_double_metric metric(correspondence_.input(), metric_, memory_);
     const Double_double s =
       Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);
     if (s.relative_error() < 0x1p-70) {
@@ -190,10 +225,7 @@ public:
     const double sum = cotangent(complex, h) + cotangent(complex, g);
     if (!complex.is_flippable(e))
       return sum;
-    Opposite_corners corners;
-    const Stage_counts counts = counts_;
-    const Sign exact_sign = sign_of_cotangents(complex, e, corners);
-    counts_ = counts; // not a test of the algorithm
+    const Sign exact_sign = sign_of_cotangents(complex, e);
     return exact_sign == ZERO || CGAL::sign(sum) != exact_sign ? 0. : sum;
   }
 
@@ -215,7 +247,7 @@ public:
   /// \pre `prepare()` was called
   bool has_length_zero(const Delta_complex& complex, Edge_index e) const
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_);
+    internal::Double_double_metric metric(correspondence_.input(), metric_, memory_);
     const Double_double s =
       Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);
     if (is_certain(s.sign()))
@@ -230,7 +262,7 @@ public:
   /// unit of the metric. \pre `prepare()` was called; `h` is not a border halfedge
   Corner corner(const Delta_complex& complex, Halfedge_index h) const
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_);
+    internal::Double_double_metric metric(correspondence_.input(), metric_, memory_);
     return Unfolding<internal::Double_double_metric>(complex, correspondence_, metric)
       .opposite_corner(h);
   }
@@ -362,6 +394,7 @@ private:
   Correspondence correspondence_;
   Input_metric metric_;
   Stage_counts counts_;
+  mutable internal::Double_double_metric::Memory memory_;
 };
 
 } // namespace Intrinsic_triangulations

@@ -6,6 +6,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/Multiquadratic.h>
@@ -179,9 +180,42 @@ class Double_double_metric
 {
 public:
   using Real = Bounded_double_double;
-  Double_double_metric(const Delta_complex& input, const Input_metric& metric)
-    : input_(input), metric_(metric)
+
+  // A direct-mapped cache of corner ratios: neighbouring edges cross the same triangles.
+  class Memory
+  {
+  public:
+    template <class Compute>
+    const Planar_vector<Real>& operator()(Halfedge_index h, const Compute& compute)
+    {
+      if (entries_.empty())
+        entries_.resize(size);
+      Entry& entry = entries_[h.idx() % size];
+      if (entry.halfedge != h) {
+        entry.ratio = compute();
+        entry.halfedge = h;
+      }
+      return entry.ratio;
+    }
+
+  private:
+    static constexpr std::size_t size = 4096;
+    struct Entry
+    {
+      Halfedge_index halfedge;
+      Planar_vector<Real> ratio;
+    };
+    std::vector<Entry> entries_;
+  };
+
+  Double_double_metric(const Delta_complex& input, const Input_metric& metric, Memory& memory)
+    : input_(input), metric_(metric), memory_(memory)
   {}
+  template <class Compute>
+  const Planar_vector<Real>& remembered(Halfedge_index h, const Compute& compute)
+  {
+    return memory_(h, compute);
+  }
   Real constant(int x) const { return Real(x); }
   Real squared_length(Edge_index e) const { return metric_.squared_length_double_double(input_, e); }
   Real four_areas(Face_index f) const { return metric_.four_areas_double_double(input_, f); }
@@ -189,6 +223,7 @@ public:
 private:
   const Delta_complex& input_;
   const Input_metric& metric_;
+  Memory& memory_;
 };
 
 // The metric in multiple-precision intervals.
@@ -200,6 +235,8 @@ public:
     : input_(input), metric_(metric), precision_(precision)
   {}
   Real constant(int x) const { return Real(double(x), precision_); }
+  template <class Compute>
+  auto remembered(Halfedge_index, const Compute& compute) const { return compute(); }
   Real squared_length(Edge_index e) const
   {
     return Real(data(metric_.squared_length(input_, e)), precision_);
@@ -224,6 +261,8 @@ public:
     : input_(input), metric_(metric)
   {}
   Real constant(int x) const { return Real(&basis_, 0, Rational(x)); }
+  template <class Compute>
+  auto remembered(Halfedge_index, const Compute& compute) const { return compute(); }
   Real squared_length(Edge_index e) const
   {
     return Real(&basis_, 0, metric_.squared_length(input_, e));

@@ -199,11 +199,25 @@ public:
       return true;
     const Boolean answer = traits_.is_locally_Delaunay_object()(hinge(e));
     if constexpr (uses_exact_geometry)
-      if (!is_certain(answer)) {
-        Exact_geometry::Opposite_corners corners;
-        return exact_geometry().sign_of_cotangents(connectivity_, e, corners) != NEGATIVE;
-      }
+      if (!is_certain(answer))
+        return exact_geometry().sign_of_cotangents(connectivity_, e) != NEGATIVE;
     return answer;
+  }
+
+  /// \brief returns the exact sign of the cotangent weight of `e`: zero for a tie.
+  ///
+  /// Where both faces have zero area, it is negative if both opposite angles are π, and
+  /// zero otherwise.
+  /// \pre `keeps_input()` and `connectivity().is_flippable(e)`
+  /// \exception Undecided_error as `Exact_geometry::sign_of_cotangents()`
+  Sign sign_of_cotangent_weight(Edge_index e) const
+  {
+    if constexpr (uses_exact_geometry) {
+      const Boolean answer = traits_.is_locally_Delaunay_object()(hinge(e));
+      if (is_certain(answer)) // the filter decides no tie
+        return certainly(answer) ? POSITIVE : NEGATIVE;
+    }
+    return exact_geometry().sign_of_cotangents(connectivity_, e);
   }
 
   /// \brief as `is_locally_Delaunay()`; where the stored numbers could not decide, they

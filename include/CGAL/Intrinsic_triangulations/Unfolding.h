@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/Crossing_sequence.h>
 
 #include <CGAL/assertions.h>
@@ -16,38 +17,6 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
-
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// \brief a complex number, or a vector in a plane, over a ring.
-template <class Real>
-struct Planar_vector
-{
-  Real x; ///< real part
-  Real y; ///< imaginary part
-
-  /// returns the product of complex numbers.
-  friend Planar_vector operator*(const Planar_vector& a, const Planar_vector& b)
-  {
-    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
-  }
-  /// returns the sum.
-  friend Planar_vector operator+(const Planar_vector& a, const Planar_vector& b)
-  {
-    return {a.x + b.x, a.y + b.y};
-  }
-  /// returns the difference.
-  friend Planar_vector operator-(const Planar_vector& a, const Planar_vector& b)
-  {
-    return {a.x - b.x, a.y - b.y};
-  }
-  /// returns `a` times the conjugate of `b`.
-  friend Planar_vector times_conjugate(const Planar_vector& a, const Planar_vector& b)
-  {
-    return {a.x * b.x + a.y * b.y, a.y * b.x - a.x * b.y};
-  }
-  /// returns the squared absolute value.
-  friend Real squared_norm(const Planar_vector& a) { return a.x * a.x + a.y * a.y; }
-};
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 ///
@@ -63,7 +32,9 @@ struct Planar_vector
 ///
 /// \tparam Metric gives the images in some ring of the squared length of an input edge and
 ///   of √q of an input face (four times its area): a type `Real`, members
-///   `squared_length(Edge_index)` and `four_areas(Face_index)`, and `constant(int)`.
+///   `squared_length(Edge_index)` and `four_areas(Face_index)`, `constant(int)`, and
+///   `remembered(Halfedge_index, compute)`, which returns what the last call with that
+///   halfedge did, or `compute()`.
 ///
 /// Lengths are in the unit of the metric. Cost: proportional to the number of crossings,
 /// plus that of finding their order.
@@ -110,12 +81,13 @@ public:
     const Halfedge_index first = correspondence_.input_halfedge(v, roundabout - 1);
     Vector right = one, left = corner_ratio(first);
     Halfedge_index crossed = input_.opposite(input_.next(first)); // from left to right
-    for (internal::Crossing_sequence sequence(complex_, correspondence_.coordinates(), h);;
-         sequence.advance()) {
+    const internal::Crossing_sequence sequence(complex_, correspondence_.coordinates(), h);
+    const std::int64_t n = correspondence_.coordinates().number_of_crossings(complex_.edge(h));
+    for (std::int64_t crossing = 0;; ++crossing) {
       const Vector apex = left + (right - left) * corner_ratio(crossed);
-      if (sequence.is_last())
+      if (crossing + 1 == n)
         return {apex, roundabout - 1};
-      if (sequence.turns_left()) {
+      if (sequence.turns_left(std::size_t(crossing))) {
         right = apex;
         crossed = input_.opposite(input_.prev(crossed));
       } else {
@@ -162,6 +134,11 @@ private:
 
   // The ratio at the source of an input halfedge from it to the next counterclockwise.
   Vector corner_ratio(Halfedge_index ij) const
+  {
+    return metric_.remembered(ij, [&] { return computed_corner_ratio(ij); });
+  }
+
+  Vector computed_corner_ratio(Halfedge_index ij) const
   {
     const Real s_ij = metric_.squared_length(input_.edge(ij));
     const Real s_jk = metric_.squared_length(input_.edge(input_.next(ij)));
