@@ -88,7 +88,7 @@ inline std::vector<Surface> generic_surfaces(bool small)
     shaken("Schwarz lantern", small ? IT::Schwarz_lantern(4, 5) : IT::Schwarz_lantern(6, 20), 0.01),
     shaken("disk with spike", small ? IT::disk_with_spike(5, 3) : IT::disk_with_spike(9, 8), 0.01),
     from_gluing("one-vertex torus", IT::one_vertex_torus(1, 1.25, 2)),
-    from_gluing("sheared torus", IT::sheared_one_vertex_torus(small ? 3.3 : 20.3)),
+    from_gluing("sheared torus", IT::sheared_one_vertex_torus(small ? 3.3 : 8.3)),
     from_gluing("self-glued triangle", IT::self_glued_triangle(1, 1.5)),
     from_gluing("self-glued sphere", IT::self_glued_sphere(1, 0.7, 1.3))};
   for (std::uint64_t seed = 1; seed <= (small ? 2 : 10); ++seed) {

@@ -18,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -40,7 +41,7 @@ constexpr bool is_exact = CGAL::Algebraic_structure_traits<Number_type>::Is_exac
 constexpr bool is_float = std::is_same<Number_type, float>::value;
 constexpr bool is_interval =
   std::is_same<IT::Edge_length_traits<Number_type>::Boolean, CGAL::Uncertain<bool>>::value;
-constexpr double tolerance = is_float ? 1e-3 : 1e-9;
+constexpr double tolerance = is_float ? 1e-3 : is_interval ? 1e-6 : 1e-9; // of an interval, the middle
 
 // Remembers the flips and checks what it is told.
 struct Recorder
@@ -58,7 +59,16 @@ struct Recorder
   std::vector<IT::Edge_index> flips;
 };
 
-void expect_equal(const Invariants& a, const Invariants& b)
+inline void expect_close(const Number_type& x, const Number_type& expected)
+{
+  if constexpr (is_interval)
+    EXPECT_TRUE(CGAL::possibly(x == expected)) << x << " " << expected;
+  else
+    EXPECT_NEAR(CGAL::to_double(x), CGAL::to_double(expected),
+                10 * tolerance * CGAL::to_double(expected));
+}
+
+inline void expect_equal(const Invariants& a, const Invariants& b)
 {
   EXPECT_EQ(a.euler_characteristic, b.euler_characteristic);
   EXPECT_EQ(a.border_halfedges, b.border_halfedges);
@@ -75,14 +85,27 @@ void expect_truth(const Flip_report& report, const Triangulation& t)
   EXPECT_TRUE(t.connectivity().is_valid(true));
   for (IT::Edge_index e : report.not_flippable)
     EXPECT_FALSE(CGAL::possibly(t.is_locally_Delaunay(e)));
+  for (IT::Edge_index e : report.inconsistent)
+    EXPECT_FALSE(CGAL::possibly(t.is_locally_Delaunay(e)));
   for (IT::Edge_index e : report.undecided)
     EXPECT_FALSE(CGAL::certainly(t.is_locally_Delaunay(e)));
-  if (report.status == Flip_status::DELAUNAY) {
-    EXPECT_TRUE(report.not_flippable.empty());
-    EXPECT_TRUE(report.undecided.empty());
-    for (IT::Edge_index e : t.connectivity().edges())
-      EXPECT_TRUE(CGAL::certainly(t.is_locally_Delaunay(e))) << e;
-  }
+  const bool is_done =
+    report.status != Flip_status::BUDGET_EXHAUSTED && report.status != Flip_status::CANCELLED;
+  if (!is_done)
+    return;
+  EXPECT_EQ(report.status, !report.undecided.empty()       ? Flip_status::UNDECIDED
+                           : !report.not_flippable.empty() ? Flip_status::NOT_FLIPPABLE
+                           : !report.inconsistent.empty()  ? Flip_status::INCONSISTENT
+                                                           : Flip_status::DELAUNAY);
+  // Each edge that is not Delaunay is named.
+  std::vector<IT::Edge_index> expected, named;
+  for (IT::Edge_index e : t.connectivity().edges())
+    if (!CGAL::certainly(t.is_locally_Delaunay(e)))
+      expected.push_back(e);
+  for (const auto* list : {&report.not_flippable, &report.inconsistent, &report.undecided})
+    named.insert(named.end(), list->begin(), list->end());
+  std::sort(named.begin(), named.end());
+  EXPECT_EQ(named, expected);
 }
 
 template <class Traits>
@@ -165,29 +188,27 @@ TYPED_TEST(Flip, four_times_is_the_identity)
     for (IT::Edge_index e : t.connectivity().edges()) {
       if (!t.connectivity().is_flippable(e))
         continue;
-      const double length = CGAL::to_double(t.length(e));
+      const IT::Halfedge_index h = t.connectivity().halfedge(e);
+      const std::array<IT::Face_index, 2> faces{t.connectivity().face(h),
+                                                t.connectivity().face(t.connectivity().opposite(h))};
       auto turned = t;
       if (turned.flip(e) != Outcome::FLIPPED)
         continue;
-      const auto faces_of = [&](const auto& triangulation) {
-        const IT::Halfedge_index h = triangulation.connectivity().halfedge(e);
-        return std::minmax({CGAL::to_double(triangulation.area(triangulation.connectivity().face(h))),
-                            CGAL::to_double(triangulation.area(
-                              triangulation.connectivity().face(triangulation.connectivity().opposite(h))))});
-      };
       // Where a face nearly vanishes, rounding decides whether the way back exists.
-      if (faces_of(turned).first < 1e-2 * faces_of(turned).second)
+      const auto areas = std::minmax(
+        {CGAL::to_double(turned.area(faces[0])), CGAL::to_double(turned.area(faces[1]))});
+      if (areas.first < 1e-2 * areas.second)
         continue;
       ++flipped;
-      const double diagonal = CGAL::to_double(turned.length(e));
+      const auto diagonal = turned.length(e);
       expect_equal(invariants(turned), before);
-      for (double expected : {length, diagonal, length}) {
+      for (const auto& expected : {t.length(e), diagonal, t.length(e)}) {
         ASSERT_EQ(turned.flip(e), Outcome::FLIPPED);
-        EXPECT_NEAR(CGAL::to_double(turned.length(e)), expected, 10 * tolerance * expected);
+        expect_close(turned.length(e), expected);
       }
       EXPECT_TRUE(are_same_links(turned.connectivity(), surface.connectivity));
-      EXPECT_NEAR(faces_of(turned).first, faces_of(t).first, 10 * tolerance * faces_of(t).second);
-      EXPECT_NEAR(faces_of(turned).second, faces_of(t).second, 10 * tolerance * faces_of(t).second);
+      for (IT::Face_index f : faces)
+        expect_close(turned.area(f), t.area(f));
     }
   });
   EXPECT_GT(flipped, 100);
@@ -313,20 +334,24 @@ TYPED_TEST(Flip, reports_edges_that_have_no_other_diagonal)
   }
 }
 
-// Ties that rounding has broken: an interval cannot decide them, and rounded decisions
-// may go round in circles. Whatever happens, the run ends and says so.
+// Ties, some of which rounding has broken: an interval cannot decide them, and rounded
+// decisions may contradict each other. Whatever happens, the run ends and says so.
 TYPED_TEST(Flip, ends_on_ties)
 {
-  if (is_exact)
-    GTEST_SKIP() << "proofs of zero take too long";
-  const std::vector<Surface> surfaces{
-    from_triangles("prism", IT::prism(80)), from_triangles("turned prism", IT::prism(12, 3)),
-    from_triangles("turned grid", IT::random_diagonal_grid(6, 6, 1, 7)),
-    from_triangles("torus", IT::torus(12, 8)), from_triangles("Schwarz lantern", IT::Schwarz_lantern(6, 20)),
-    from_triangles("cap", IT::cap()), from_triangles("sheared grid", IT::sheared_grid(5, 5, 3)),
-    from_triangles("sphere", IT::latitude_longitude_sphere(12, 6)),
-    from_gluing("square torus", IT::sheared_one_vertex_torus(10))};
+  std::vector<Surface> surfaces{
+    from_triangles("grid", IT::random_diagonal_grid(2, 2)), from_triangles("sheared grid", IT::sheared_grid(2, 2, 1))};
+  if (!is_exact) // the proofs of zero take too long
+    for (const Surface& surface :
+         {from_triangles("prism", IT::prism(80)), from_triangles("turned prism", IT::prism(12, 3)),
+          from_triangles("turned grid", IT::random_diagonal_grid(6, 6, 1, 7)),
+          from_triangles("torus", IT::torus(12, 8)),
+          from_triangles("Schwarz lantern", IT::Schwarz_lantern(6, 20)), from_triangles("cap", IT::cap()),
+          from_triangles("large sheared grid", IT::sheared_grid(5, 5, 3)),
+          from_triangles("sphere", IT::latitude_longitude_sphere(12, 6)),
+          from_gluing("square torus", IT::sheared_one_vertex_torus(10))})
+      surfaces.push_back(surface);
   const std::uint64_t budget = 5000;
+  bool is_every_run_complete = true;
   for (const Surface& surface : surfaces) {
     SCOPED_TRACE(surface.name);
     auto t = triangulation<TypeParam>(surface);
@@ -334,9 +359,16 @@ TYPED_TEST(Flip, ends_on_ties)
     expect_truth(report, t);
     EXPECT_LE(report.flips, budget);
     EXPECT_EQ(report.status == Flip_status::BUDGET_EXHAUSTED, report.flips == budget);
-    EXPECT_EQ(report.status == Flip_status::NOT_FLIPPABLE,
-              !report.not_flippable.empty() && report.undecided.empty() && report.flips < budget);
-    if (getenv("SHOW")) printf("%s %s: %d flips %d nf %d und %d\n", surface.name.c_str(), testing::internal::GetTypeName<TypeParam>().c_str(), int(report.status), int(report.flips), int(report.not_flippable.size()), int(report.undecided.size()));
+    is_every_run_complete = is_every_run_complete && report.status == Flip_status::DELAUNAY;
+    if (is_interval && surface.name == "prism") {
+      EXPECT_EQ(report.status, Flip_status::UNDECIDED);
+      EXPECT_GT(report.undecided.size(), 10u);
+    }
+  }
+  if (is_exact) {
+    EXPECT_TRUE(is_every_run_complete);
+  } else if (!std::is_same<Number_type, long double>::value) {
+    EXPECT_FALSE(is_every_run_complete); // else the test were worth nothing
   }
 }
 
