@@ -62,7 +62,7 @@ std::string written(const Delta_complex& c, const std::vector<double>& lengths)
   return os.str();
 }
 
-IT::Glued_triangles read(const std::string& text)
+IT::Gluing read(const std::string& text)
 {
   std::istringstream is(text);
   return IT::read_gluing(is);
@@ -71,7 +71,7 @@ IT::Glued_triangles read(const std::string& text)
 void expect_round_trip(const Delta_complex& c, const std::vector<double>& lengths)
 {
   const std::string text = written(c, lengths);
-  const IT::Glued_triangles g = read(text);
+  const IT::Gluing g = read(text);
   EXPECT_TRUE(g.complex.is_valid(true));
   EXPECT_EQ(g.complex, c) << text;
   EXPECT_EQ(g.lengths, lengths);
@@ -137,7 +137,7 @@ TEST(Delta_complex_io, every_surface_returns_also_after_flips)
 
 TEST(Delta_complex_io, a_border_halfedge_may_come_first)
 {
-  const IT::Glued_triangles g = read(with_line(5, "-1 0 1"));
+  const IT::Gluing g = read(with_line(5, "-1 0 1"));
   EXPECT_TRUE(g.complex.is_valid(true));
   EXPECT_TRUE(g.complex.is_border(Halfedge_index(0)));
   EXPECT_EQ(g.complex.face(Halfedge_index(1)), Face_index(0));
@@ -161,7 +161,7 @@ TEST(Delta_complex_io, the_text_is_as_documented)
 TEST(Delta_complex_io, locale_and_format_of_the_stream_do_not_matter)
 {
   const std::locale comma(std::locale::classic(), new Comma);
-  const IT::Glued_triangles g = read(square);
+  const IT::Gluing g = read(square);
   std::ostringstream os;
   os.imbue(comma);
   os << std::setprecision(3) << std::hex << std::showbase;
@@ -176,7 +176,7 @@ TEST(Delta_complex_io, comments_blanks_and_foreign_line_ends_are_skipped)
 {
   const std::string text = "# a square\n\nINTRINSIC_GLUING 1 # version\r\n4 5 2\r\n  0 1\t2\r\n"
                            "0 2 3#\n0 -1 1\n1 -1 1\n\n # diagonal\n2 3 15e-1\n4 -1 1\n5 -1 1";
-  const IT::Glued_triangles g = read(text);
+  const IT::Gluing g = read(text);
   EXPECT_EQ(g.complex, read(square).complex);
   EXPECT_EQ(g.lengths, read(square).lengths);
 }
@@ -266,7 +266,7 @@ TEST(Delta_complex_io, random_mutations_do_no_harm)
         text = " ";
     }
     try {
-      const IT::Glued_triangles g = read(text);
+      const IT::Gluing g = read(text);
       ++accepted;
       ASSERT_TRUE(g.complex.is_valid(true)) << text;
       ASSERT_EQ(g.lengths.size(), g.complex.number_of_edges());
