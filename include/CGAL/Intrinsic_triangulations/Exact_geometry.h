@@ -251,7 +251,7 @@ public:
       return value;
     return with_increasing_precision(
       complex, h, [](const auto& corner) { return corner.p / corner.four_areas; },
-      [](double width, double magnitude) { return width <= 0x1p-52 * (1 + magnitude); });
+      [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
   }
 
   /// returns the sum of the cotangents of the one or two angles opposite to `e`, up to
@@ -289,7 +289,7 @@ public:
                            : with_increasing_precision(
                                complex, h, [](const auto& corner) { return corner.four_areas; },
                                [](double width, double magnitude) {
-                                 return width <= 0x1p-52 * magnitude;
+                                 return width <= 0x1p-51 * magnitude;
                                });
     return std::ldexp(value, 2 * metric_.unit_exponent() - 2);
   }
@@ -478,7 +478,8 @@ private:
     throw Undecided_error("edge " + std::to_string(e.idx()) + ": the opposite angles are too near to pi/2");
   }
 
-  // The middle of an interval that is narrow enough, as is_narrow(width, magnitude) says.
+  // The middle of an interval that is narrow enough, as is_narrow(width, magnitude) says. An
+  // interval around a double is two units in its last place wide, however high the precision.
   template <class Evaluate, class IsNarrow>
   double with_increasing_precision(const Delta_complex& complex, Halfedge_index h,
                                    const Evaluate& evaluate, const IsNarrow& is_narrow) const
