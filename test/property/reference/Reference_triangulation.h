@@ -254,6 +254,8 @@ public:
       throw std::logic_error("the edge cannot be flipped");
     const Point i = position_[s], j = position_[Sides::next(s)], k = position_[Sides::prev(s)],
                 l = far_corner(s);
+    if (squared_norm(k - l) <= tie_bound2() * (squared_norm(k - i) + squared_norm(l - i)))
+      throw Coincident_vertices();
     const Size f = 3 * (s / 3), g = 3 * (t / 3);
     const Size jk = Sides::next(s), ki = Sides::prev(s), il = Sides::next(t), lj = Sides::prev(t);
     const Size vi = sides_.corner[s], vj = sides_.corner[t], vk = sides_.corner[ki], vl = sides_.corner[lj];

@@ -36,6 +36,16 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 using Exact_triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
+struct Tessellation_edge
+{
+  Size a, b;     // a <= b
+  double length; // rounded from the reference's
+  friend bool operator==(const Tessellation_edge& x, const Tessellation_edge& y)
+  {
+    return x.a == y.a && x.b == y.b && x.length == y.length;
+  }
+};
+
 struct Comparison
 {
   std::vector<std::string> disagreements; // at most a few of each kind
@@ -47,6 +57,7 @@ struct Comparison
   double worst_area = 0;        // relative error of an area over 2^-50
   double worst_cotangent = 0;   // error over 2^-50 (1 + |cot|)
   double worst_weight = 0;      // error over 2^-49 (1 + the sum of |cot|)
+  std::vector<Tessellation_edge> tessellation; // of the package's result
   double inconsistency = 0;     // log10 of what rounding did to the reference
   double smallest_sine = 0;     // log10 of the closest decision
   double largest_tie_sine = 0;  // log10 of the largest number taken for zero
@@ -149,6 +160,7 @@ class Comparer
 {
   using Reference = Reference_triangulation<digits>;
   using Real = typename Reference::Real;
+  using Edges = std::vector<typename Reference::Measured_edge>;
 
 public:
   Comparer(const Sides& sides, const Metric& metric, const Comparison_options& options)
@@ -186,14 +198,17 @@ public:
       check_result(triangulation, replay);
     result_.stages = triangulation.exact_geometry().stage_counts();
 
+    const Edges package_edges = replay.unique_edges(options_.is_constrained);
+    for (const auto& edge : package_edges)
+      result_.tessellation.push_back({edge.a, edge.b, static_cast<double>(sqrt(edge.squared_length))});
+
     Reference own(sides_, metric_);
     const Size flips = own.make_Delaunay(options_.is_constrained);
     result_.reference_flips = flips;
     if (flips == none)
       complain("reference", "the reference does not end");
     else
-      compare_tessellations(replay.unique_edges(options_.is_constrained),
-                            own.unique_edges(options_.is_constrained));
+      compare_tessellations(package_edges, own.unique_edges(options_.is_constrained));
     result_.inconsistency = (std::max)(replay.inconsistency(), own.inconsistency());
     result_.smallest_sine = (std::min)(replay.smallest_sine(), own.smallest_sine());
     result_.largest_tie_sine = (std::max)(replay.largest_tie_sine(), own.largest_tie_sine());
@@ -345,7 +360,6 @@ private:
     return {sides.edge[s], sides.corner[s], sides.edge[n], sides.corner[n], sides.edge[p], sides.corner[p]};
   }
 
-  using Edges = std::vector<typename Reference::Measured_edge>;
   void compare_tessellations(const Edges& package, const Edges& own)
   {
     if (package.size() != own.size())
