@@ -1,9 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The command `idt`: intrinsic Delaunay triangulations of surfaces.
+
+#include "Exit_status.h"
+#include "Interruption.h"
+#include "Output_file.h"
+#include "commands.h"
+
+#include <CLI/CLI.hpp>
 
 #include <iostream>
 
-int main()
+int main(int argc, char** argv)
 {
-  std::cerr << "Usage: idt triangulate|compare|parameterize|table|sample ...\n";
-  return 2;
+  using idt::Exit_status;
+  idt::occupy_standard_descriptors();
+  idt::install_signal_handlers();
+
+  Exit_status status = Exit_status::DONE;
+  try {
+    CLI::App app("Intrinsic Delaunay triangulations of triangulated surfaces", "idt");
+    app.footer("Exit status: 0 done; 1 a result could not be written; 2 the command line is wrong;\n"
+               "3 an input is unusable; 4 undecided, not flippable, out of budget or cancelled\n"
+               "(what was found so far is still written).\n");
+    app.require_subcommand(1);
+    idt::Selected_command selected;
+    idt::add_triangulate_command(app, selected);
+    idt::add_table_command(app, selected);
+    idt::add_sample_command(app, selected);
+    try {
+      app.parse(argc, argv);
+      status = selected();
+    } catch (const CLI::ParseError& error) {
+      // Asking for help is no error. CLI11 has a status for each kind of mistake.
+      status = app.exit(error) == 0 ? Exit_status::DONE : Exit_status::WRONG_USAGE;
+    }
+    idt::flush_standard_output();
+  } catch (...) {
+    idt::keep_first_failure(status, idt::report_current_exception());
+  }
+  return static_cast<int>(status);
 }

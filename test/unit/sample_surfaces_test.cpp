@@ -26,7 +26,7 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using IT::Gluing;
+using IT::Glued_triangles;
 using IT::Indexed_triangles;
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -109,7 +109,7 @@ std::vector<std::size_t> twins_of(const Indexed_triangles& surface)
   return twins;
 }
 
-std::vector<std::size_t> twins_of(const Gluing& gluing)
+std::vector<std::size_t> twins_of(const Glued_triangles& gluing)
 {
   std::vector<std::size_t> twins(3 * gluing.number_of_faces, none);
   for (const auto& [first, second] : gluing.glued_sides) {
@@ -187,7 +187,7 @@ void check(const Indexed_triangles& surface, std::size_t vertices, std::size_t f
   EXPECT_EQ(counts.components, 1u);
 }
 
-Counts check(const Gluing& gluing)
+Counts check(const Glued_triangles& gluing)
 {
   const std::vector<std::size_t> twins = twins_of(gluing);
   EXPECT_EQ(gluing.side_lengths.size(), twins.size());
@@ -393,7 +393,7 @@ TEST(Sample_surfaces, random_gluings)
             EXPECT_THROW(IT::random_gluing(faces, seed, with_boundary, connected), std::invalid_argument);
             continue;
           }
-          const Gluing gluing = IT::random_gluing(faces, seed, with_boundary, connected);
+          const Glued_triangles gluing = IT::random_gluing(faces, seed, with_boundary, connected);
           EXPECT_EQ(gluing.number_of_faces, faces);
           const Counts counts = check(gluing);
           EXPECT_EQ(counts.boundary_edges > 0, with_boundary);
@@ -438,7 +438,7 @@ TEST(Sample_surfaces, names)
     EXPECT_FALSE(sample.description.empty());
     EXPECT_TRUE(names.insert(sample.name).second);
     const auto surface = IT::make_sample(sample.name);
-    EXPECT_EQ(std::holds_alternative<Gluing>(surface), sample.name == "one-vertex-torus");
+    EXPECT_EQ(std::holds_alternative<Glued_triangles>(surface), sample.name == "one-vertex-torus");
   }
   EXPECT_EQ(names.size(), 15u);
   try {

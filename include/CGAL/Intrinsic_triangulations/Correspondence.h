@@ -18,55 +18,69 @@ namespace Intrinsic_triangulations {
 ///
 /// \brief relates a triangulation to the input triangulation that it was flipped from.
 ///
-/// It keeps the normal coordinates and enough to know the input connectivity: a journal
-/// of the flips, which is undone on a copy when the input is first asked for or when the
-/// journal would become larger than that copy. So an input in which little flips is not
-/// stored twice.
+/// What is kept at first is a journal of the flips. When something is asked for, or when
+/// there are as many flips as edges, the input connectivity is recovered by undoing the
+/// flips on a copy, and the integers by following them from there; from then on they are
+/// updated with each flip. So where nothing is asked, a flip costs an entry in a list.
 class Correspondence
 {
 public:
-  /// constructs the correspondence of `input` with itself.
-  explicit Correspondence(const Delta_complex& input) : coordinates_(input) {}
+  /// returns whether `input()`, `coordinates()` and the other queries are available.
+  bool is_prepared() const { return is_prepared_; }
 
-  /// returns the integers.
-  const Normal_coordinates& coordinates() const { return coordinates_; }
-
-  /// updates the integers for the flip of `e`, before the flip of the connectivity.
-  /// \exception Integer_overflow_error as `Normal_coordinates::flip()`
-  void flip(const Delta_complex& complex, Edge_index e)
-  {
-    coordinates_.flip(complex, e);
-    if (is_input_known_)
-      return;
-    if (journal_.size() >= complex.number_of_edges())
-      recover_input(complex);
-    else
-      journal_.push_back(e);
-  }
-
-  /// \brief makes `input()` available. O(size) the first time, O(1) afterwards.
+  /// \brief makes the queries available. O(size + number of flips) the first time, and
+  /// O(1) afterwards.
   /// \param complex the current connectivity
-  void recover_input(const Delta_complex& complex)
+  /// \param before_flip is called with connectivity and edge before each flip that is followed
+  /// \exception Integer_overflow_error as `Normal_coordinates::flip()`
+  template <class BeforeFlip>
+  void prepare(const Delta_complex& complex, const BeforeFlip& before_flip)
   {
-    if (is_input_known_)
+    if (is_prepared_)
       return;
-    input_ = complex;
+    Delta_complex copy = complex;
     for (std::size_t i = journal_.size(); i-- > 0;)
       for (int turn = 0; turn < 3; ++turn) // four flips are the identity
-        input_.flip(journal_[i]);
+        copy.flip(journal_[i]);
+    input_ = copy;
     number_halfedges_around_vertices();
+    coordinates_ = Normal_coordinates(input_);
+    for (Edge_index e : journal_) {
+      coordinates_.flip(copy, e);
+      before_flip(copy, e);
+      copy.flip(e);
+    }
     std::vector<Edge_index>().swap(journal_);
-    is_input_known_ = true;
+    is_prepared_ = true;
   }
+
+  /// notes the flip of `e`, before the flip of the connectivity.
+  /// \param before_flip as for `prepare()`; it is also called once the queries are available
+  /// \exception Integer_overflow_error as `Normal_coordinates::flip()`
+  template <class BeforeFlip>
+  void flip(const Delta_complex& complex, Edge_index e, const BeforeFlip& before_flip)
+  {
+    if (!is_prepared_ && journal_.size() >= complex.number_of_edges())
+      prepare(complex, before_flip);
+    if (is_prepared_) {
+      coordinates_.flip(complex, e);
+      before_flip(complex, e);
+    } else {
+      journal_.push_back(e);
+    }
+  }
+
+  /// returns the integers. \pre `is_prepared()`
+  const Normal_coordinates& coordinates() const { return coordinates_; }
 
   /// returns the input connectivity: the same vertices, edges, halfedges and faces as at
   /// the beginning; `halfedge(v)` and `halfedge(f)` may name another incident halfedge.
-  /// \pre `recover_input()` was called
+  /// \pre `is_prepared()`
   const Delta_complex& input() const { return input_; }
 
   /// returns the input halfedge out of `v` with the given index in counterclockwise order;
   /// the index is taken modulo the degree. O(1).
-  /// \pre `recover_input()` was called
+  /// \pre `is_prepared()`
   Halfedge_index input_halfedge(Vertex_index v, std::int64_t index) const
   {
     const std::uint32_t begin = around_begin_[v.idx()];
@@ -75,44 +89,31 @@ public:
     return around_[begin + wrapped];
   }
 
-  /// returns the index of the first input halfedge at or counterclockwise after `h`.
-  /// \pre `recover_input()` was called
-  std::int64_t roundabout(const Delta_complex& complex, Halfedge_index h) const
-  {
-    return coordinates_.is_touched(complex.source(h)) ? coordinates_.roundabout(h)
-                                                      : index_around_[h.idx()];
-  }
-
 private:
   void number_halfedges_around_vertices()
   {
-    const Delta_complex& complex = input_;
-    around_.reserve(complex.number_of_halfedges());
-    around_begin_.reserve(std::size_t(complex.number_of_vertices()) + 1);
-    index_around_.resize(complex.number_of_halfedges());
-    for (Vertex_index v : complex.vertices()) {
-      const std::uint32_t begin = std::uint32_t(around_.size());
-      around_begin_.push_back(begin);
-      if (!complex.halfedge(v).is_valid())
+    around_.reserve(input_.number_of_halfedges());
+    around_begin_.reserve(std::size_t(input_.number_of_vertices()) + 1);
+    for (Vertex_index v : input_.vertices()) {
+      around_begin_.push_back(std::uint32_t(around_.size()));
+      if (!input_.halfedge(v).is_valid())
         continue;
-      const Halfedge_index first = Normal_coordinates::first_around_source(complex, v);
+      const Halfedge_index first = Normal_coordinates::first_around_source(input_, v);
       Halfedge_index h = first;
       do {
-        index_around_[h.idx()] = std::uint32_t(around_.size()) - begin;
         around_.push_back(h);
-        h = complex.next_around_source(h);
+        h = input_.next_around_source(h);
       } while (h != first);
     }
     around_begin_.push_back(std::uint32_t(around_.size()));
   }
 
-  Normal_coordinates coordinates_;
-  bool is_input_known_ = false;
+  bool is_prepared_ = false;
   std::vector<Edge_index> journal_;
   Delta_complex input_;
-  std::vector<std::uint32_t> around_begin_;
-  std::vector<Halfedge_index> around_;
-  std::vector<std::uint32_t> index_around_;
+  Normal_coordinates coordinates_;
+  std::vector<std::uint32_t> around_begin_; // for each vertex, where it begins in ...
+  std::vector<Halfedge_index> around_;      // ... the input halfedges by their sources
 };
 
 } // namespace Intrinsic_triangulations

@@ -10,13 +10,19 @@
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/Straight_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -28,7 +34,7 @@ namespace Intrinsic_triangulations {
 enum class Stage {
   FILTER,         ///< the stored squared lengths and areas with their error bounds
   UNFOLDING,      ///< the unfolding over the input triangles, in double-doubles with error bounds
-  RATIONAL,       ///< both faces are input faces: rational arithmetic
+  RATIONAL,       ///< both faces are straight triangles in space: rational arithmetic
   MULTIPRECISION, ///< the unfolding in MPFR intervals
   ALGEBRAIC       ///< the unfolding in a multiquadratic field: a proof of zero
 };
@@ -58,6 +64,17 @@ class Exact_geometry
 {
   using Double_double = internal::Bounded_double_double;
 
+  // Keeps up which faces are straight while the correspondence follows the flips.
+  struct Follower
+  {
+    void operator()(const Delta_complex& complex, Edge_index e) const
+    {
+      geometry.start_straight_faces(complex);
+      geometry.straight_faces_.flip(complex, geometry.metric_.points(), e);
+    }
+    Exact_geometry& geometry;
+  };
+
   template <class Metric>
   struct Both_corners
   {
@@ -70,25 +87,55 @@ public:
   /// the corners opposite to an edge, k to its left and l to its right.
   using Opposite_corners = Both_corners<internal::Double_double_metric>;
 
-  /// constructs the geometry of an input triangulation in itself.
-  Exact_geometry(const Delta_complex& input, Input_metric metric)
-    : correspondence_(input), metric_(std::move(metric))
+  /// constructs the geometry of a triangulation that has not been flipped yet.
+  explicit Exact_geometry(Input_metric metric) : metric_(std::move(metric)) {}
+
+  /// \name Copies
+  /// What only speeds up queries is not copied.
+  /// @{
+  Exact_geometry(const Exact_geometry& other)
+    : correspondence_(other.correspondence_), metric_(other.metric_), counts_(other.counts_),
+      straight_faces_(other.straight_faces_), has_straight_faces_(other.has_straight_faces_)
   {}
+  Exact_geometry(Exact_geometry&& other)
+    : correspondence_(std::move(other.correspondence_)), metric_(std::move(other.metric_)),
+      counts_(other.counts_), straight_faces_(std::move(other.straight_faces_)),
+      has_straight_faces_(other.has_straight_faces_)
+  {}
+  Exact_geometry& operator=(Exact_geometry other)
+  {
+    correspondence_ = std::move(other.correspondence_);
+    metric_ = std::move(other.metric_);
+    counts_ = other.counts_;
+    straight_faces_ = std::move(other.straight_faces_);
+    has_straight_faces_ = other.has_straight_faces_;
+    surface_.reset();
+    return *this;
+  }
+  /// @}
 
   /// returns where the input lies in the current triangulation.
   const Correspondence& correspondence() const { return correspondence_; }
   /// returns the metric of the input.
   const Input_metric& metric() const { return metric_; }
-  /// returns how the tests so far were decided.
+  /// returns how the tests that reached the exact stages were decided.
   const Stage_counts& stage_counts() const { return counts_; }
 
   /// updates the integers, before the flip of the connectivity.
   /// \exception Integer_overflow_error as `Normal_coordinates::flip()`
-  void flip(const Delta_complex& complex, Edge_index e) { correspondence_.flip(complex, e); }
-  /// notes that the filter decided a test.
-  void count_filter_decision() { ++counts_.decided[std::size_t(Stage::FILTER)]; }
-  /// makes the queries below possible. O(size) once after the construction.
-  void prepare(const Delta_complex& complex) { correspondence_.recover_input(complex); }
+  void flip(const Delta_complex& complex, Edge_index e)
+  {
+    correspondence_.flip(complex, e, Follower{*this});
+  }
+  /// makes the queries below possible; as `Correspondence::prepare()`.
+  void prepare(const Delta_complex& complex)
+  {
+    if (surface_)
+      return;
+    correspondence_.prepare(complex, Follower{*this});
+    start_straight_faces(complex);
+    surface_ = std::make_unique<internal::Input_surface>(correspondence_.input(), metric_);
+  }
 
   /// \brief returns the sign of `cot k + cot l` for the angles opposite to `e`, exactly.
   ///
@@ -99,43 +146,72 @@ public:
   ///   about a dozen independent square roots
   Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e, Opposite_corners& corners)
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_);
-    corners = opposite_corners(complex, e, metric);
+    const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+    corners = {corner(complex, h), corner(complex, g)};
     Uncertain<Sign> sign = sign_of(corners.k, corners.l);
     if (is_certain(sign))
       return decided(Stage::UNFOLDING, sign);
-    if (has_input_faces(complex, e))
-      return decided(Stage::RATIONAL, rational_sign(complex, e));
-    for (long precision : {128l, 256l, 512l}) {
-      sign = multiprecision_sign(complex, e, precision);
-      if (is_certain(sign))
-        return decided(Stage::MULTIPRECISION, sign);
+    if (straight_faces_(complex.face(h)) && straight_faces_(complex.face(g)))
+      return decided(Stage::RATIONAL,
+                     sign_of(rational_corner(complex, h), rational_corner(complex, g)));
+    return sign_by_late_stages(complex, e);
+  }
+
+  /// \brief as above, but by the unfolding alone: what is known of the flips before, as
+  /// that a face is straight in space, is not used. Not counted as a test of the algorithm.
+  Sign sign_by_unfolding(const Delta_complex& complex, Edge_index e)
+  {
+    const Stage_counts counts = counts_;
+    internal::Double_double_metric metric(*surface_);
+    const Opposite_corners corners = opposite_corners(complex, e, metric);
+    const Uncertain<Sign> sign = sign_of(corners.k, corners.l);
+    const Sign result =
+      is_certain(sign) ? get_certain(sign) : sign_by_late_stages(complex, e);
+    counts_ = counts;
+    return result;
+  }
+
+  /// as above, without the corners; not counted as a test of the algorithm.
+  Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e)
+  {
+    const Stage_counts counts = counts_;
+    Opposite_corners corners;
+    const Sign sign = sign_of_cotangents(complex, e, corners);
+    counts_ = counts;
+    return sign;
+  }
+
+  /// returns the sign of the area of `f`, laid out over the input. It is `NEGATIVE` only if
+  /// some flip was made in a hinge that is not convex. \pre `prepare()` was called
+  Sign sign_of_area(const Delta_complex& complex, Face_index f) const
+  {
+    const Halfedge_index h = complex.halfedge(f);
+    Uncertain<Sign> sign = unfolded_corner(complex, h).four_areas.sign();
+    for (long precision = 128; !is_certain(sign); precision *= 2) {
+      internal::Mpfr_metric metric(*surface_, {precision});
+      sign = Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric)
+               .opposite_corner(h)
+               .four_areas.sign();
+      if (!is_certain(sign) && precision == 256) {
+        internal::Square_root_basis basis;
+    internal::Multiquadratic_metric field(*surface_, {basis});
+        if (Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
+              .opposite_corner(h)
+              .four_areas.is_zero())
+          return ZERO;
+      }
+      if (precision > largest_precision)
+        throw Undecided_error("face " + std::to_string(f.idx()) +
+                              ": the sign of its area cannot be decided");
     }
-    try {
-      internal::Multiquadratic_metric field(correspondence_.input(), metric_);
-      const auto exact = opposite_corners(complex, e, field);
-      if ((exact.k.p * exact.l.four_areas + exact.l.p * exact.k.four_areas).is_zero())
-        return decided(Stage::ALGEBRAIC, exact.k.p.is_zero() || exact.l.p.is_zero()
-                                           ? ZERO
-                                           : sign_of_tie(complex, e));
-    } catch (const internal::Too_many_roots&) {
-    }
-    for (long precision = 1024; precision <= largest_precision; precision *= 2) {
-      sign = multiprecision_sign(complex, e, precision);
-      if (is_certain(sign))
-        return decided(Stage::MULTIPRECISION, sign);
-    }
-    throw Undecided_error("edge " + std::to_string(e.idx()) +
-                          ": the sum of the opposite angles differs from pi by less than 2^-" +
-                          std::to_string(largest_precision) +
-                          " and cannot be proven to be pi: too many independent square roots");
+    return get_certain(sign);
   }
 
   /// returns the length of `e` in the unit of the input, within 0.51 units in the last
   /// place. \pre `prepare()` was called
   double length(const Delta_complex& complex, Edge_index e) const
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_);
+    internal::Double_double_metric metric(*surface_);
     const Double_double s =
       Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);
     if (s.relative_error() < 0x1p-70) {
@@ -169,9 +245,9 @@ public:
     if (c.four_areas.relative_error() < 0x1p-60 &&
         c.p.error() < 0x1p-60 * (std::abs(c.p.hi()) + c.four_areas.hi()))
       return value;
-    return with_increasing_precision(complex, h, [](const auto& corner) {
-      return corner.p / corner.four_areas;
-    });
+    return with_increasing_precision(
+      complex, h, [](const auto& corner) { return corner.p / corner.four_areas; },
+      [](double width, double magnitude) { return width <= 0x1p-52 * (1 + magnitude); });
   }
 
   /// returns the sum of the cotangents of the one or two angles opposite to `e`, up to
@@ -192,10 +268,7 @@ public:
     const double sum = cotangent(complex, h) + cotangent(complex, g);
     if (!complex.is_flippable(e))
       return sum;
-    Opposite_corners corners;
-    const Stage_counts counts = counts_;
-    const Sign exact_sign = sign_of_cotangents(complex, e, corners);
-    counts_ = counts; // not a test of the algorithm
+    const Sign exact_sign = sign_of_cotangents(complex, e);
     return exact_sign == ZERO || CGAL::sign(sum) != exact_sign ? 0. : sum;
   }
 
@@ -207,9 +280,13 @@ public:
     const Double_double a = corner(complex, h).four_areas;
     const double value = a.is_zero() || a.relative_error() < 0x1p-54
                            ? a.hi()
-                           : with_increasing_precision(complex, h, [](const auto& corner) {
-                               return corner.four_areas;
-                             });
+                         : sign_of_area(complex, f) == ZERO
+                           ? 0
+                           : with_increasing_precision(
+                               complex, h, [](const auto& corner) { return corner.four_areas; },
+                               [](double width, double magnitude) {
+                                 return width <= 0x1p-52 * magnitude;
+                               });
     return std::ldexp(value, 2 * metric_.unit_exponent() - 2);
   }
 
@@ -217,12 +294,13 @@ public:
   /// \pre `prepare()` was called
   bool has_length_zero(const Delta_complex& complex, Edge_index e) const
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_);
+    internal::Double_double_metric metric(*surface_);
     const Double_double s =
       Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);
     if (is_certain(s.sign()))
       return s.is_zero();
-    internal::Multiquadratic_metric field(correspondence_.input(), metric_);
+    internal::Square_root_basis basis;
+    internal::Multiquadratic_metric field(*surface_, {basis});
     return Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
       .squared_length(e)
       .is_zero();
@@ -232,13 +310,41 @@ public:
   /// unit of the metric. \pre `prepare()` was called; `h` is not a border halfedge
   Corner corner(const Delta_complex& complex, Halfedge_index h) const
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_);
-    return Unfolding<internal::Double_double_metric>(complex, correspondence_, metric)
-      .opposite_corner(h);
+    if (straight_faces_(complex.face(h)))
+      return straight_corner(complex, h);
+    return unfolded_corner(complex, h);
   }
 
 private:
   static constexpr long largest_precision = 1l << 16;
+
+  void start_straight_faces(const Delta_complex& complex)
+  {
+    if (!has_straight_faces_)
+      straight_faces_ = internal::Straight_faces(complex.number_of_faces(), metric_.points().size());
+    has_straight_faces_ = true;
+  }
+
+  Corner unfolded_corner(const Delta_complex& complex, Halfedge_index h) const
+  {
+    internal::Double_double_metric metric(*surface_);
+    return Unfolding<internal::Double_double_metric>(complex, correspondence_, metric)
+      .opposite_corner(h);
+  }
+
+  Corner straight_corner(const Delta_complex& complex, Halfedge_index ij) const
+  {
+    const Vertex_index i = complex.source(ij), j = complex.target(ij),
+                       k = complex.target(complex.next(ij));
+    const auto ki = internal::difference<Double_double>(metric_.points(), k, i),
+               kj = internal::difference<Double_double>(metric_.points(), k, j),
+               side = internal::difference<Double_double>(metric_.points(), i, j);
+    const auto normal = internal::cross_product(ki, kj);
+    return {internal::scalar_product(ki, kj).scaled(2),
+            sqrt(internal::scalar_product(normal, normal)).scaled(2),
+            internal::scalar_product(ki, ki), internal::scalar_product(kj, kj),
+            internal::scalar_product(side, side)};
+  }
 
   template <class Metric>
   Both_corners<Metric> opposite_corners(const Delta_complex& complex, Edge_index e,
@@ -247,6 +353,35 @@ private:
     const Unfolding<Metric> unfolding(complex, correspondence_, metric);
     const Halfedge_index h = complex.halfedge(e);
     return {unfolding.opposite_corner(h), unfolding.opposite_corner(complex.opposite(h))};
+  }
+
+  Sign sign_by_late_stages(const Delta_complex& complex, Edge_index e)
+  {
+    Uncertain<Sign> sign = Uncertain<Sign>::indeterminate();
+    for (long precision : {128l, 256l}) {
+      sign = multiprecision_sign(complex, e, precision);
+      if (is_certain(sign))
+        return decided(Stage::MULTIPRECISION, sign);
+    }
+    try {
+      internal::Square_root_basis basis;
+    internal::Multiquadratic_metric field(*surface_, {basis});
+      const auto exact = opposite_corners(complex, e, field);
+      if ((exact.k.p * exact.l.four_areas + exact.l.p * exact.k.four_areas).is_zero())
+        return decided(Stage::ALGEBRAIC, exact.k.p.is_zero() || exact.l.p.is_zero()
+                                           ? ZERO
+                                           : sign_of_tie(complex, e));
+    } catch (const internal::Too_many_roots&) {
+    }
+    for (long precision = 512; precision <= largest_precision; precision *= 2) {
+      sign = multiprecision_sign(complex, e, precision);
+      if (is_certain(sign))
+        return decided(Stage::MULTIPRECISION, sign);
+    }
+    throw Undecided_error("edge " + std::to_string(e.idx()) +
+                          ": the sum of the opposite angles differs from pi by less than 2^-" +
+                          std::to_string(largest_precision) +
+                          " and cannot be proven to be pi: too many independent square roots");
   }
 
   // The sign of cot k + cot l; a zero is only certain with both areas positive, or with
@@ -277,50 +412,43 @@ private:
     return get_certain(sign);
   }
 
-  bool has_input_faces(const Delta_complex& complex, Edge_index e) const
+  // Twice the scalar product and the square of four times the area, of a straight face.
+  struct Rational_corner
   {
-    const Normal_coordinates& n = correspondence_.coordinates();
-    const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-    for (Halfedge_index x : {h, complex.next(h), complex.prev(h), complex.next(g), complex.prev(g)})
-      if (!n.is_original(complex.edge(x)))
-        return false;
-    return true;
+    internal::Exact_ring p;
+    internal::Exact_ring q;
+  };
+
+  Rational_corner rational_corner(const Delta_complex& complex, Halfedge_index ij) const
+  {
+    using Rational = internal::Exact_ring;
+    const Vertex_index i = complex.source(ij), j = complex.target(ij),
+                       k = complex.target(complex.next(ij));
+    const auto ki = internal::difference<Rational>(metric_.points(), k, i),
+               kj = internal::difference<Rational>(metric_.points(), k, j);
+    const auto normal = internal::cross_product(ki, kj);
+    return {Rational(2) * internal::scalar_product(ki, kj),
+            Rational(4) * internal::scalar_product(normal, normal)};
   }
 
-  // The sign of p_k √q_l + p_l √q_k for two input faces. The current edge coincides with an
-  // input edge, which need not have the same number: it is found by its roundabout.
-  Sign rational_sign(const Delta_complex& complex, Edge_index e) const
+  // The sign of p_k √q_l + p_l √q_k.
+  static Sign sign_of(const Rational_corner& k, const Rational_corner& l)
   {
-    const Halfedge_index h = complex.halfedge(e);
-    const auto k = rational_corner(complex, h), l = rational_corner(complex, complex.opposite(h));
-    const Sign p_k = internal::sign_of(k.first), p_l = internal::sign_of(l.first);
-    const Sign term_k = l.second == 0 ? ZERO : p_k, term_l = k.second == 0 ? ZERO : p_l;
+    const Sign p_k = CGAL::sign(k.p), p_l = CGAL::sign(l.p);
+    const Sign term_k = CGAL::is_zero(l.q) ? ZERO : p_k, term_l = CGAL::is_zero(k.q) ? ZERO : p_l;
     if (term_k == ZERO || term_l == ZERO || term_k == term_l) {
       const Sign sum = term_k == ZERO ? term_l : term_k;
       return sum == ZERO ? tie(p_k, p_l) : sum;
     }
     const Sign difference =
-      internal::sign_of(k.first * k.first * l.second - l.first * l.first * k.second);
+      CGAL::sign(internal::Exact_ring(k.p * k.p * l.q - l.p * l.p * k.q));
     return difference == ZERO ? ZERO : term_k * difference;
-  }
-
-  // Twice the scalar product and the square of four times the area.
-  std::pair<internal::Rational, internal::Rational> rational_corner(const Delta_complex& complex,
-                                                                    Halfedge_index h) const
-  {
-    const Delta_complex& input = correspondence_.input();
-    const Halfedge_index ij = correspondence_.input_halfedge(
-      complex.source(h), correspondence_.roundabout(complex, h));
-    const auto s_ij = metric_.squared_length(input, input.edge(ij)),
-               s_jk = metric_.squared_length(input, input.edge(input.next(ij))),
-               s_ki = metric_.squared_length(input, input.edge(input.prev(ij)));
-    return {twice_scalar_product(s_jk, s_ki, s_ij), squared_four_areas(s_ij, s_jk, s_ki)};
   }
 
   Uncertain<Sign> multiprecision_sign(const Delta_complex& complex, Edge_index e,
                                       long precision) const
   {
-    internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
+    internal::Mpfr_metric metric(*surface_, {precision});
     const auto corners = opposite_corners(complex, e, metric);
     return sign_of(corners.k, corners.l);
   }
@@ -328,7 +456,7 @@ private:
   internal::Mpfr_interval multiprecision_squared_length(const Delta_complex& complex, Edge_index e,
                                                         long precision) const
   {
-    internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
+    internal::Mpfr_metric metric(*surface_, {precision});
     return Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric).squared_length(e);
   }
 
@@ -337,7 +465,7 @@ private:
   Sign sign_of_tie(const Delta_complex& complex, Edge_index e) const
   {
     for (long precision = 128; precision <= largest_precision; precision *= 2) {
-      internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
+      internal::Mpfr_metric metric(*surface_, {precision});
       const auto corners = opposite_corners(complex, e, metric);
       const Uncertain<Sign> k = corners.k.p.sign(), l = corners.l.p.sign();
       if (is_certain(k) && is_certain(l))
@@ -346,24 +474,31 @@ private:
     throw Undecided_error("edge " + std::to_string(e.idx()) + ": the opposite angles are too near to pi/2");
   }
 
-  template <class Evaluate>
+  // The middle of an interval that is narrow enough, as is_narrow(width, magnitude) says.
+  template <class Evaluate, class IsNarrow>
   double with_increasing_precision(const Delta_complex& complex, Halfedge_index h,
-                                   const Evaluate& evaluate) const
+                                   const Evaluate& evaluate, const IsNarrow& is_narrow) const
   {
     for (long precision = 128;; precision *= 2) {
-      internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
+      internal::Mpfr_metric metric(*surface_, {precision});
       const internal::Mpfr_interval x = evaluate(
         Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric).opposite_corner(h));
       const double low = x.lower_double(), high = x.upper_double();
-      if (high - low <= 0x1p-52 * std::abs(high) || (high < 0x1p-80 && low > -0x1p-80) ||
-          precision > 4096)
+      const double magnitude = (std::max)(std::abs(low), std::abs(high));
+      if (magnitude < std::numeric_limits<double>::infinity() && is_narrow(high - low, magnitude))
         return low + (high - low) / 2;
+      if (precision > largest_precision)
+        throw Undecided_error("face " + std::to_string(complex.face(h).idx()) +
+                              ": its angles cannot be computed");
     }
   }
 
   Correspondence correspondence_;
   Input_metric metric_;
   Stage_counts counts_;
+  internal::Straight_faces straight_faces_;
+  bool has_straight_faces_ = false;
+  std::unique_ptr<internal::Input_surface> surface_; // refers to the members above
 };
 
 } // namespace Intrinsic_triangulations

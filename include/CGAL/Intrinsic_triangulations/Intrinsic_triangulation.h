@@ -15,8 +15,11 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
 
+#include <boost/config.hpp>
+
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -111,7 +114,7 @@ public:
   /// \param metric the exact metric of the current, as yet unflipped triangulation
   void keep_input(Input_metric metric)
   {
-    geometry_.emplace(connectivity_, std::move(metric));
+    geometry_.emplace(std::move(metric));
   }
 
   /// returns whether the input was kept.
@@ -197,11 +200,25 @@ public:
       return true;
     const Boolean answer = traits_.is_locally_Delaunay_object()(hinge(e));
     if constexpr (uses_exact_geometry)
-      if (!is_certain(answer)) {
-        Exact_geometry::Opposite_corners corners;
-        return exact_geometry().sign_of_cotangents(connectivity_, e, corners) != NEGATIVE;
-      }
+      if (!is_certain(answer))
+        return exact_geometry().sign_of_cotangents(connectivity_, e) != NEGATIVE;
     return answer;
+  }
+
+  /// \brief returns the exact sign of the cotangent weight of `e`: zero for a tie.
+  ///
+  /// Where both faces have zero area, it is negative if both opposite angles are π, and
+  /// zero otherwise.
+  /// \pre `keeps_input()` and `connectivity().is_flippable(e)`
+  /// \exception Undecided_error as `Exact_geometry::sign_of_cotangents()`
+  Sign sign_of_cotangent_weight(Edge_index e) const
+  {
+    if constexpr (uses_exact_geometry) {
+      const Boolean answer = traits_.is_locally_Delaunay_object()(hinge(e));
+      if (is_certain(answer)) // the filter decides no tie
+        return certainly(answer) ? POSITIVE : NEGATIVE;
+    }
+    return exact_geometry().sign_of_cotangents(connectivity_, e);
   }
 
   /// \brief as `is_locally_Delaunay()`; where the stored numbers could not decide, they
@@ -209,16 +226,21 @@ public:
   Boolean test_and_refine(Edge_index e)
   {
     const Boolean answer = traits_.is_locally_Delaunay_object()(hinge(e));
-    if constexpr (uses_exact_geometry) {
-      if (!is_certain(answer)) {
-        Exact_geometry::Opposite_corners corners;
-        const Sign sign = exact_geometry().sign_of_cotangents(connectivity_, e, corners);
-        refine(connectivity_.halfedge(e), corners.k);
-        refine(connectivity_.opposite(connectivity_.halfedge(e)), corners.l);
-        return sign != NEGATIVE;
-      }
-    }
+    if constexpr (uses_exact_geometry)
+      if (!is_certain(answer))
+        return decide_and_refine(e);
+    ++number_of_filter_decisions_;
     return answer;
+  }
+
+  /// \brief returns how many calls of `test_and_refine()` each stage decided.
+  ///
+  /// With traits that use no exact geometry all are counted for the filter.
+  Stage_counts stage_counts() const
+  {
+    Stage_counts counts = uses_exact_geometry ? geometry_->stage_counts() : Stage_counts();
+    counts.decided[std::size_t(Stage::FILTER)] = number_of_filter_decisions_;
+    return counts;
   }
 
   /// \brief flips `e` if its two faces form a strictly convex quadrilateral.
@@ -277,6 +299,15 @@ private:
             face_data(connectivity_.face(g))};
   }
 
+  BOOST_NOINLINE bool decide_and_refine(Edge_index e)
+  {
+    Exact_geometry::Opposite_corners corners;
+    const Sign sign = exact_geometry().sign_of_cotangents(connectivity_, e, corners);
+    refine(connectivity_.halfedge(e), corners.k);
+    refine(connectivity_.opposite(connectivity_.halfedge(e)), corners.l);
+    return sign != NEGATIVE;
+  }
+
   void refine(Halfedge_index h, const Exact_geometry::Corner& c)
   {
     const auto refined = traits_.construct_refined_data_object();
@@ -310,6 +341,7 @@ private:
   internal::Large_vector<Edge_data> edges_;
   internal::Large_vector<Face_data> faces_;
   int exponent_ = 0;
+  std::uint64_t number_of_filter_decisions_ = 0;
   mutable std::optional<Exact_geometry> geometry_;
 };
 

@@ -48,20 +48,32 @@ struct Triangle_crossings
 /// input halfedges out of a vertex are counted from `first_around_source()`. A flip updates both in O(1), whatever the edge crosses and whatever the
 /// degrees are; no rounding can reach them.
 ///
-/// Memory: 16 bytes an edge and 4 a vertex. Roundabouts of a vertex are set when a flip
-/// first touches it, so that a surface in which little flips costs little.
+/// Memory: 16 bytes an edge and 4 a vertex.
 ///
 /// Source: the idea is that of M. Gillespie, N. Sharp, K. Crane, "Integer coordinates
 /// for intrinsic geometry processing" (2021).
 class Normal_coordinates
 {
 public:
+  /// constructs the coordinates in an empty triangulation.
+  Normal_coordinates() = default;
   /// constructs the coordinates of an input triangulation in itself.
   explicit Normal_coordinates(const Delta_complex& input)
-    : crossings_(input.number_of_edges(), -1), 
+    : crossings_(input.number_of_edges(), -1),
       roundabouts_(input.number_of_halfedges(), internal::default_init),
       degrees_(input.number_of_vertices(), 0)
-  {}
+  {
+    for (Vertex_index v : input.vertices()) {
+      if (!input.halfedge(v).is_valid())
+        continue;
+      const Halfedge_index first = first_around_source(input, v);
+      Halfedge_index h = first;
+      do {
+        roundabouts_[h.idx()] = degrees_[v.idx()]++;
+        h = input.next_around_source(h);
+      } while (h != first);
+    }
+  }
 
   /// returns how often input edges cross `e`, or −1 if `e` coincides with one.
   std::int64_t crossings(Edge_index e) const { return crossings_[e.idx()]; }
@@ -73,14 +85,9 @@ public:
     return (std::max)(std::int64_t(0), crossings_[e.idx()]);
   }
 
-  /// \brief returns the roundabout of `h`.
-  /// \pre a flip has touched the source of `h`: `is_touched()`
+  /// returns the roundabout of `h`.
   std::uint32_t roundabout(Halfedge_index h) const { return roundabouts_[h.idx()]; }
-  /// returns whether a flip has touched `v`, so that its roundabouts are set; the current
-  /// halfedges at other vertices are the input's own.
-  bool is_touched(Vertex_index v) const { return degrees_[v.idx()] != 0; }
   /// returns the number of input halfedges out of `v`.
-  /// \pre `is_touched(v)`
   std::uint32_t degree(Vertex_index v) const { return degrees_[v.idx()]; }
 
   /// returns how the input edges run through the triangle to the left of `h`, with i and
@@ -93,7 +100,7 @@ public:
   }
 
   /// \brief updates the integers for the flip of `e`; to be called before the flip of the
-  /// connectivity. O(1), amortized over the first touch of each vertex.
+  /// connectivity. O(1).
   ///
   /// \exception Integer_overflow_error if the count would leave the range of 64 bits;
   ///   nothing is changed then
@@ -103,10 +110,6 @@ public:
     const Halfedge_index ij = complex.halfedge(e), ji = complex.opposite(ij);
     const Halfedge_index ki = complex.prev(ij), lj = complex.prev(ji);
     const Vertex_index k = complex.source(ki), l = complex.source(lj);
-    touch(complex, complex.source(ij));
-    touch(complex, complex.target(ij));
-    touch(complex, k);
-    touch(complex, l);
 
     const Triangle_crossings above = triangle_crossings(complex, ij); // (i, j, k)
     const Triangle_crossings below = triangle_crossings(complex, ji); // (j, i, l)
@@ -154,20 +157,6 @@ public:
 private:
   // Five counts up to this add up without overflow.
   static constexpr std::int64_t largest_count = std::int64_t(1) << 60;
-
-  // Until a flip touches a vertex, the current halfedges around it are the input's.
-  void touch(const Delta_complex& complex, Vertex_index v)
-  {
-    std::uint32_t& degree = degrees_[v.idx()];
-    if (degree != 0)
-      return;
-    const Halfedge_index first = first_around_source(complex, v);
-    Halfedge_index h = first;
-    do {
-      roundabouts_[h.idx()] = degree++;
-      h = complex.next_around_source(h);
-    } while (h != first);
-  }
 
   std::uint32_t advanced(Vertex_index v, Halfedge_index h, std::int64_t by,
                          const Delta_complex& complex) const

@@ -36,7 +36,7 @@ inline void require_triangle_inequality(double a, double b, double c)
 /// that looks an edge up by its end vertices.
 /// Euler characteristic 0; 1 vertex, 3 edges, 2 faces.
 /// \param a,b,c the lengths of the edges, which obey the strict triangle inequality
-inline Gluing one_vertex_torus(double a = 1, double b = 1.25, double c = 2)
+inline Glued_triangles one_vertex_torus(double a = 1, double b = 1.25, double c = 2)
 {
   internal::require_triangle_inequality(a, b, c);
   // The second triangle is the first, turned by half a turn.
@@ -51,7 +51,7 @@ inline Gluing one_vertex_torus(double a = 1, double b = 1.25, double c = 2)
 /// that cross few input edges very often.
 /// Euler characteristic 0; 1 vertex, 3 edges, 2 faces.
 /// \param shear at most about 1e5 in absolute value; beyond that the rounded lengths form no triangle
-inline Gluing sheared_one_vertex_torus(double shear = 100)
+inline Glued_triangles sheared_one_vertex_torus(double shear = 100)
 {
   return one_vertex_torus(1, std::sqrt(1 + shear * shear), std::sqrt(1 + (shear + 1) * (shear + 1)));
 }
@@ -64,7 +64,7 @@ inline Gluing sheared_one_vertex_torus(double shear = 100)
 /// Euler characteristic 1; 2 vertices, 2 edges, 1 face, 1 boundary edge.
 /// \param leg the length of the two glued sides
 /// \param base the length of the third side, below twice the leg
-inline Gluing self_glued_triangle(double leg = 1, double base = 1)
+inline Glued_triangles self_glued_triangle(double leg = 1, double base = 1)
 {
   internal::require_triangle_inequality(leg, leg, base);
   return {1, {{0, 1}}, {leg, leg, base}};
@@ -78,7 +78,7 @@ inline Gluing self_glued_triangle(double leg = 1, double base = 1)
 /// Euler characteristic 2; 3 vertices, 3 edges, 2 faces.
 /// \param first_leg,second_leg the lengths of the two pairs of glued sides
 /// \param base the length of the common base, below twice the legs
-inline Gluing self_glued_sphere(double first_leg = 1, double second_leg = 1.5, double base = 1)
+inline Glued_triangles self_glued_sphere(double first_leg = 1, double second_leg = 1.5, double base = 1)
 {
   internal::require_triangle_inequality(first_leg, first_leg, base);
   internal::require_triangle_inequality(second_leg, second_leg, base);
@@ -97,7 +97,7 @@ inline Gluing self_glued_sphere(double first_leg = 1, double second_leg = 1.5, d
 /// \param seed of the gluing and the lengths
 /// \param with_boundary leaves about a quarter of the sides that are free to choose unglued, one at least
 /// \param connected glues each face to an earlier one first
-inline Gluing random_gluing(std::size_t number_of_faces, std::uint64_t seed, bool with_boundary = false,
+inline Glued_triangles random_gluing(std::size_t number_of_faces, std::uint64_t seed, bool with_boundary = false,
                             bool connected = false)
 {
   internal::require_sample_argument(number_of_faces >= 1, "a gluing has a face at least");
@@ -106,7 +106,7 @@ inline Gluing random_gluing(std::size_t number_of_faces, std::uint64_t seed, boo
   internal::require_sample_argument(with_boundary || number_of_faces % 2 == 0,
                                     "a closed surface has an even number of faces");
   internal::Sample_random random(seed);
-  Gluing gluing;
+  Glued_triangles gluing;
   gluing.number_of_faces = number_of_faces;
   gluing.side_lengths.resize(3 * number_of_faces);
   for (double& length : gluing.side_lengths)

@@ -30,7 +30,7 @@ struct Indexed_triangles
 /// Side `3 * f + i` runs from corner `i` to corner `(i + 1) % 3` of face `f`.
 /// Loops, several edges with the same end vertices and faces that are glued to
 /// themselves are allowed; vertices are what the gluing makes of the corners.
-struct Gluing
+struct Glued_triangles
 {
   /// the number of triangles.
   std::size_t number_of_faces = 0;

@@ -29,7 +29,7 @@ struct Sample
 
 namespace internal {
 
-using Sample_surface = std::variant<Indexed_triangles, Gluing>;
+using Sample_surface = std::variant<Indexed_triangles, Glued_triangles>;
 
 struct Named_sample
 {
@@ -91,7 +91,7 @@ inline std::vector<Sample> sample_names()
 /// \ingroup PkgIntrinsicTriangulationsSamples
 /// returns the sample surface of that name, made with the default arguments of its generator.
 /// \throws std::invalid_argument that lists the known names, if `name` is none of them
-inline std::variant<Indexed_triangles, Gluing> make_sample(const std::string& name)
+inline std::variant<Indexed_triangles, Glued_triangles> make_sample(const std::string& name)
 {
   std::string known;
   for (const internal::Named_sample& sample : internal::named_samples()) {

@@ -7,88 +7,144 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Two neighbouring crossings of an edge lie on two input edges of one input triangle, which
-// share a corner on one side of the edge. On that side the two input segments run side by
-// side until they end in that corner; on the other they part. Both sides are followed in
-// turn, so the cost is that of the shorter.
+// Two neighbouring crossings of an edge lie on two sides of one input triangle, which
+// share a corner on one side of the edge. On that side the two input segments run next to
+// each other until they end in that corner; on the other side they part.
+//
+// All neighbouring pairs are followed at once, as blocks that are split only where the
+// segments go different ways, and to both sides in turn, since a pair is decided by the
+// side on which it ends sooner.
 class Crossing_sequence
 {
 public:
+  // The pairs of neighbouring crossings of h, in order from its source.
   Crossing_sequence(const Delta_complex& complex, const Normal_coordinates& coordinates,
                     Halfedge_index h)
-    : complex_(complex), coordinates_(coordinates), halfedge_(h),
-      number_(coordinates.number_of_crossings(complex.edge(h)))
+    : complex_(complex), coordinates_(coordinates)
   {
-    CGAL_precondition(number_ > 0);
-  }
-
-  bool is_last() const { return position_ + 1 == number_; }
-  void advance() { ++position_; }
-
-  // Whether the current and the next crossed input edge share their end on the left.
-  bool turns_left() const
-  {
-    Pair left{halfedge_, position_};
-    Pair right{complex_.opposite(halfedge_), number_ - 2 - position_};
-    for (;;) {
-      switch (step(left)) {
-      case Step::MEET: return true;
-      case Step::PART: return false;
-      case Step::GO_ON: break;
-      }
-      switch (step(right)) {
-      case Step::MEET: return false;
-      case Step::PART: return true;
-      case Step::GO_ON: break;
-      }
+    const std::int64_t n = coordinates.number_of_crossings(complex.edge(h));
+    if (n > largest_number)
+      throw Undecided_error("edge " + std::to_string(complex.edge(h).idx()) + " crosses " +
+                            std::to_string(n) + " input edges, too many to be laid out");
+    if (n < 2)
+      return;
+    turns_.assign(std::size_t(n - 1), UNKNOWN);
+    number_of_unknown_ = n - 1;
+    std::deque<Block> left{{h, 0, 0, n - 1}},
+      right{{complex.opposite(h), 0, 0, n - 1}};
+    while (number_of_unknown_ > 0) {
+      follow(left, LEFT, [](std::int64_t pair) { return pair; });
+      follow(right, RIGHT, [n](std::int64_t pair) { return n - 2 - pair; });
     }
   }
 
+  // Whether the input edges crossed at positions `pair` and `pair + 1` share their end on
+  // the left.
+  bool turns_left(std::size_t pair) const { return turns_[pair] == LEFT; }
+
 private:
-  // Two neighbouring segments that cross `halfedge` into its face, at the positions
-  // `lower` and `lower + 1` from its source.
-  struct Pair
+  static constexpr std::int64_t largest_number = std::int64_t(1) << 31;
+
+  enum Turn : std::uint8_t { UNKNOWN, LEFT, RIGHT };
+
+  // Pairs of neighbouring segments that cross `halfedge` into its face: those at positions
+  // lower and lower + 1 and so on from its source are the pairs first, ..., first + count - 1
+  // as seen from where the block comes from.
+  struct Block
   {
     Halfedge_index halfedge;
     std::int64_t lower;
+    std::int64_t first;
+    std::int64_t count;
   };
-  enum class Step { GO_ON, MEET, PART };
 
-  Step step(Pair& pair) const
+  template <class Number_of>
+  void decide(std::int64_t first, std::int64_t count, Turn turn, const Number_of& number_of)
   {
-    const Triangle_crossings t = coordinates_.triangle_crossings(complex_, pair.halfedge);
-    const std::int64_t upper = pair.lower + 1;
-    if (upper < t.c_i) {
-      pair.halfedge = complex_.opposite(complex_.prev(pair.halfedge));
-      return Step::GO_ON;
+    for (std::int64_t pair = first; pair < first + count; ++pair) {
+      std::uint8_t& known = turns_[std::size_t(number_of(pair))];
+      if (known == UNKNOWN) {
+        known = turn;
+        --number_of_unknown_;
+      }
     }
-    const std::int64_t from_j = t.c_i + t.e_k;
-    if (pair.lower >= from_j) {
+  }
+
+  // Takes one step with the first block of a queue.
+  template <class Number_of>
+  void follow(std::deque<Block>& queue, Turn here, const Number_of& number_of)
+  {
+    if (queue.empty())
+      return;
+    Block block = queue.front();
+    queue.pop_front();
+    const auto is_known = [&](std::int64_t pair) {
+      return turns_[std::size_t(number_of(pair))] != UNKNOWN;
+    };
+    while (block.count > 0 && is_known(block.first)) {
+      ++block.first;
+      ++block.lower;
+      --block.count;
+    }
+    while (block.count > 0 && is_known(block.first + block.count - 1))
+      --block.count;
+    if (block.count == 0)
+      return;
+
+    // Positions before c_i cut corner i off, the next e_k end in k, the others cut j off.
+    const Triangle_crossings t = coordinates_.triangle_crossings(complex_, block.halfedge);
+    const std::int64_t to_k = t.c_i, to_j = t.c_i + t.e_k;
+    const std::int64_t end = block.lower + block.count + 1; // behind the last position
+    const Turn there = here == LEFT ? RIGHT : LEFT;
+    const auto part = [&](std::int64_t begin_of_next) { // the pair across a boundary parts
+      if (begin_of_next > block.lower && begin_of_next < end)
+        decide(block.first + begin_of_next - 1 - block.lower, 1, there, number_of);
+    };
+    part(to_k);
+    part(to_j);
+    const auto piece = [&](std::int64_t begin, std::int64_t behind) {
+      begin = (std::max)(begin, block.lower);
+      behind = (std::min)(behind, end);
+      return Block{block.halfedge, begin, block.first + begin - block.lower, behind - begin - 1};
+    };
+    const Block ends = piece(to_k, to_j);
+    if (ends.count > 0)
+      decide(ends.first, ends.count, here, number_of);
+    Block around_i = piece(block.lower, to_k);
+    if (around_i.count > 0) {
+      around_i.halfedge = complex_.opposite(complex_.prev(block.halfedge));
+      queue.push_back(around_i);
+    }
+    Block around_j = piece(to_j, end);
+    if (around_j.count > 0) {
       // Segments that cut corner j off keep their distance from j.
-      const std::int64_t n_ij = coordinates_.number_of_crossings(complex_.edge(pair.halfedge));
-      const Halfedge_index jk = complex_.next(pair.halfedge);
-      const std::int64_t n_jk = coordinates_.number_of_crossings(complex_.edge(jk));
-      pair.lower += n_jk - n_ij;
-      pair.halfedge = complex_.opposite(jk);
-      return Step::GO_ON;
+      const Halfedge_index jk = complex_.next(block.halfedge);
+      around_j.lower += coordinates_.number_of_crossings(complex_.edge(jk)) -
+                        coordinates_.number_of_crossings(complex_.edge(block.halfedge));
+      around_j.halfedge = complex_.opposite(jk);
+      queue.push_back(around_j);
     }
-    return pair.lower >= t.c_i && upper < from_j ? Step::MEET : Step::PART;
   }
 
   const Delta_complex& complex_;
   const Normal_coordinates& coordinates_;
-  Halfedge_index halfedge_;
-  std::int64_t number_;
-  std::int64_t position_ = 0;
+  std::vector<std::uint8_t> turns_;
+  std::int64_t number_of_unknown_ = 0;
 };
 
 } // namespace internal

@@ -10,6 +10,7 @@
 
 #include <CGAL/Uncertain.h>
 
+#include <boost/config.hpp>
 #include <boost/core/ref.hpp>
 
 #include <cstdint>
@@ -24,6 +25,8 @@ namespace Intrinsic_triangulations {
 enum class Flip_status {
   DELAUNAY,         ///< every edge that is not constrained is Delaunay
   NOT_FLIPPABLE,    ///< some edge is not Delaunay, but its hinge has no other diagonal
+  INCONSISTENT,     ///< some edge is not Delaunay though it was just flipped: rounded decisions
+                    ///< contradict each other near a tie
   UNDECIDED,        ///< the number type could not decide on some edge
   BUDGET_EXHAUSTED, ///< the given number of flips did not suffice
   CANCELLED         ///< the visitor cancelled
@@ -37,6 +40,7 @@ struct Flip_report
   std::uint64_t flips = 0;                    ///< number of flips
   std::uint64_t tests = 0;                    ///< number of Delaunay tests
   std::vector<Edge_index> not_flippable;      ///< not Delaunay, but without another diagonal
+  std::vector<Edge_index> inconsistent;       ///< not Delaunay although the flip should have made them so
   std::vector<Edge_index> undecided;          ///< the number type could not decide on them
 };
 
@@ -57,10 +61,11 @@ public:
   Flip_report run()
   {
     const bool is_done = visit_all();
-    collect(report_.not_flippable, [&](Edge_index e) {
-      return triangulation_.connectivity().is_flippable(e) &&
-             !possibly(triangulation_.is_locally_Delaunay(e));
-    });
+    const auto is_not_Delaunay = [&](Edge_index e) {
+      return !possibly(triangulation_.is_locally_Delaunay(e));
+    };
+    collect(report_.not_flippable, is_not_Delaunay);
+    collect(report_.inconsistent, is_not_Delaunay);
     collect(report_.undecided, [&](Edge_index e) {
       const auto answer = triangulation_.is_locally_Delaunay(e);
       return !is_certain(answer) || !certainly(answer);
@@ -69,6 +74,8 @@ public:
       report_.status = Flip_status::UNDECIDED;
     else if (is_done && !report_.not_flippable.empty())
       report_.status = Flip_status::NOT_FLIPPABLE;
+    else if (is_done && !report_.inconsistent.empty())
+      report_.status = Flip_status::INCONSISTENT;
     return std::move(report_);
   }
 
@@ -77,30 +84,36 @@ private:
   bool visit_all()
   {
     for (Edge_index e : triangulation_.connectivity().edges()) {
-      stack_.push_back(e);
+      if (!visit(e))
+        return false;
       while (!stack_.empty()) {
         const Edge_index top = stack_.back();
         stack_.pop_back();
-        is_pending_[top.idx()] = 0;
-        if (!get(is_constrained_, top) && triangulation_.connectivity().is_flippable(top) &&
-            !visit(top))
+        if (!visit(top))
           return false;
       }
     }
     return true;
   }
 
+  // Most edges are Delaunay: this much is inlined in the loop, and no more.
   bool visit(Edge_index e)
   {
+    is_pending_[e.idx()] = 0;
+    if (get(is_constrained_, e) || !triangulation_.connectivity().is_flippable(e))
+      return true;
     if (!unwrapped_visitor().go_further(report_.tests, report_.flips)) {
       report_.status = Flip_status::CANCELLED;
       return false;
     }
     ++report_.tests;
     const auto is_Delaunay = triangulation_.test_and_refine(e);
-    if (certainly(is_Delaunay))
-      return true;
-    if (possibly(is_Delaunay)) {
+    return certainly(is_Delaunay) || flip_or_note(e, possibly(is_Delaunay));
+  }
+
+  BOOST_NOINLINE bool flip_or_note(Edge_index e, bool is_possibly_Delaunay)
+  {
+    if (is_possibly_Delaunay) {
       report_.undecided.push_back(e);
       return true;
     }
@@ -111,6 +124,9 @@ private:
     switch (triangulation_.flip(e)) {
     case Flip_outcome::FLIPPED:
       ++report_.flips;
+      if constexpr (!Triangulation::Traits::Has_exact_decisions::value)
+        if (!possibly(triangulation_.is_locally_Delaunay(e)))
+          report_.inconsistent.push_back(e);
       push_surrounding_edges(e);
       unwrapped_visitor().after_flip(e);
       break;

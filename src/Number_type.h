@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The number types that a user can choose, and what they are called.
+
+#ifndef IDT_NUMBER_TYPE_H
+#define IDT_NUMBER_TYPE_H
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace idt {
+
+enum class Number_type {
+  FILTERED,
+  DOUBLE,
+  FLOAT,
+  LONG_DOUBLE,
+  INTERVAL,
+  MPFR,
+  CORE,
+  HALF_ANGLE_DOUBLE,
+  HALF_ANGLE_CORE
+};
+
+constexpr Number_type default_number_type = Number_type::DOUBLE;
+
+// The name as it stands on the command line and in reports.
+const char* name(Number_type number_type);
+
+// What it is, in a line.
+const char* description(Number_type number_type);
+
+// The number type of that name, if there is one.
+std::optional<Number_type> find_number_type(const std::string& name);
+
+const std::vector<Number_type>& number_types();
+
+} // namespace idt
+
+#endif // IDT_NUMBER_TYPE_H

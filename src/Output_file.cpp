@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Output_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <system_error>
+
+namespace idt {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Creates a file that was not there, so that no other process writes to the same.
+int create_beside(const std::string& target, std::string& temporary)
+{
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    temporary = target + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+    const int descriptor = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    if (descriptor >= 0) {
+      ::close(descriptor);
+      return 0;
+    }
+    if (errno != EEXIST)
+      break;
+  }
+  const int error_number = errno;
+  temporary.clear();
+  return error_number;
+}
+
+} // namespace
+
+Output_file::Output_file(const std::string& path) : path_(path), target_(path)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status))
+    fail(EISDIR);
+  if (!fs::exists(status) || fs::is_regular_file(status)) {
+    // Renaming onto a symbolic link would replace the link.
+    const fs::path real = fs::weakly_canonical(path, error);
+    if (!error)
+      target_ = real.string();
+    if (const int error_number = create_beside(target_, temporary_))
+      fail(error_number);
+  }
+  errno = 0;
+  stream_.open(temporary_.empty() ? target_ : temporary_, std::ios::binary | std::ios::trunc);
+  if (!stream_) {
+    const int error_number = errno;
+    if (!temporary_.empty())
+      ::unlink(temporary_.c_str());
+    fail(error_number);
+  }
+}
+
+Output_file::~Output_file()
+{
+  stream_.close();
+  if (!is_committed_ && !temporary_.empty())
+    ::unlink(temporary_.c_str());
+}
+
+void Output_file::commit()
+{
+  errno = 0;
+  stream_.flush();
+  stream_.close();
+  if (!stream_)
+    fail(errno);
+  if (!temporary_.empty() && std::rename(temporary_.c_str(), target_.c_str()) != 0)
+    fail(errno);
+  is_committed_ = true;
+}
+
+void Output_file::fail(int error_number) const
+{
+  throw Output_error(path_ + ": cannot be written" +
+                     (error_number == 0 ? "" : std::string(": ") + std::strerror(error_number)));
+}
+
+void check_output_paths(const std::vector<std::string>& outputs,
+                        const std::vector<std::string>& inputs)
+{
+  const auto is_same_file = [](const std::string& a, const std::string& b) {
+    std::error_code error;
+    const fs::file_status status = fs::status(a, error);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+      return false; // a device takes what comes
+    return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error) ||
+           fs::equivalent(a, b, error);
+  };
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (outputs[i].empty())
+      continue;
+    for (std::size_t j = 0; j < i; ++j)
+      if (!outputs[j].empty() && is_same_file(outputs[i], outputs[j]))
+        throw Usage_error(outputs[i] + ": two results cannot go to the same file");
+    for (const std::string& input : inputs)
+      if (is_same_file(outputs[i], input))
+        throw Usage_error(outputs[i] + ": a result would replace an input");
+  }
+}
+
+void flush_standard_output()
+{
+  errno = 0;
+  std::cout.flush();
+  if (!std::cout)
+    throw Output_error(std::string("the standard output cannot be written") +
+                       (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
+}
+
+} // namespace idt

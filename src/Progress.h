@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One line on the terminal that says how far the flips are.
+
+#ifndef IDT_PROGRESS_H
+#define IDT_PROGRESS_H
+
+#include "Stopwatch.h"
+
+#include <cstdint>
+#include <string>
+
+namespace idt {
+
+// Writes to the standard error, and only if that is a terminal; the line is erased at
+// the end.
+class Progress
+{
+public:
+  explicit Progress(const std::string& name);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress();
+
+  void update(std::uint64_t tests, std::uint64_t flips)
+  {
+    if (is_shown_ && tests >= next_look_)
+      look(tests, flips);
+  }
+
+private:
+  void look(std::uint64_t tests, std::uint64_t flips);
+
+  std::string name_;
+  bool is_shown_;
+  bool has_written_ = false;
+  // A test takes between nanoseconds and seconds: the clock is read so often that it
+  // does not matter, and seldom enough.
+  std::uint64_t next_look_ = 0;
+  std::uint64_t stride_ = 1;
+  double last_look_ = 0;
+  double last_write_ = 0;
+  Stopwatch stopwatch_;
+};
+
+} // namespace idt
+
+#endif // IDT_PROGRESS_H

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// An input surface as the kernels take it, whatever kind of file it came from.
+
+#ifndef IDT_SURFACE_H
+#define IDT_SURFACE_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/mollify.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace idt {
+
+// What is done to the lengths before anything else, if it is asked for.
+struct Mollification_options
+{
+  double delta = 0; // relative to the mean length
+  bool is_local = false;
+};
+
+struct Surface
+{
+  std::string path;
+  CGAL::Intrinsic_triangulations::Delta_complex connectivity;
+  // One of the two is empty: the metric comes from points or from edge lengths.
+  std::vector<std::array<double, 3>> points;
+  std::vector<double> lengths;
+  std::optional<CGAL::Intrinsic_triangulations::Mollification_report> mollification;
+  // What a user should know though the surface can be used.
+  std::vector<std::string> notes;
+  double read_seconds = 0;
+  double build_seconds = 0;
+
+  bool has_points() const { return lengths.empty(); }
+};
+
+// Reads a surface from a mesh file, or from a `.gluing` file of triangles and lengths.
+//
+// Vertices that no face names and faces of zero area are accepted and noted.
+// Mollification that changes a length replaces the points by lengths.
+// \exception Invalid_surface_error if the surface cannot be used; the message begins
+//            with `path` and names the first element at fault and how many more
+Surface load_surface(const std::string& path,
+                     const std::optional<Mollification_options>& mollification = std::nullopt);
+
+// What a report tells about the connectivity of a surface.
+struct Surface_counts
+{
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  std::size_t faces = 0;
+  std::size_t boundary_edges = 0;
+  std::size_t components = 0;         // pieces that have faces
+  long long euler_characteristic = 0; // of the vertices that have faces
+  std::size_t loops = 0;
+  std::size_t multiple_edges = 0; // no loops, but not alone between their two vertices
+};
+
+Surface_counts count_elements(const CGAL::Intrinsic_triangulations::Delta_complex& complex);
+
+} // namespace idt
+
+#endif // IDT_SURFACE_H

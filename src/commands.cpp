@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+
+#include "Interruption.h"
+
+#include <CGAL/Intrinsic_triangulations/errors.h>
+
+#include <exception>
+#include <new>
+
+namespace idt {
+namespace {
+
+Exit_status say(const std::string& message, Exit_status status)
+{
+  std::cout.flush();
+  std::cerr << "idt: " << message << std::endl;
+  return status;
+}
+
+} // namespace
+
+Exit_status report_current_exception()
+{
+  namespace IT = CGAL::Intrinsic_triangulations;
+  try {
+    throw;
+  } catch (const Usage_error& error) {
+    return say(error.what(), Exit_status::WRONG_USAGE);
+  } catch (const Output_error& error) {
+    return say(error.what(), Exit_status::OUTPUT_FAILED);
+  } catch (const IT::Invalid_surface_error& error) {
+    return say(error.what(), Exit_status::UNUSABLE_INPUT);
+  } catch (const IT::Error& error) {
+    return say(error.what(), Exit_status::NOT_FINISHED);
+  } catch (const std::bad_alloc&) {
+    return say("there is not enough memory", Exit_status::OUTPUT_FAILED);
+  } catch (const std::exception& error) {
+    return say(std::string("internal error: ") + error.what(), Exit_status::OUTPUT_FAILED);
+  }
+}
+
+Exit_status for_each_input(const std::vector<std::string>& inputs,
+                           const std::function<Exit_status(const std::string&)>& function)
+{
+  Exit_status status = Exit_status::DONE;
+  for (const std::string& input : inputs) {
+    if (is_interrupted()) {
+      keep_first_failure(status, say(input + ": cancelled", Exit_status::NOT_FINISHED));
+      break;
+    }
+    try {
+      keep_first_failure(status, function(input));
+    } catch (const Output_error&) {
+      keep_first_failure(status, report_current_exception());
+      break;
+    } catch (...) {
+      keep_first_failure(status, report_current_exception());
+    }
+  }
+  return status;
+}
+
+} // namespace idt

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Surfaces without a place in space: files of triangles, gluings and lengths.
+
+#ifndef IDT_GLUING_FILE_H
+#define IDT_GLUING_FILE_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace idt {
+
+// Whether the name ends in `.gluing`.
+bool is_gluing_file(const std::string& path);
+
+// \exception Invalid_surface_error if the file cannot be read or is no gluing; the
+//            message begins with `path`
+void read_gluing_file(const std::string& path,
+                      CGAL::Intrinsic_triangulations::Delta_complex& connectivity,
+                      std::vector<double>& lengths);
+
+} // namespace idt
+
+#endif // IDT_GLUING_FILE_H

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "run_kernel.h"
+
+#include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
+
+namespace idt {
+
+Outcome run_core(const Job& job)
+{
+  using FT = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT;
+  return run_kernel<IT::Edge_length_traits<FT>>(job);
+}
+
+} // namespace idt

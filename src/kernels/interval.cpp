@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "run_kernel.h"
+
+#include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
+
+#include <CGAL/Interval_nt.h>
+
+namespace idt {
+
+Outcome run_interval(const Job& job)
+{
+  return run_kernel<IT::Edge_length_traits<CGAL::Interval_nt<>>>(job);
+}
+
+} // namespace idt

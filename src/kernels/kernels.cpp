@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Kernel.h"
+
+#include <CGAL/Intrinsic_triangulations/errors.h>
+
+#include <CGAL/Uncertain.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace idt {
+namespace {
+
+Outcome dispatch(const Job& job)
+{
+  switch (job.options.number_type) {
+  case Number_type::DOUBLE:
+    return run_double(job);
+  case Number_type::FLOAT:
+    return run_float(job);
+  case Number_type::LONG_DOUBLE:
+    return run_long_double(job);
+  case Number_type::INTERVAL:
+    return run_interval(job);
+  case Number_type::MPFR:
+    return run_mpfr(job);
+  case Number_type::CORE:
+    return run_core(job);
+  case Number_type::HALF_ANGLE_DOUBLE:
+    return run_half_angle_double(job);
+  case Number_type::HALF_ANGLE_CORE:
+    return run_half_angle_core(job);
+  default:
+    throw std::logic_error("the command was built without this number type");
+  }
+}
+
+} // namespace
+
+bool is_available(Number_type number_type)
+{
+  return number_type != Number_type::FILTERED;
+}
+
+Outcome run(const Job& job)
+{
+  // What is wrong may lie in the number type (a float holds less than a file can say),
+  // so the message names both.
+  using CGAL::Intrinsic_triangulations::Invalid_surface_error;
+  const std::string where =
+    job.surface.path + ": as " + name(job.options.number_type) + ": ";
+  try {
+    return dispatch(job);
+  } catch (const Invalid_surface_error& error) {
+    throw Invalid_surface_error(error.defect(), error.element(), error.count(),
+                                where + error.what());
+  } catch (const CGAL::Intrinsic_triangulations::Undecided_error& error) {
+    throw CGAL::Intrinsic_triangulations::Undecided_error(where + error.what());
+  } catch (const CGAL::Uncertain_conversion_exception&) {
+    throw CGAL::Intrinsic_triangulations::Undecided_error(
+      where + "a comparison that the construction needs cannot be decided");
+  }
+}
+
+} // namespace idt

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "run_kernel.h"
+
+#include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
+
+namespace idt {
+
+Outcome run_long_double(const Job& job)
+{
+  return run_kernel<IT::Edge_length_traits<long double>>(job);
+}
+
+} // namespace idt

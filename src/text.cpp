@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "text.h"
+
+#include <charconv>
+#include <cstdio>
+
+namespace idt {
+namespace {
+
+// Independent of the locale.
+std::string formatted(double number, int digits)
+{
+  char buffer[64];
+  const std::to_chars_result result = std::to_chars(
+    buffer, buffer + sizeof buffer, number, std::chars_format::general, digits);
+  return std::string(buffer, result.ptr);
+}
+
+} // namespace
+
+std::string with_separators(std::uint64_t number)
+{
+  std::string text = std::to_string(number);
+  for (std::size_t i = text.size(); i > 3; i -= 3)
+    text.insert(i - 3, 1, ',');
+  return text;
+}
+
+std::string counted(std::uint64_t number, const char* singular, const char* plural)
+{
+  return with_separators(number) + " " + (number == 1 ? singular : plural);
+}
+
+std::string in_full(double number) { return formatted(number, 17); }
+
+std::string in_short(double number) { return formatted(number, 4); }
+
+std::string seconds_text(double seconds)
+{
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, seconds < 10 ? "%.3f s" : "%.1f s", seconds);
+  return buffer;
+}
+
+} // namespace idt

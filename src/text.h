@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Numbers as text.
+
+#ifndef IDT_TEXT_H
+#define IDT_TEXT_H
+
+#include <cstdint>
+#include <string>
+
+namespace idt {
+
+// "1234567" becomes "1,234,567".
+std::string with_separators(std::uint64_t number);
+
+// "1 face", "2 faces"
+std::string counted(std::uint64_t number, const char* singular, const char* plural);
+
+// With 17 significant digits, from which a double comes back bit for bit.
+std::string in_full(double number);
+
+// With a few digits, for people.
+std::string in_short(double number);
+
+// "0.012 s"
+std::string seconds_text(double seconds);
+
+} // namespace idt
+
+#endif // IDT_TEXT_H

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `idt triangulate`
+
+#include "triangulate.h"
+
+#include "Interruption.h"
+#include "Output_file.h"
+#include "Progress.h"
+#include "Stopwatch.h"
+#include "commands.h"
+
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+namespace idt {
+namespace {
+
+struct Triangulate_options
+{
+  std::vector<std::string> inputs;
+  std::string number_type = name(default_number_type);
+  int precision = 128;
+  std::optional<std::uint64_t> maximum_number_of_flips;
+  std::optional<double> mollification;
+  bool is_mollification_local = false;
+  std::string stats_path;
+  std::string edges_path;
+};
+
+Kernel_options kernel_options(const Triangulate_options& options)
+{
+  Kernel_options result;
+  const std::optional<Number_type> number_type = find_number_type(options.number_type);
+  if (!number_type)
+    throw Usage_error("--number-type: there is no \"" + options.number_type + "\"");
+  if (!is_available(*number_type))
+    throw Usage_error("--number-type: this version of idt was built without \"" +
+                      options.number_type + "\"");
+  result.number_type = *number_type;
+  result.precision = options.precision;
+  result.maximum_number_of_flips = options.maximum_number_of_flips;
+  return result;
+}
+
+void check(const Triangulate_options& options)
+{
+  if (options.mollification && !(*options.mollification >= 0 && *options.mollification <= 1e6))
+    throw Usage_error("--mollify: D is between 0 and 1e6");
+  if (options.inputs.size() > 1 && !(options.stats_path.empty() && options.edges_path.empty()))
+    throw Usage_error("--stats and --edges take one input: several would go to the same file");
+  check_output_paths({options.stats_path, options.edges_path}, options.inputs);
+}
+
+void write_files(const Triangulate_options& options, Triangulation_result& result)
+{
+  const Stopwatch stopwatch;
+  if (!options.edges_path.empty()) {
+    Output_file file(options.edges_path);
+    write_edges(file.stream(), result);
+    file.commit();
+    result.write_seconds = stopwatch.seconds();
+  }
+  if (!options.stats_path.empty()) {
+    Output_file file(options.stats_path);
+    file.stream() << statistics(result).dump(2) << '\n';
+    file.commit();
+  }
+}
+
+Exit_status run_triangulate(const Triangulate_options& options)
+{
+  check(options);
+  const Kernel_options kernel = kernel_options(options);
+  std::optional<Mollification_options> mollification;
+  if (options.mollification)
+    mollification = Mollification_options{*options.mollification, options.is_mollification_local};
+
+  bool is_first = true;
+  return for_each_input(options.inputs, [&](const std::string& path) {
+    Triangulation_result result = triangulate(path, kernel, mollification);
+    write_files(options, result);
+    if (!is_first)
+      std::cout << '\n';
+    is_first = false;
+    write_report(std::cout, result);
+    flush_standard_output();
+    const Exit_status status = exit_status(result.outcome.report);
+    if (status != Exit_status::DONE)
+      std::cerr << "idt: " << path << ": " << describe_status(result) << std::endl;
+    return status;
+  });
+}
+
+std::string number_type_help()
+{
+  std::ostringstream text;
+  text << "Number types:\n";
+  for (Number_type number_type : number_types()) {
+    const std::string title = name(number_type);
+    text << "  " << title << std::string(20 - title.size(), ' ') << description(number_type)
+         << (is_available(number_type) ? "" : " (not in this build)")
+         << (number_type == default_number_type ? " (default)" : "") << '\n';
+  }
+  return text.str();
+}
+
+} // namespace
+
+Triangulation_result triangulate(const std::string& path, const Kernel_options& options,
+                                 const std::optional<Mollification_options>& mollification)
+{
+  Triangulation_result result;
+  result.options = options;
+  result.surface = load_surface(path, mollification);
+  {
+    Progress progress(path);
+    result.outcome =
+      run({result.surface, options, [&](std::uint64_t tests, std::uint64_t flips) {
+             progress.update(tests, flips);
+             return !is_interrupted();
+           }});
+  }
+  result.counts = count_elements(result.outcome.connectivity);
+  return result;
+}
+
+void add_triangulate_command(CLI::App& app, Selected_command& selected)
+{
+  const auto options = std::make_shared<Triangulate_options>();
+  CLI::App& command = *app.add_subcommand(
+    "triangulate", "Flip edges until the triangulation of each surface is intrinsic Delaunay");
+  command.footer(number_type_help() +
+                 "\nSeveral inputs are worked on one after the other; the status is that of the\n"
+                 "first that failed. An output file appears when it is complete. Ctrl-C ends the\n"
+                 "flips before the next decision and writes what there is; a second one, which ends\n"
+                 "everything, may be needed where a single decision takes long, as with core.\n");
+  command
+    .add_option("INPUT", options->inputs,
+                "meshes of triangles (OFF, OBJ, PLY, STL, TS), or .gluing files of triangles "
+                "with lengths")
+    ->required();
+  command
+    .add_option("--number-type", options->number_type, "what to compute with; see below")
+    ->type_name("NT")
+    ->capture_default_str();
+  command.add_option("--precision", options->precision, "bits of a number at least, for mpfr")
+    ->type_name("BITS")
+    ->check(CLI::Range(2, 1000000))
+    ->capture_default_str();
+  command
+    .add_option("--maximum-flips", options->maximum_number_of_flips,
+                "give up after that many flips (default: unlimited for an exact number type, "
+                "else the larger of 10,000,000 and 100 times the number of edges)")
+    ->type_name("N")
+    ->check(CLI::NonNegativeNumber);
+  CLI::Option* const mollify =
+    command
+      .add_option("--mollify", options->mollification,
+                  "first lengthen all edges by the same amount, so that each triangle "
+                  "inequality holds with a margin of D times the mean length")
+      ->type_name("D");
+  command
+    .add_flag("--mollify-local", options->is_mollification_local,
+              "lengthen only edges of triangles that lack the margin")
+    ->needs(mollify);
+  command
+    .add_option("--stats", options->stats_path, "write what the report says as a JSON object")
+    ->type_name("F.json");
+  command
+    .add_option("--edges", options->edges_path,
+                "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,"
+                "original")
+    ->type_name("F.csv");
+  command.callback(
+    [options, &selected] { selected = [options] { return run_triangulate(*options); }; });
+}
+
+} // namespace idt

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What becomes of results that cannot be written.
+
+#include "Command_test.h"
+
+#include <unistd.h>
+
+namespace {
+using Command_output = Command_test;
+}
+
+TEST_F(Command_output, replaces_a_file_when_the_new_one_is_complete)
+{
+  write_kite("kite.off");
+  write("e.csv", "old");
+  fs::create_symlink("e.csv", folder_ / "link.csv");
+  ASSERT_EQ(idt("triangulate kite.off --edges link.csv").status, 0);
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.csv"));
+  EXPECT_EQ(lines(content(folder_ / "e.csv")).size(), 6u);
+  EXPECT_EQ(files().size(), 3u);
+}
+
+TEST_F(Command_output, leaves_nothing_behind_when_the_space_ends)
+{
+  ASSERT_EQ(idt("sample torus -o torus.off").status, 0);
+  write("e.csv", "old");
+  // The largest file that the shell allows is smaller than the result.
+  const Command_run run = shell("ulimit -f 8; '" + command_path() + "' triangulate torus.off --edges e.csv");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_TRUE(contains(run.err, "e.csv"));
+  EXPECT_EQ(content(folder_ / "e.csv"), "old");
+  EXPECT_EQ(files().size(), 2u);
+}
+
+TEST_F(Command_output, says_when_a_file_cannot_be_written)
+{
+  write_kite("kite.off");
+  for (const char* option : {"--edges", "--stats"})
+    for (const char* path : {"missing/file", "."}) {
+      const Command_run run = idt(std::string("triangulate kite.off ") + option + " " + path);
+      EXPECT_EQ(run.status, 1) << option << ' ' << path;
+      EXPECT_TRUE(contains(run.err, path)) << run.err;
+    }
+  EXPECT_EQ(files(), std::vector<std::string>{"kite.off"});
+}
+
+TEST_F(Command_output, says_when_a_folder_is_read_only)
+{
+  if (::geteuid() == 0)
+    GTEST_SKIP() << "the superuser may write anywhere";
+  write_kite("kite.off");
+  fs::create_directory(folder_ / "locked");
+  fs::permissions(folder_ / "locked", fs::perms::owner_read | fs::perms::owner_exec);
+  const Command_run run = idt("triangulate kite.off --edges locked/e.csv");
+  fs::permissions(folder_ / "locked", fs::perms::owner_all);
+  EXPECT_EQ(run.status, 1);
+  EXPECT_TRUE(fs::is_empty(folder_ / "locked"));
+}
+
+TEST_F(Command_output, says_when_a_device_is_full)
+{
+  if (!fs::exists("/dev/full"))
+    GTEST_SKIP() << "there is no /dev/full";
+  write_kite("kite.off");
+  EXPECT_EQ(idt("triangulate kite.off --edges /dev/full").status, 1);
+  EXPECT_EQ(idt("triangulate kite.off --stats /dev/full").status, 1);
+  EXPECT_EQ(idt("triangulate kite.off > /dev/full").status, 1);
+  EXPECT_EQ(idt("table kite.off > /dev/full").status, 1);
+  EXPECT_EQ(idt("sample torus > /dev/full").status, 1);
+  EXPECT_EQ(idt("sample --list > /dev/full").status, 1);
+  EXPECT_EQ(idt("--help > /dev/full").status, 1);
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+  EXPECT_EQ(idt("triangulate kite.off --edges /dev/null --stats /dev/null").status, 0);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(Command_output, says_when_the_standard_output_is_closed)
+{
+  write_kite("kite.off");
+  const Command_run run = idt("triangulate kite.off --edges e.csv >&-");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_TRUE(contains(run.err, "standard output"));
+  // The report must not have gone to a file that got the free descriptor.
+  EXPECT_EQ(lines(content(folder_ / "e.csv")).size(), 6u);
+  EXPECT_EQ(idt("sample torus >&-").status, 1);
+  EXPECT_EQ(idt("triangulate kite.off 2>&-").status, 0);
+}
+
+TEST_F(Command_output, is_not_killed_by_a_closed_pipe)
+{
+  const Command_run run = shell("{ '" + command_path() + "' sample strip; echo $? > status; } | head -n 1");
+  EXPECT_EQ(run.out, "OFF\n");
+  EXPECT_EQ(content(folder_ / "status"), "1\n");
+}

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `idt triangulate`: what it writes, and how it ends.
+
+#include "Command_test.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <set>
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Triangulate_command = Command_test;
+
+std::vector<std::string> fields(const std::string& line)
+{
+  std::vector<std::string> result(1);
+  for (const char c : line)
+    if (c == ',')
+      result.emplace_back();
+    else
+      result.back() += c;
+  return result;
+}
+
+} // namespace
+
+TEST_F(Triangulate_command, reports_what_it_did)
+{
+  write_kite("kite.off");
+  const Command_run run = idt("triangulate kite.off");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_TRUE(contains(run.out, "kite.off\n"));
+  EXPECT_TRUE(contains(run.out, "4 vertices, 5 edges, 2 faces"));
+  EXPECT_TRUE(contains(run.out, "1 in "));
+  EXPECT_TRUE(contains(run.out, "status          Delaunay"));
+}
+
+TEST_F(Triangulate_command, writes_the_keys_of_the_statistics_in_order)
+{
+  write_kite("kite.off");
+  ASSERT_EQ(idt("triangulate kite.off --stats s.json").status, 0);
+  const Json json = Json::parse(content(folder_ / "s.json"));
+  std::vector<std::string> keys;
+  for (const auto& item : json.items())
+    keys.push_back(item.key());
+  EXPECT_EQ(keys, (std::vector<std::string>{
+                    "vertices", "edges", "faces", "boundary_edges", "components",
+                    "euler_characteristic", "number_type", "flips", "tests", "ties", "stages",
+                    "edges_changed", "simple", "longest", "crossings", "loops",
+                    "multiple_edges", "min_weight_before", "min_weight_after",
+                    "negative_weights_before", "negative_weights_after", "mollification",
+                    "seconds", "peak_memory_bytes"}));
+  EXPECT_EQ(json["vertices"], 4);
+  EXPECT_EQ(json["boundary_edges"], 4);
+  EXPECT_EQ(json["euler_characteristic"], 1);
+  EXPECT_EQ(json["flips"], 1);
+  EXPECT_EQ(json["edges_changed"], 1);
+  EXPECT_EQ(json["negative_weights_before"], 1);
+  EXPECT_EQ(json["negative_weights_after"], 0);
+  EXPECT_LT(json["min_weight_before"], 0);
+  EXPECT_GT(json["min_weight_after"], 0);
+  EXPECT_EQ(json["mollification"], 0);
+  for (const char* key : {"read", "build", "flip", "overlay", "write"})
+    EXPECT_TRUE(json["seconds"].contains(key)) << key;
+  EXPECT_GT(json["peak_memory_bytes"], 0);
+}
+
+TEST_F(Triangulate_command, writes_one_row_for_each_edge)
+{
+  write_kite("kite.off");
+  ASSERT_EQ(idt("triangulate kite.off --edges e.csv").status, 0);
+  const std::vector<std::string> rows = lines(content(folder_ / "e.csv"));
+  ASSERT_EQ(rows.size(), 6u);
+  EXPECT_EQ(rows[0], "source,target,length,cotan_weight,crossings,original");
+  std::size_t originals = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const std::vector<std::string> row = fields(rows[i]);
+    ASSERT_EQ(row.size(), 6u);
+    EXPECT_NE(row[3], "");
+    if (row[5] == "1") {
+      ++originals;
+      EXPECT_EQ(row[4], "0");
+    } else {
+      const std::set<std::string> ends = {row[0], row[1]};
+      EXPECT_EQ(ends, (std::set<std::string>{"1", "3"}));
+      EXPECT_EQ(row[2], "0.5");
+      // Both opposite angles have the cotangent (1 - 1/16) / (1/2).
+      EXPECT_NEAR(std::stod(row[3]), 3.75, 1e-14);
+    }
+  }
+  EXPECT_EQ(originals, 4u);
+}
+
+TEST_F(Triangulate_command, agrees_with_itself_for_each_number_type)
+{
+  ASSERT_EQ(idt("sample helical-tube -o tube.off").status, 0);
+  for (const char* number_type : {"double", "long-double", "interval", "mpfr", "core",
+                                  "half-angle-double", "half-angle-core"}) {
+    const Command_run run =
+      idt(std::string("triangulate tube.off --stats s.json --number-type ") + number_type);
+    EXPECT_EQ(run.status, 0) << number_type << run.err;
+    const Json json = Json::parse(content(folder_ / "s.json"));
+    EXPECT_EQ(json["number_type"], number_type);
+    EXPECT_EQ(json["loops"], 58) << number_type;
+    EXPECT_EQ(json["negative_weights_after"], 0) << number_type;
+    EXPECT_GE(json["min_weight_after"], 0) << number_type;
+  }
+}
+
+TEST_F(Triangulate_command, takes_several_inputs_but_not_to_one_file)
+{
+  write_kite("a.off");
+  write_kite("b.off", true);
+  const Command_run run = idt("triangulate a.off b.off");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_TRUE(contains(run.out, "a.off\n"));
+  EXPECT_TRUE(contains(run.out, "\nb.off\n"));
+  EXPECT_EQ(idt("triangulate a.off b.off --stats s.json").status, 2);
+  EXPECT_EQ(idt("triangulate a.off b.off --edges e.csv").status, 2);
+  EXPECT_EQ(files().size(), 2u);
+}
+
+TEST_F(Triangulate_command, goes_on_after_an_input_that_fails)
+{
+  write_kite("a.off");
+  const Command_run run = idt("triangulate missing.off a.off");
+  EXPECT_EQ(run.status, 3);
+  EXPECT_TRUE(contains(run.err, "missing.off"));
+  EXPECT_TRUE(contains(run.out, "a.off\n"));
+}
+
+TEST_F(Triangulate_command, refuses_a_wrong_command_line)
+{
+  write_kite("kite.off");
+  for (const char* arguments :
+       {"", "nonsense", "triangulate", "triangulate kite.off --nonsense",
+        "triangulate kite.off --number-type decimal", "triangulate kite.off --precision 1",
+        "triangulate kite.off --mollify -1", "triangulate kite.off --mollify nan",
+        "triangulate kite.off --mollify-local", "triangulate kite.off --maximum-flips -3",
+        "triangulate kite.off --stats x --edges x", "triangulate kite.off --edges kite.off",
+        "triangulate kite.off --edges ./kite.off"}) {
+    const Command_run run = idt(arguments);
+    EXPECT_EQ(run.status, 2) << arguments;
+    EXPECT_NE(run.err, "") << arguments;
+  }
+  EXPECT_EQ(files(), std::vector<std::string>{"kite.off"});
+  EXPECT_EQ(idt("--help").status, 0);
+  EXPECT_EQ(idt("triangulate --help").status, 0);
+}
+
+TEST_F(Triangulate_command, names_what_is_wrong_with_an_input)
+{
+  write("square.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
+  write("fan.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");
+  write("turned.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n3 0 1 2\n3 0 1 3\n");
+  write("nan.off", "OFF\n3 1 0\n0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n");
+  write("bad.gluing", "INTRINSIC_GLUING 1\n1 3 2\n0 0 0\n0 0 0\n0 3 1\n1 4 1\n2 5 -1\n");
+  write("flat.gluing", "INTRINSIC_GLUING 1\n3 3 1\n0 1 2\n0 -1 1\n1 -1 1\n2 -1 3\n");
+  for (const char* name : {"square.off", "fan.off", "turned.off", "nan.off", "bad.gluing",
+                           "flat.gluing", "missing.off", "missing.gluing", "."}) {
+    const Command_run run = idt(std::string("triangulate ") + name + " --edges e.csv");
+    EXPECT_EQ(run.status, 3) << name;
+    EXPECT_TRUE(contains(run.err, name)) << run.err;
+    EXPECT_EQ(run.out, "") << name;
+  }
+  EXPECT_TRUE(contains(idt("triangulate square.off").err, "face 0"));
+  EXPECT_TRUE(contains(idt("triangulate flat.gluing").err, "face 0"));
+  EXPECT_FALSE(fs::exists(folder_ / "e.csv"));
+}
+
+TEST_F(Triangulate_command, accepts_faces_of_zero_area_and_unused_vertices)
+{
+  write("flat.off", "OFF\n6 3 0\n0 0 0\n2 0 0\n1 2 0\n1 0 0\n1 -1 0\n7 7 7\n"
+                    "3 0 1 2\n3 0 3 1\n3 0 4 3\n");
+  const Command_run run = idt("triangulate flat.off --edges e.csv --stats s.json");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "note"));
+  EXPECT_TRUE(contains(run.out, "vertex 5"));
+  for (const char* name : {"e.csv", "s.json"})
+    EXPECT_FALSE(contains(content(folder_ / name), "nan")) << content(folder_ / name);
+  const Json json = Json::parse(content(folder_ / "s.json"));
+  EXPECT_EQ(json["vertices"], 6);
+  EXPECT_EQ(json["components"], 1);
+  EXPECT_EQ(json["euler_characteristic"], 1);
+  for (const char* number_type : {"half-angle-double", "half-angle-core"}) {
+    const Command_run refused = idt(std::string("triangulate flat.off --number-type ") + number_type);
+    EXPECT_EQ(refused.status, 3) << number_type;
+    EXPECT_TRUE(contains(refused.err, "face 1")) << refused.err;
+  }
+}
+
+TEST_F(Triangulate_command, writes_what_it_has_when_it_does_not_finish)
+{
+  ASSERT_EQ(idt("sample pillow -o pillow.off").status, 0);
+  const Command_run spent = idt("triangulate pillow.off --maximum-flips 100 --stats s.json --edges e.csv");
+  EXPECT_EQ(spent.status, 4);
+  EXPECT_TRUE(contains(spent.err, "budget"));
+  EXPECT_EQ(Json::parse(content(folder_ / "s.json"))["flips"], 100);
+  EXPECT_GT(lines(content(folder_ / "e.csv")).size(), 800u);
+
+  ASSERT_EQ(idt("sample prism -o prism.off").status, 0);
+  const Command_run undecided = idt("triangulate prism.off --number-type interval --edges i.csv");
+  EXPECT_EQ(undecided.status, 4);
+  EXPECT_TRUE(contains(undecided.err, "edge "));
+  EXPECT_FALSE(contains(content(folder_ / "i.csv"), "nan"));
+}
+
+TEST_F(Triangulate_command, can_be_interrupted)
+{
+  ASSERT_EQ(idt("sample strip -o strip.off").status, 0);
+  const Command_run run = shell("'" + command_path() +
+                        "' triangulate strip.off --number-type core --stats s.json & "
+                        "process=$!; sleep 1; kill -INT $process; wait $process");
+  EXPECT_EQ(run.status, 4);
+  EXPECT_TRUE(contains(run.err, "cancelled"));
+  EXPECT_LT(Json::parse(content(folder_ / "s.json"))["flips"], 298110);
+}
+
+TEST_F(Triangulate_command, mollifies_if_asked_to)
+{
+  ASSERT_EQ(idt("sample cap -o cap.off").status, 0);
+  std::size_t changed[2] = {0, 0};
+  for (const int is_local : {0, 1}) {
+    const Command_run run = idt(std::string("triangulate cap.off --stats s.json --mollify 1e-4") +
+                        (is_local ? " --mollify-local" : ""));
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(contains(run.out, "mollified"));
+    const Json report = Json::parse(content(folder_ / "s.json"))["mollification"];
+    ASSERT_TRUE(report.is_object());
+    EXPECT_GT(report["epsilon"], 0);
+    EXPECT_GT(report["largest_relative_change"], 0);
+    changed[is_local] = report["changed_edges"];
+  }
+  EXPECT_LT(changed[1], changed[0]);
+}
+
+TEST_F(Triangulate_command, judges_the_evaluation_meshes)
+{
+  if (!fs::is_directory(data_folder() / "bad"))
+    GTEST_SKIP() << "no evaluation meshes: set IDT_DATA_DIR";
+  // These have a defect that the package does not work around.
+  for (const char* name : {"cgal_cube_poly.off", "synth_bad_inf.off", "synth_bad_nan.off",
+                           "synth_bad_only_vertices.off", "synth_bad_repeated_index.off",
+                           "mepp_dangling_edge3.off", "igl_horse_quad.off"}) {
+    const fs::path path = data_folder() / "bad" / name;
+    const Command_run run = idt("triangulate '" + path.string() + "'");
+    EXPECT_EQ(run.status, 3) << name;
+    EXPECT_TRUE(contains(run.err, name)) << run.err;
+  }
+  for (const fs::directory_entry& entry : fs::directory_iterator(data_folder() / "bad")) {
+    const Command_run run = idt("triangulate '" + entry.path().string() + "' --edges e.csv");
+    EXPECT_TRUE(run.status == 0 || run.status == 3 || run.status == 4) << entry.path();
+    EXPECT_EQ(run.status == 0, run.err.empty()) << entry.path();
+    if (run.status == 0) {
+      EXPECT_FALSE(contains(content(folder_ / "e.csv"), "nan")) << entry.path();
+    }
+  }
+}
