@@ -22,7 +22,7 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using IT::Gluing;
+using Gluing = IT::Glued_triangles;
 using IT::Indexed_triangles;
 using reference::compare;
 using reference::Comparison;

@@ -387,7 +387,7 @@ inline Exact_triangulation exact_triangulation(const IT::Indexed_triangles& surf
   return Exact_triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
                              surface.points);
 }
-inline Exact_triangulation exact_triangulation(const IT::Gluing& gluing)
+inline Exact_triangulation exact_triangulation(const IT::Glued_triangles& gluing)
 {
   IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
   const Sides sides = sides_of_gluing(gluing.number_of_faces, gluing.glued_sides);
@@ -409,7 +409,7 @@ Comparison compare(const IT::Indexed_triangles& surface, const Comparison_option
 
 // Compares the results for a surface given by lengths.
 template <unsigned digits = 510>
-Comparison compare(const IT::Gluing& gluing, const Comparison_options& options = {})
+Comparison compare(const IT::Glued_triangles& gluing, const Comparison_options& options = {})
 {
   Exact_triangulation triangulation = exact_triangulation(gluing);
   const Sides sides = sides_of_gluing(gluing.number_of_faces, gluing.glued_sides);
