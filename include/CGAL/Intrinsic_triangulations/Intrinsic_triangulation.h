@@ -147,7 +147,8 @@ public:
 
   /// \brief returns the exact geometry, ready for its queries.
   ///
-  /// The first call costs O(size), and is not safe beside another thread's on this object.
+  /// The first call costs O(size). Queries remember what they computed, so that one object must
+  /// not be queried from two threads at once.
   /// \pre `keeps_input()`
   Exact_geometry& exact_geometry() const
   {

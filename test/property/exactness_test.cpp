@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The exact traits make the decisions, and report the numbers, of a reference that computes
+// in another way with 510 digits.
+
+#include "reference/compare_with_reference.h"
+
+#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Gluing = IT::Glued_triangles;
+using IT::Indexed_triangles;
+using reference::compare;
+using reference::Comparison;
+using reference::Comparison_options;
+
+template <class Surface>
+Comparison expect_agreement(const Surface& surface, const Comparison_options& options = {})
+{
+  Comparison c;
+  try {
+    c = compare(surface, options);
+  } catch (const std::exception& error) {
+    ADD_FAILURE() << error.what();
+    return c;
+  }
+  EXPECT_TRUE(c.agrees()) << c.message();
+  // Nothing lies between what was taken for zero and what was not.
+  EXPECT_LT(c.largest_tie_sine, -400);
+  EXPECT_GT(c.smallest_sine, -250);
+  return c;
+}
+
+Indexed_triangles scaled(Indexed_triangles surface, int exponent)
+{
+  for (std::array<double, 3>& p : surface.points)
+    for (double& x : p)
+      x = std::ldexp(x, exponent);
+  return surface;
+}
+
+Gluing scaled(Gluing gluing, int exponent)
+{
+  for (double& length : gluing.side_lengths)
+    length = std::ldexp(length, exponent);
+  return gluing;
+}
+
+Indexed_triangles stretched(Indexed_triangles surface, double x, double y, double z)
+{
+  for (std::array<double, 3>& p : surface.points)
+    p = {x * p[0], y * p[1], z * p[2]};
+  return surface;
+}
+
+// Shuffles the faces and turns each of them.
+Indexed_triangles shuffled(Indexed_triangles surface, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::shuffle(surface.triangles.begin(), surface.triangles.end(), random);
+  for (auto& triangle : surface.triangles)
+    std::rotate(triangle.begin(), triangle.begin() + random() % 3, triangle.end());
+  return surface;
+}
+
+// A zigzag of strips whose widths are square roots. Only the first and the last fold line have
+// vertices at heights 0 and 1: these form a rectangle across all strips, and with it a tie.
+Indexed_triangles folded_strips(std::uint32_t number_of_strips, double height = 10000)
+{
+  Indexed_triangles surface;
+  std::vector<std::vector<std::uint32_t>> lines;
+  double x = 0;
+  for (std::uint32_t k = 0; k <= number_of_strips; ++k) {
+    x += k;
+    lines.emplace_back();
+    for (double z : {-height, 0., 1., height})
+      if (k == 0 || k == number_of_strips || std::abs(z) == height) {
+        lines.back().push_back(std::uint32_t(surface.points.size()));
+        surface.points.push_back({x, double(k % 2), z});
+      }
+  }
+  for (std::uint32_t k = 0; k < number_of_strips; ++k) {
+    const std::vector<std::uint32_t>&left = lines[k], &right = lines[k + 1];
+    std::size_t a = 0, b = 0;
+    while (a + 1 < left.size() || b + 1 < right.size())
+      if (b + 1 == right.size() ||
+          (a + 1 < left.size() && surface.points[left[a + 1]][2] <= surface.points[right[b + 1]][2])) {
+        surface.triangles.push_back({left[a], right[b], left[a + 1]});
+        ++a;
+      } else {
+        surface.triangles.push_back({left[a], right[b], right[b + 1]});
+        ++b;
+      }
+  }
+  return surface;
+}
+
+// A gluing with lengths that are drawn for each edge.
+template <class Draw>
+Gluing with_lengths(Gluing gluing, Draw draw)
+{
+  const reference::Sides sides = reference::sides_of_gluing(gluing.number_of_faces, gluing.glued_sides);
+  std::vector<double> length(sides.number_of_sides());
+  for (double& x : length)
+    x = draw();
+  for (std::size_t side = 0; side < gluing.side_lengths.size(); ++side)
+    gluing.side_lengths[side] = length[sides.edge[side]];
+  return gluing;
+}
+
+std::string named(const char* what, double x) { return std::string(what) + " " + std::to_string(x); }
+
+TEST(Exactness, PrismsWhoseFansAreAllTies)
+{
+  for (std::size_t n : {3, 4, 5, 6, 7, 8, 9, 12, 15, 16, 24, 31, 32, 60})
+    for (std::uint64_t seed : {0, 1, 2}) {
+      SCOPED_TRACE(named("prism", double(n)));
+      expect_agreement(IT::prism(n, seed));
+    }
+}
+
+TEST(Exactness, CapsOfAnyHeight)
+{
+  for (std::uint64_t seed : {0, 1, 2, 3}) {
+    for (int k = 1; k <= 20; ++k) {
+      SCOPED_TRACE(k);
+      expect_agreement(IT::cap(std::pow(10., -k), seed));
+    }
+    expect_agreement(IT::cap(1e-100, seed));
+    expect_agreement(IT::cap(0, seed));
+  }
+}
+
+TEST(Exactness, SliverSheets)
+{
+  for (double x : {1e-3, 1e-6, 1e-9, 1e-12})
+    for (double z : {0., 1e-3, 1e-9, 1e-12}) {
+      SCOPED_TRACE(named("x", std::log10(x)));
+      SCOPED_TRACE(named("z", z));
+      expect_agreement(IT::sliver_sheet(14, x, z));
+    }
+}
+
+TEST(Exactness, HelicalTubes)
+{
+  for (double pitch : {1e-3, 1., 30., 1e3, 1e5, 1e6, 1e7})
+    for (std::size_t n : {4, 5, 30}) {
+      SCOPED_TRACE(named("pitch", pitch));
+      expect_agreement(IT::helical_tube(n, pitch));
+    }
+}
+
+TEST(Exactness, GridsOfTies)
+{
+  for (std::uint64_t seed : {0, 1, 2})
+    expect_agreement(IT::random_diagonal_grid(12, 12, seed + 1, seed));
+  const Comparison c = expect_agreement(IT::random_diagonal_grid(15, 10));
+  EXPECT_EQ(c.flips, 0u);
+  EXPECT_EQ(c.ties, 150u);
+}
+
+TEST(Exactness, ShearedGrids)
+{
+  for (double shear : {1., 2., 3., 5., 0.3, 7.7})
+    expect_agreement(IT::sheared_grid(8, 8, shear));
+  expect_agreement(IT::sheared_grid(3, 3, 1e6));
+  expect_agreement(IT::sheared_grid(2, 2, 1e15));
+}
+
+TEST(Exactness, LongChainsOfFlips)
+{
+  expect_agreement(IT::strip(60, 20));
+  expect_agreement(IT::strip(60, 20, 1e-5));
+  expect_agreement(IT::pillow(40));
+  expect_agreement(IT::pillow(40, 1e-8));
+}
+
+TEST(Exactness, RoundSurfaces)
+{
+  for (std::size_t n : {1, 4, 16, 64})
+    expect_agreement(IT::Schwarz_lantern(8, n));
+  expect_agreement(IT::latitude_longitude_sphere(3, 2));
+  expect_agreement(IT::latitude_longitude_sphere(24, 12));
+  expect_agreement(IT::torus(20, 10));
+  expect_agreement(IT::bad_torus(20, 20));
+  expect_agreement(IT::bumpy_sphere(20, 11));
+  expect_agreement(IT::disk_with_spike(12, 9));
+}
+
+TEST(Exactness, RandomGluings)
+{
+  for (std::uint64_t seed = 0; seed < 4000 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    const std::size_t n = 1 + seed % 17;
+    const bool with_boundary = n % 2 == 1 || seed % 3 == 0;
+    expect_agreement(IT::random_gluing(n, seed, with_boundary, seed % 2 == 0));
+  }
+}
+
+// All triangles are nearly equilateral, so that tests are close calls.
+TEST(Exactness, RandomGluingsWithNearTies)
+{
+  for (std::uint64_t seed = 0; seed < 1000 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const double epsilon = std::pow(10., -1 - double(seed % 16));
+    expect_agreement(with_lengths(IT::random_gluing(2 + 2 * (seed % 6), seed, seed % 3 == 0), [&] {
+      return 1 + epsilon * std::uniform_real_distribution<double>(0, 0.9)(random);
+    }));
+  }
+}
+
+// Lengths m, ..., 2 m: ties abound, and the triangle m, m, 2 m has no area. Where everything
+// collapses, the package and the reference both say that vertices coincide.
+TEST(Exactness, RandomGluingsWithIntegerLengths)
+{
+  int collapsed = 0;
+  for (std::uint64_t seed = 0; seed < 3000 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const std::uint64_t m = 1 + seed % 5;
+    const Gluing gluing = with_lengths(IT::random_gluing(2 + 2 * (seed % 6), seed, seed % 3 == 0),
+                                       [&] { return double(m + random() % (m + 1)); });
+    try {
+      const Comparison c = compare(gluing);
+      EXPECT_TRUE(c.agrees()) << c.message();
+    } catch (const IT::Invalid_surface_error& error) {
+      ++collapsed;
+      EXPECT_EQ(error.defect(), IT::Invalid_surface_error::Defect::ZERO_LENGTH_EDGE);
+      reference::Reference_triangulation<> own(
+        reference::sides_of_gluing(gluing.number_of_faces, gluing.glued_sides), gluing.side_lengths);
+      EXPECT_THROW(own.make_Delaunay(), reference::Coincident_vertices);
+    }
+  }
+  EXPECT_GT(collapsed, 0);
+  EXPECT_LT(collapsed, 300);
+}
+
+TEST(Exactness, TinyGluings)
+{
+  expect_agreement(IT::self_glued_triangle());
+  expect_agreement(IT::self_glued_sphere());
+  expect_agreement(IT::self_glued_sphere(1, 1e8, 1));
+  expect_agreement(IT::self_glued_sphere(0.5 + 1e-9, 0.5 + 1e-16, 1));
+  expect_agreement(IT::one_vertex_torus(3, 4, 5));
+  expect_agreement(IT::one_vertex_torus(1, 1, 1.9999999999999998));
+  for (double shear : {1., 10., 100., 123.456})
+    expect_agreement(IT::sheared_one_vertex_torus(shear));
+}
+
+// The flat torus of a lattice of rectangles.
+TEST(Exactness, TiesInGluings)
+{
+  const Comparison c = expect_agreement(IT::one_vertex_torus(3, 4, 5));
+  EXPECT_EQ(c.ties, 1u);
+  EXPECT_EQ(c.tessellation.size(), 2u);
+}
+
+TEST(Exactness, TiesWithManyIndependentRoots)
+{
+  for (std::uint32_t n : {2, 4, 8, 12, 16, 20}) {
+    SCOPED_TRACE(n);
+    EXPECT_EQ(expect_agreement(folded_strips(n)).ties, 1u);
+  }
+  // Beyond, the documented error is allowed, a wrong answer is not.
+  for (std::uint32_t n : {24, 40})
+    try {
+      const Comparison c = compare(folded_strips(n));
+      EXPECT_TRUE(c.agrees()) << c.message();
+      EXPECT_EQ(c.ties, 1u);
+    } catch (const IT::Undecided_error&) {
+    }
+}
+
+TEST(Exactness, IsFreeOfScale)
+{
+  const std::vector<Indexed_triangles> surfaces = {IT::prism(12, 1), IT::cap(1e-10, 1), IT::cap(0),
+                                                   IT::helical_tube(12, 1e5), IT::torus(8, 6),
+                                                   IT::sliver_sheet(6, 1e-9, 1e-9)};
+  for (const Indexed_triangles& surface : surfaces) {
+    reference::Exact_triangulation plain = reference::exact_triangulation(surface);
+    IT::flip_to_Delaunay(plain);
+    for (int k = -300; k <= 300; k += 25) {
+      SCOPED_TRACE(k);
+      reference::Exact_triangulation other = reference::exact_triangulation(scaled(surface, k));
+      IT::flip_to_Delaunay(other);
+      EXPECT_TRUE(plain.connectivity() == other.connectivity());
+      for (IT::Edge_index e : plain.connectivity().edges())
+        EXPECT_EQ(std::ldexp(plain.length(e), k), other.length(e));
+    }
+    for (int k : {-300, 300}) {
+      SCOPED_TRACE(k);
+      expect_agreement(scaled(surface, k));
+    }
+  }
+  for (std::uint64_t seed = 0; seed < 20; ++seed)
+    for (int k : {-300, -77, 300})
+      expect_agreement(scaled(IT::random_gluing(8, seed), k));
+}
+
+// Beyond the range in which coordinates keep all their digits an error must say so.
+TEST(Exactness, ExtremeScalesAreExactOrRefused)
+{
+  for (const Indexed_triangles& surface : {IT::prism(5), IT::cap(1e-10, 1), IT::torus(5, 4)}) {
+    reference::Exact_triangulation plain = reference::exact_triangulation(surface);
+    IT::flip_to_Delaunay(plain);
+    for (int k : {-1000, -900, -700, -500, 500, 700, 900, 1000}) {
+      SCOPED_TRACE(k);
+      try {
+        reference::Exact_triangulation other = reference::exact_triangulation(scaled(surface, k));
+        IT::flip_to_Delaunay(other);
+        EXPECT_TRUE(plain.connectivity() == other.connectivity());
+      } catch (const IT::Invalid_surface_error& error) {
+        EXPECT_NE(std::string(error.what()), "");
+      }
+    }
+  }
+}
+
+TEST(Exactness, ConstrainedEdgesStay)
+{
+  const std::vector<Indexed_triangles> surfaces = {IT::prism(12), IT::bad_torus(12, 12), IT::cap(1e-12),
+                                                   IT::cap(0), IT::sheared_grid(6, 6), IT::helical_tube(20)};
+  std::mt19937 random(5);
+  for (const Indexed_triangles& surface : surfaces)
+    for (unsigned denominator : {1u, 2u, 5u, 20u}) {
+      Comparison_options options;
+      const std::size_t n = reference::exact_triangulation(surface).connectivity().number_of_edges();
+      for (std::size_t e = 0; e < n; ++e)
+        options.is_constrained.push_back(random() % denominator == 0);
+      const Comparison c = expect_agreement(surface, options);
+      if (denominator == 1) {
+        EXPECT_EQ(c.flips, 0u);
+      }
+    }
+}
+
+TEST(Exactness, TheTessellationDoesNotDependOnTheOrder)
+{
+  const std::vector<Indexed_triangles> surfaces = {IT::prism(16), IT::prism(16, 3), IT::torus(10, 8),
+                                                   IT::random_diagonal_grid(8, 8), IT::cap(1e-14),
+                                                   IT::cap(0), IT::sheared_grid(6, 6, 3),
+                                                   IT::sliver_sheet(8), IT::helical_tube(20)};
+  for (const Indexed_triangles& surface : surfaces) {
+    const Comparison plain = expect_agreement(surface);
+    for (unsigned seed = 1; seed <= 4; ++seed)
+      EXPECT_TRUE(expect_agreement(shuffled(surface, seed)).tessellation == plain.tessellation);
+  }
+}
+
+TEST(Exactness, IsolatedVerticesAndComponents)
+{
+  Indexed_triangles two = IT::prism(5);
+  const Indexed_triangles other = scaled(IT::torus(5, 4), -30);
+  two.points.push_back({1e20, 0, 0});
+  const std::uint32_t shift = std::uint32_t(two.points.size());
+  two.points.insert(two.points.end(), other.points.begin(), other.points.end());
+  for (const auto& t : other.triangles)
+    two.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  two.points.push_back({0, 0, 0});
+  expect_agreement(two);
+}
+
+TEST(Exactness, NeedlesAndTinyFeatures)
+{
+  for (double z : {1., 1e-20, 1e-60, 1e-100}) {
+    SCOPED_TRACE(z);
+    expect_agreement(stretched(IT::torus(6, 5), 1, 1, z));
+    expect_agreement(stretched(IT::bad_torus(6, 6), 1, z, 1));
+    expect_agreement(stretched(IT::prism(7), 1, z, z));
+  }
+  // far from the origin, where a coordinate keeps few digits
+  for (double offset : {1e3, 1e8, 1e14}) {
+    Indexed_triangles surface = IT::bumpy_sphere(12, 7);
+    for (auto& p : surface.points)
+      p[0] += offset;
+    try {
+      const Comparison c = compare(surface);
+      EXPECT_TRUE(c.agrees()) << c.message();
+    } catch (const IT::Invalid_surface_error& error) { // rounding makes neighbors coincide
+      EXPECT_EQ(error.defect(), IT::Invalid_surface_error::Defect::ZERO_LENGTH_EDGE);
+    }
+  }
+}
+
+} // namespace
