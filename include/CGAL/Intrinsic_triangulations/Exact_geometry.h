@@ -192,14 +192,8 @@ public:
       sign = Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric)
                .opposite_corner(h)
                .four_areas.sign();
-      if (!is_certain(sign) && precision == 2048) {
-        internal::Square_root_basis basis;
-    internal::Multiquadratic_metric field(*surface_, {basis});
-        if (Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
-              .opposite_corner(h)
-              .four_areas.is_zero())
-          return ZERO;
-      }
+      if (!is_certain(sign) && precision == 2048 && has_area_zero(complex, h))
+        return ZERO;
       if (precision > largest_precision)
         throw Undecided_error("face " + std::to_string(f.idx()) +
                               ": the sign of its area cannot be decided");
@@ -303,11 +297,17 @@ public:
       Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);
     if (is_certain(s.sign()))
       return s.is_zero();
-    internal::Square_root_basis basis;
-    internal::Multiquadratic_metric field(*surface_, {basis});
-    return Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
-      .squared_length(e)
-      .is_zero();
+    try {
+      internal::Square_root_basis basis;
+      internal::Multiquadratic_metric field(*surface_, {basis});
+      return Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
+        .squared_length(e)
+        .is_zero();
+    } catch (const internal::Too_many_roots&) {
+      throw Undecided_error("edge " + std::to_string(e.idx()) +
+                            ": whether its length is zero cannot be proven: too many "
+                            "independent square roots");
+    }
   }
 
   /// returns the corner opposite to `h`, in double-doubles with error bounds and in the
@@ -462,6 +462,20 @@ private:
   {
     internal::Mpfr_metric metric(*surface_, {precision});
     return Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric).squared_length(e);
+  }
+
+  // A proof that the area of the face of h is zero; `false` proves nothing.
+  bool has_area_zero(const Delta_complex& complex, Halfedge_index h) const
+  {
+    try {
+      internal::Square_root_basis basis;
+      internal::Multiquadratic_metric field(*surface_, {basis});
+      return Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
+        .opposite_corner(h)
+        .four_areas.is_zero();
+    } catch (const internal::Too_many_roots&) {
+      return false;
+    }
   }
 
   // Known to be a tie in which no opposite angle is right: the signs of the scalar products
