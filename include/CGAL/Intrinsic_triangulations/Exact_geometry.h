@@ -369,7 +369,7 @@ private:
     }
     try {
       internal::Square_root_basis basis;
-    internal::Multiquadratic_metric field(*surface_, {basis});
+      internal::Multiquadratic_metric field(*surface_, {basis});
       const auto exact = opposite_corners(complex, e, field);
       if ((exact.k.p * exact.l.four_areas + exact.l.p * exact.k.four_areas).is_zero())
         return decided(Stage::ALGEBRAIC, exact.k.p.is_zero() || exact.l.p.is_zero()
