@@ -102,22 +102,24 @@ void write_table(std::ostream& os, const std::vector<Row>& rows)
 Exit_status run_table(const Table_options& options)
 {
   check_output_paths({options.json_path}, options.inputs);
+  Kernel_options kernel_options;
+  kernel_options.wanted.numbers = false;
   std::vector<Row> rows;
   const Exit_status status = for_each_input(options.inputs, [&](const std::string& path) {
     rows.emplace_back();
     rows.back().model = std::filesystem::path(path).stem().string();
-    const Triangulation_result result = triangulate(path, Kernel_options(), std::nullopt);
+    const Triangulation_result result = triangulate(path, kernel_options, std::nullopt);
     Row& row = rows.back();
     row.vertices = result.counts.vertices;
     row.flips = result.outcome.report.flips;
-    if (result.overlay) {
-      row.simple = result.overlay->simple;
-      row.longest = result.overlay->longest;
-      row.crossings = result.overlay->crossings;
+    if (const std::optional<Crossing_summary>& summary = result.outcome.crossing_summary) {
+      row.simple = summary->simple;
+      row.longest = summary->longest;
+      row.crossings = summary->crossings;
     }
     row.seconds =
       result.surface.build_seconds + result.outcome.build_seconds + result.outcome.flip_seconds;
-    const Exit_status row_status = exit_status(result.outcome.report);
+    const Exit_status row_status = exit_status(result.outcome);
     if (row_status != Exit_status::DONE)
       std::cerr << "idt: " << path << ": " << describe_status(result) << std::endl;
     return row_status;
