@@ -31,8 +31,10 @@ public:
   /// \brief makes the queries available. O(size + number of flips) the first time, and
   /// O(1) afterwards.
   /// \param complex the current connectivity
+  /// \param before_flip is called with connectivity and edge before each flip that is followed
   /// \exception Integer_overflow_error as `Normal_coordinates::flip()`
-  void prepare(const Delta_complex& complex)
+  template <class BeforeFlip>
+  void prepare(const Delta_complex& complex, const BeforeFlip& before_flip)
   {
     if (is_prepared_)
       return;
@@ -45,6 +47,7 @@ public:
     coordinates_ = Normal_coordinates(input_);
     for (Edge_index e : journal_) {
       coordinates_.flip(copy, e);
+      before_flip(copy, e);
       copy.flip(e);
     }
     std::vector<Edge_index>().swap(journal_);
@@ -52,15 +55,19 @@ public:
   }
 
   /// notes the flip of `e`, before the flip of the connectivity.
+  /// \param before_flip as for `prepare()`; it is also called once the queries are available
   /// \exception Integer_overflow_error as `Normal_coordinates::flip()`
-  void flip(const Delta_complex& complex, Edge_index e)
+  template <class BeforeFlip>
+  void flip(const Delta_complex& complex, Edge_index e, const BeforeFlip& before_flip)
   {
     if (!is_prepared_ && journal_.size() >= complex.number_of_edges())
-      prepare(complex);
-    if (is_prepared_)
+      prepare(complex, before_flip);
+    if (is_prepared_) {
       coordinates_.flip(complex, e);
-    else
+      before_flip(complex, e);
+    } else {
       journal_.push_back(e);
+    }
   }
 
   /// returns the integers. \pre `is_prepared()`

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/Straight_faces.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
@@ -28,7 +29,7 @@ namespace Intrinsic_triangulations {
 enum class Stage {
   FILTER,         ///< the stored squared lengths and areas with their error bounds
   UNFOLDING,      ///< the unfolding over the input triangles, in double-doubles with error bounds
-  RATIONAL,       ///< both faces are input faces: rational arithmetic
+  RATIONAL,       ///< both faces are straight triangles in space: rational arithmetic
   MULTIPRECISION, ///< the unfolding in MPFR intervals
   ALGEBRAIC       ///< the unfolding in a multiquadratic field: a proof of zero
 };
@@ -58,6 +59,17 @@ class Exact_geometry
 {
   using Double_double = internal::Bounded_double_double;
 
+  // Keeps up which faces are straight while the correspondence follows the flips.
+  struct Follower
+  {
+    void operator()(const Delta_complex& complex, Edge_index e) const
+    {
+      geometry.start_straight_faces(complex);
+      geometry.straight_faces_.flip(complex, geometry.metric_.points(), e);
+    }
+    Exact_geometry& geometry;
+  };
+
   template <class Metric>
   struct Both_corners
   {
@@ -82,11 +94,18 @@ public:
 
   /// updates the integers, before the flip of the connectivity.
   /// \exception Integer_overflow_error as `Normal_coordinates::flip()`
-  void flip(const Delta_complex& complex, Edge_index e) { correspondence_.flip(complex, e); }
+  void flip(const Delta_complex& complex, Edge_index e)
+  {
+    correspondence_.flip(complex, e, Follower{*this});
+  }
   /// notes that the filter decided a test.
   void count_filter_decision() { ++counts_.decided[std::size_t(Stage::FILTER)]; }
   /// makes the queries below possible; as `Correspondence::prepare()`.
-  void prepare(const Delta_complex& complex) { correspondence_.prepare(complex); }
+  void prepare(const Delta_complex& complex)
+  {
+    correspondence_.prepare(complex, Follower{*this});
+    start_straight_faces(complex);
+  }
 
   /// \brief returns the sign of `cot k + cot l` for the angles opposite to `e`, exactly.
   ///
@@ -97,36 +116,29 @@ public:
   ///   about a dozen independent square roots
   Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e, Opposite_corners& corners)
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_, memory_);
-    corners = opposite_corners(complex, e, metric);
+    const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+    corners = {corner(complex, h), corner(complex, g)};
     Uncertain<Sign> sign = sign_of(corners.k, corners.l);
     if (is_certain(sign))
       return decided(Stage::UNFOLDING, sign);
-    if (has_input_faces(complex, e))
-      return decided(Stage::RATIONAL, rational_sign(complex, e));
-    for (long precision : {128l, 256l, 512l}) {
-      sign = multiprecision_sign(complex, e, precision);
-      if (is_certain(sign))
-        return decided(Stage::MULTIPRECISION, sign);
-    }
-    try {
-      internal::Multiquadratic_metric field(correspondence_.input(), metric_);
-      const auto exact = opposite_corners(complex, e, field);
-      if ((exact.k.p * exact.l.four_areas + exact.l.p * exact.k.four_areas).is_zero())
-        return decided(Stage::ALGEBRAIC, exact.k.p.is_zero() || exact.l.p.is_zero()
-                                           ? ZERO
-                                           : sign_of_tie(complex, e));
-    } catch (const internal::Too_many_roots&) {
-    }
-    for (long precision = 1024; precision <= largest_precision; precision *= 2) {
-      sign = multiprecision_sign(complex, e, precision);
-      if (is_certain(sign))
-        return decided(Stage::MULTIPRECISION, sign);
-    }
-    throw Undecided_error("edge " + std::to_string(e.idx()) +
-                          ": the sum of the opposite angles differs from pi by less than 2^-" +
-                          std::to_string(largest_precision) +
-                          " and cannot be proven to be pi: too many independent square roots");
+    if (straight_faces_(complex.face(h)) && straight_faces_(complex.face(g)))
+      return decided(Stage::RATIONAL,
+                     sign_of(rational_corner(complex, h), rational_corner(complex, g)));
+    return sign_by_late_stages(complex, e);
+  }
+
+  /// \brief as above, but by the unfolding alone: what is known of the flips before, as
+  /// that a face is straight in space, is not used. Not counted as a test of the algorithm.
+  Sign sign_by_unfolding(const Delta_complex& complex, Edge_index e)
+  {
+    const Stage_counts counts = counts_;
+    internal::Double_double_metric metric(correspondence_.input(), metric_, memory_);
+    const Opposite_corners corners = opposite_corners(complex, e, metric);
+    const Uncertain<Sign> sign = sign_of(corners.k, corners.l);
+    const Sign result =
+      is_certain(sign) ? get_certain(sign) : sign_by_late_stages(complex, e);
+    counts_ = counts;
+    return result;
   }
 
   /// as above, without the corners; not counted as a test of the algorithm.
@@ -144,7 +156,7 @@ public:
   Sign sign_of_area(const Delta_complex& complex, Face_index f) const
   {
     const Halfedge_index h = complex.halfedge(f);
-    Uncertain<Sign> sign = corner(complex, h).four_areas.sign();
+    Uncertain<Sign> sign = unfolded_corner(complex, h).four_areas.sign();
     for (long precision = 128; !is_certain(sign); precision *= 2) {
       internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
       sign = Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric)
@@ -262,13 +274,41 @@ public:
   /// unit of the metric. \pre `prepare()` was called; `h` is not a border halfedge
   Corner corner(const Delta_complex& complex, Halfedge_index h) const
   {
+    if (straight_faces_(complex.face(h)))
+      return straight_corner(complex, h);
+    return unfolded_corner(complex, h);
+  }
+
+private:
+  static constexpr long largest_precision = 1l << 16;
+
+  void start_straight_faces(const Delta_complex& complex)
+  {
+    if (!has_straight_faces_)
+      straight_faces_ = internal::Straight_faces(complex.number_of_faces(), metric_.points().size());
+    has_straight_faces_ = true;
+  }
+
+  Corner unfolded_corner(const Delta_complex& complex, Halfedge_index h) const
+  {
     internal::Double_double_metric metric(correspondence_.input(), metric_, memory_);
     return Unfolding<internal::Double_double_metric>(complex, correspondence_, metric)
       .opposite_corner(h);
   }
 
-private:
-  static constexpr long largest_precision = 1l << 16;
+  Corner straight_corner(const Delta_complex& complex, Halfedge_index ij) const
+  {
+    const Vertex_index i = complex.source(ij), j = complex.target(ij),
+                       k = complex.target(complex.next(ij));
+    const auto ki = internal::Straight_faces::difference<Double_double>(metric_.points(), k, i),
+               kj = internal::Straight_faces::difference<Double_double>(metric_.points(), k, j),
+               side = internal::Straight_faces::difference<Double_double>(metric_.points(), i, j);
+    const auto normal = internal::Straight_faces::cross_product(ki, kj);
+    return {internal::Straight_faces::product(ki, kj).scaled(2),
+            sqrt(internal::Straight_faces::product(normal, normal)).scaled(2),
+            internal::Straight_faces::product(ki, ki), internal::Straight_faces::product(kj, kj),
+            internal::Straight_faces::product(side, side)};
+  }
 
   template <class Metric>
   Both_corners<Metric> opposite_corners(const Delta_complex& complex, Edge_index e,
@@ -277,6 +317,34 @@ private:
     const Unfolding<Metric> unfolding(complex, correspondence_, metric);
     const Halfedge_index h = complex.halfedge(e);
     return {unfolding.opposite_corner(h), unfolding.opposite_corner(complex.opposite(h))};
+  }
+
+  Sign sign_by_late_stages(const Delta_complex& complex, Edge_index e)
+  {
+    Uncertain<Sign> sign = Uncertain<Sign>::indeterminate();
+    for (long precision : {128l, 256l, 512l}) {
+      sign = multiprecision_sign(complex, e, precision);
+      if (is_certain(sign))
+        return decided(Stage::MULTIPRECISION, sign);
+    }
+    try {
+      internal::Multiquadratic_metric field(correspondence_.input(), metric_);
+      const auto exact = opposite_corners(complex, e, field);
+      if ((exact.k.p * exact.l.four_areas + exact.l.p * exact.k.four_areas).is_zero())
+        return decided(Stage::ALGEBRAIC, exact.k.p.is_zero() || exact.l.p.is_zero()
+                                           ? ZERO
+                                           : sign_of_tie(complex, e));
+    } catch (const internal::Too_many_roots&) {
+    }
+    for (long precision = 1024; precision <= largest_precision; precision *= 2) {
+      sign = multiprecision_sign(complex, e, precision);
+      if (is_certain(sign))
+        return decided(Stage::MULTIPRECISION, sign);
+    }
+    throw Undecided_error("edge " + std::to_string(e.idx()) +
+                          ": the sum of the opposite angles differs from pi by less than 2^-" +
+                          std::to_string(largest_precision) +
+                          " and cannot be proven to be pi: too many independent square roots");
   }
 
   // The sign of cot k + cot l; a zero is only certain with both areas positive, or with
@@ -307,44 +375,36 @@ private:
     return get_certain(sign);
   }
 
-  bool has_input_faces(const Delta_complex& complex, Edge_index e) const
+  // Twice the scalar product and the square of four times the area, of a straight face.
+  struct Rational_corner
   {
-    const Normal_coordinates& n = correspondence_.coordinates();
-    const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-    for (Halfedge_index x : {h, complex.next(h), complex.prev(h), complex.next(g), complex.prev(g)})
-      if (!n.is_original(complex.edge(x)))
-        return false;
-    return true;
+    internal::Rational p;
+    internal::Rational q;
+  };
+
+  Rational_corner rational_corner(const Delta_complex& complex, Halfedge_index ij) const
+  {
+    using Rational = internal::Rational;
+    const Vertex_index i = complex.source(ij), j = complex.target(ij),
+                       k = complex.target(complex.next(ij));
+    const auto ki = internal::Straight_faces::difference<Rational>(metric_.points(), k, i),
+               kj = internal::Straight_faces::difference<Rational>(metric_.points(), k, j);
+    const auto normal = internal::Straight_faces::cross_product(ki, kj);
+    return {2 * internal::Straight_faces::product(ki, kj),
+            4 * internal::Straight_faces::product(normal, normal)};
   }
 
-  // The sign of p_k √q_l + p_l √q_k for two input faces. The current edge coincides with an
-  // input edge, which need not have the same number: it is found by its roundabout.
-  Sign rational_sign(const Delta_complex& complex, Edge_index e) const
+  // The sign of p_k √q_l + p_l √q_k.
+  static Sign sign_of(const Rational_corner& k, const Rational_corner& l)
   {
-    const Halfedge_index h = complex.halfedge(e);
-    const auto k = rational_corner(complex, h), l = rational_corner(complex, complex.opposite(h));
-    const Sign p_k = internal::sign_of(k.first), p_l = internal::sign_of(l.first);
-    const Sign term_k = l.second == 0 ? ZERO : p_k, term_l = k.second == 0 ? ZERO : p_l;
+    const Sign p_k = internal::sign_of(k.p), p_l = internal::sign_of(l.p);
+    const Sign term_k = l.q == 0 ? ZERO : p_k, term_l = k.q == 0 ? ZERO : p_l;
     if (term_k == ZERO || term_l == ZERO || term_k == term_l) {
       const Sign sum = term_k == ZERO ? term_l : term_k;
       return sum == ZERO ? tie(p_k, p_l) : sum;
     }
-    const Sign difference =
-      internal::sign_of(k.first * k.first * l.second - l.first * l.first * k.second);
+    const Sign difference = internal::sign_of(k.p * k.p * l.q - l.p * l.p * k.q);
     return difference == ZERO ? ZERO : term_k * difference;
-  }
-
-  // Twice the scalar product and the square of four times the area.
-  std::pair<internal::Rational, internal::Rational> rational_corner(const Delta_complex& complex,
-                                                                    Halfedge_index h) const
-  {
-    const Delta_complex& input = correspondence_.input();
-    const Halfedge_index ij = correspondence_.input_halfedge(
-      complex.source(h), correspondence_.coordinates().roundabout(h));
-    const auto s_ij = metric_.squared_length(input, input.edge(ij)),
-               s_jk = metric_.squared_length(input, input.edge(input.next(ij))),
-               s_ki = metric_.squared_length(input, input.edge(input.prev(ij)));
-    return {twice_scalar_product(s_jk, s_ki, s_ij), squared_four_areas(s_ij, s_jk, s_ki)};
   }
 
   Uncertain<Sign> multiprecision_sign(const Delta_complex& complex, Edge_index e,
@@ -394,6 +454,8 @@ private:
   Correspondence correspondence_;
   Input_metric metric_;
   Stage_counts counts_;
+  internal::Straight_faces straight_faces_;
+  bool has_straight_faces_ = false;
   mutable internal::Double_double_metric::Memory memory_;
 };
 

@@ -110,6 +110,8 @@ public:
   Corner opposite_corner(Halfedge_index h) const
   {
     CGAL_precondition(!complex_.is_border(h));
+    if (is_input_face(h))
+      return input_corner(h);
     const Halfedge_index ki = complex_.prev(h), kj = complex_.opposite(complex_.next(h));
     const Vertex_index k = complex_.source(ki);
     const Edge_vector u = edge_vector(ki), v = edge_vector(kj);
@@ -127,6 +129,25 @@ public:
   }
 
 private:
+  // A face whose three edges coincide with input edges is an input face.
+  bool is_input_face(Halfedge_index h) const
+  {
+    const Normal_coordinates& coordinates = correspondence_.coordinates();
+    return coordinates.is_original(complex_.edge(h)) &&
+           coordinates.is_original(complex_.edge(complex_.next(h))) &&
+           coordinates.is_original(complex_.edge(complex_.prev(h)));
+  }
+
+  Corner input_corner(Halfedge_index h) const
+  {
+    const Halfedge_index ij = correspondence_.input_halfedge(
+      complex_.source(h), correspondence_.coordinates().roundabout(h));
+    const Real s_ij = metric_.squared_length(input_.edge(ij));
+    const Real s_jk = metric_.squared_length(input_.edge(input_.next(ij)));
+    const Real s_ki = metric_.squared_length(input_.edge(input_.prev(ij)));
+    return {s_jk + s_ki - s_ij, metric_.four_areas(input_.face(ij)), s_ki, s_jk, s_ij};
+  }
+
   Real reference_length(Vertex_index v, std::int64_t reference) const
   {
     return metric_.squared_length(input_.edge(correspondence_.input_halfedge(v, reference)));

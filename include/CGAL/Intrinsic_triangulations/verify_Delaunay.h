@@ -68,7 +68,7 @@ Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
     if (!complex.is_flippable(e) || get(is_constrained, e))
       continue;
     ++result.tests;
-    const Sign sign = geometry.sign_of_cotangents(complex, e);
+    const Sign sign = geometry.sign_by_unfolding(complex, e);
     if (sign == NEGATIVE)
       result.not_Delaunay.push_back(e);
     else if (sign == ZERO)
