@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Straight_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
@@ -18,6 +19,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -85,6 +87,30 @@ public:
   /// constructs the geometry of a triangulation that has not been flipped yet.
   explicit Exact_geometry(Input_metric metric) : metric_(std::move(metric)) {}
 
+  /// \name Copies
+  /// What only speeds up queries is not copied.
+  /// @{
+  Exact_geometry(const Exact_geometry& other)
+    : correspondence_(other.correspondence_), metric_(other.metric_), counts_(other.counts_),
+      straight_faces_(other.straight_faces_), has_straight_faces_(other.has_straight_faces_)
+  {}
+  Exact_geometry(Exact_geometry&& other)
+    : correspondence_(std::move(other.correspondence_)), metric_(std::move(other.metric_)),
+      counts_(other.counts_), straight_faces_(std::move(other.straight_faces_)),
+      has_straight_faces_(other.has_straight_faces_)
+  {}
+  Exact_geometry& operator=(Exact_geometry other)
+  {
+    correspondence_ = std::move(other.correspondence_);
+    metric_ = std::move(other.metric_);
+    counts_ = other.counts_;
+    straight_faces_ = std::move(other.straight_faces_);
+    has_straight_faces_ = other.has_straight_faces_;
+    surface_.reset();
+    return *this;
+  }
+  /// @}
+
   /// returns where the input lies in the current triangulation.
   const Correspondence& correspondence() const { return correspondence_; }
   /// returns the metric of the input.
@@ -103,8 +129,11 @@ public:
   /// makes the queries below possible; as `Correspondence::prepare()`.
   void prepare(const Delta_complex& complex)
   {
+    if (surface_)
+      return;
     correspondence_.prepare(complex, Follower{*this});
     start_straight_faces(complex);
+    surface_ = std::make_unique<internal::Input_surface>(correspondence_.input(), metric_);
   }
 
   /// \brief returns the sign of `cot k + cot l` for the angles opposite to `e`, exactly.
@@ -132,7 +161,7 @@ public:
   Sign sign_by_unfolding(const Delta_complex& complex, Edge_index e)
   {
     const Stage_counts counts = counts_;
-    internal::Double_double_metric metric(correspondence_.input(), metric_, memory_);
+    internal::Double_double_metric metric(*surface_);
     const Opposite_corners corners = opposite_corners(complex, e, metric);
     const Uncertain<Sign> sign = sign_of(corners.k, corners.l);
     const Sign result =
@@ -158,12 +187,13 @@ public:
     const Halfedge_index h = complex.halfedge(f);
     Uncertain<Sign> sign = unfolded_corner(complex, h).four_areas.sign();
     for (long precision = 128; !is_certain(sign); precision *= 2) {
-      internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
+      internal::Mpfr_metric metric(*surface_, {precision});
       sign = Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric)
                .opposite_corner(h)
                .four_areas.sign();
-      if (!is_certain(sign) && precision == 512) {
-        internal::Multiquadratic_metric field(correspondence_.input(), metric_);
+      if (!is_certain(sign) && precision == 256) {
+        internal::Square_root_basis basis;
+    internal::Multiquadratic_metric field(*surface_, {basis});
         if (Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
               .opposite_corner(h)
               .four_areas.is_zero())
@@ -180,7 +210,7 @@ public:
   /// place. \pre `prepare()` was called
   double length(const Delta_complex& complex, Edge_index e) const
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_, memory_);
+    internal::Double_double_metric metric(*surface_);
     const Double_double s =
       Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);
     if (s.relative_error() < 0x1p-70) {
@@ -259,12 +289,13 @@ public:
   /// \pre `prepare()` was called
   bool has_length_zero(const Delta_complex& complex, Edge_index e) const
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_, memory_);
+    internal::Double_double_metric metric(*surface_);
     const Double_double s =
       Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);
     if (is_certain(s.sign()))
       return s.is_zero();
-    internal::Multiquadratic_metric field(correspondence_.input(), metric_);
+    internal::Square_root_basis basis;
+    internal::Multiquadratic_metric field(*surface_, {basis});
     return Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
       .squared_length(e)
       .is_zero();
@@ -291,7 +322,7 @@ private:
 
   Corner unfolded_corner(const Delta_complex& complex, Halfedge_index h) const
   {
-    internal::Double_double_metric metric(correspondence_.input(), metric_, memory_);
+    internal::Double_double_metric metric(*surface_);
     return Unfolding<internal::Double_double_metric>(complex, correspondence_, metric)
       .opposite_corner(h);
   }
@@ -300,14 +331,14 @@ private:
   {
     const Vertex_index i = complex.source(ij), j = complex.target(ij),
                        k = complex.target(complex.next(ij));
-    const auto ki = internal::Straight_faces::difference<Double_double>(metric_.points(), k, i),
-               kj = internal::Straight_faces::difference<Double_double>(metric_.points(), k, j),
-               side = internal::Straight_faces::difference<Double_double>(metric_.points(), i, j);
-    const auto normal = internal::Straight_faces::cross_product(ki, kj);
-    return {internal::Straight_faces::product(ki, kj).scaled(2),
-            sqrt(internal::Straight_faces::product(normal, normal)).scaled(2),
-            internal::Straight_faces::product(ki, ki), internal::Straight_faces::product(kj, kj),
-            internal::Straight_faces::product(side, side)};
+    const auto ki = internal::difference<Double_double>(metric_.points(), k, i),
+               kj = internal::difference<Double_double>(metric_.points(), k, j),
+               side = internal::difference<Double_double>(metric_.points(), i, j);
+    const auto normal = internal::cross_product(ki, kj);
+    return {internal::scalar_product(ki, kj).scaled(2),
+            sqrt(internal::scalar_product(normal, normal)).scaled(2),
+            internal::scalar_product(ki, ki), internal::scalar_product(kj, kj),
+            internal::scalar_product(side, side)};
   }
 
   template <class Metric>
@@ -322,13 +353,14 @@ private:
   Sign sign_by_late_stages(const Delta_complex& complex, Edge_index e)
   {
     Uncertain<Sign> sign = Uncertain<Sign>::indeterminate();
-    for (long precision : {128l, 256l, 512l}) {
+    for (long precision : {128l, 256l}) {
       sign = multiprecision_sign(complex, e, precision);
       if (is_certain(sign))
         return decided(Stage::MULTIPRECISION, sign);
     }
     try {
-      internal::Multiquadratic_metric field(correspondence_.input(), metric_);
+      internal::Square_root_basis basis;
+    internal::Multiquadratic_metric field(*surface_, {basis});
       const auto exact = opposite_corners(complex, e, field);
       if ((exact.k.p * exact.l.four_areas + exact.l.p * exact.k.four_areas).is_zero())
         return decided(Stage::ALGEBRAIC, exact.k.p.is_zero() || exact.l.p.is_zero()
@@ -336,7 +368,7 @@ private:
                                            : sign_of_tie(complex, e));
     } catch (const internal::Too_many_roots&) {
     }
-    for (long precision = 1024; precision <= largest_precision; precision *= 2) {
+    for (long precision = 512; precision <= largest_precision; precision *= 2) {
       sign = multiprecision_sign(complex, e, precision);
       if (is_certain(sign))
         return decided(Stage::MULTIPRECISION, sign);
@@ -378,39 +410,40 @@ private:
   // Twice the scalar product and the square of four times the area, of a straight face.
   struct Rational_corner
   {
-    internal::Rational p;
-    internal::Rational q;
+    internal::Exact_ring p;
+    internal::Exact_ring q;
   };
 
   Rational_corner rational_corner(const Delta_complex& complex, Halfedge_index ij) const
   {
-    using Rational = internal::Rational;
+    using Rational = internal::Exact_ring;
     const Vertex_index i = complex.source(ij), j = complex.target(ij),
                        k = complex.target(complex.next(ij));
-    const auto ki = internal::Straight_faces::difference<Rational>(metric_.points(), k, i),
-               kj = internal::Straight_faces::difference<Rational>(metric_.points(), k, j);
-    const auto normal = internal::Straight_faces::cross_product(ki, kj);
-    return {2 * internal::Straight_faces::product(ki, kj),
-            4 * internal::Straight_faces::product(normal, normal)};
+    const auto ki = internal::difference<Rational>(metric_.points(), k, i),
+               kj = internal::difference<Rational>(metric_.points(), k, j);
+    const auto normal = internal::cross_product(ki, kj);
+    return {Rational(2) * internal::scalar_product(ki, kj),
+            Rational(4) * internal::scalar_product(normal, normal)};
   }
 
   // The sign of p_k √q_l + p_l √q_k.
   static Sign sign_of(const Rational_corner& k, const Rational_corner& l)
   {
-    const Sign p_k = internal::sign_of(k.p), p_l = internal::sign_of(l.p);
-    const Sign term_k = l.q == 0 ? ZERO : p_k, term_l = k.q == 0 ? ZERO : p_l;
+    const Sign p_k = CGAL::sign(k.p), p_l = CGAL::sign(l.p);
+    const Sign term_k = CGAL::is_zero(l.q) ? ZERO : p_k, term_l = CGAL::is_zero(k.q) ? ZERO : p_l;
     if (term_k == ZERO || term_l == ZERO || term_k == term_l) {
       const Sign sum = term_k == ZERO ? term_l : term_k;
       return sum == ZERO ? tie(p_k, p_l) : sum;
     }
-    const Sign difference = internal::sign_of(k.p * k.p * l.q - l.p * l.p * k.q);
+    const Sign difference =
+      CGAL::sign(internal::Exact_ring(k.p * k.p * l.q - l.p * l.p * k.q));
     return difference == ZERO ? ZERO : term_k * difference;
   }
 
   Uncertain<Sign> multiprecision_sign(const Delta_complex& complex, Edge_index e,
                                       long precision) const
   {
-    internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
+    internal::Mpfr_metric metric(*surface_, {precision});
     const auto corners = opposite_corners(complex, e, metric);
     return sign_of(corners.k, corners.l);
   }
@@ -418,7 +451,7 @@ private:
   internal::Mpfr_interval multiprecision_squared_length(const Delta_complex& complex, Edge_index e,
                                                         long precision) const
   {
-    internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
+    internal::Mpfr_metric metric(*surface_, {precision});
     return Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric).squared_length(e);
   }
 
@@ -427,7 +460,7 @@ private:
   Sign sign_of_tie(const Delta_complex& complex, Edge_index e) const
   {
     for (long precision = 128; precision <= largest_precision; precision *= 2) {
-      internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
+      internal::Mpfr_metric metric(*surface_, {precision});
       const auto corners = opposite_corners(complex, e, metric);
       const Uncertain<Sign> k = corners.k.p.sign(), l = corners.l.p.sign();
       if (is_certain(k) && is_certain(l))
@@ -441,7 +474,7 @@ private:
                                    const Evaluate& evaluate) const
   {
     for (long precision = 128;; precision *= 2) {
-      internal::Mpfr_metric metric(correspondence_.input(), metric_, precision);
+      internal::Mpfr_metric metric(*surface_, {precision});
       const internal::Mpfr_interval x = evaluate(
         Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric).opposite_corner(h));
       const double low = x.lower_double(), high = x.upper_double();
@@ -456,7 +489,7 @@ private:
   Stage_counts counts_;
   internal::Straight_faces straight_faces_;
   bool has_straight_faces_ = false;
-  mutable internal::Double_double_metric::Memory memory_;
+  std::unique_ptr<internal::Input_surface> surface_; // refers to the members above
 };
 
 } // namespace Intrinsic_triangulations

@@ -6,18 +6,15 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/Multiquadratic.h>
-#include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/Mpfr_interval.h>
+#include <CGAL/Intrinsic_triangulations/internal/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_construction.h>
 
+#include <algorithm>
 #include <array>
-#include <cstdint>
-#include <map>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -35,7 +32,7 @@ class Input_metric
 {
 public:
   using Rational = internal::Rational;
-  using Point_vector = internal::Large_vector<std::array<double, 3>>;
+  using Point_vector = internal::Points;
 
   Input_metric() = default;
 
@@ -171,116 +168,6 @@ private:
   std::vector<double> lengths_;
   std::vector<Rational> squared_lengths_;
 };
-
-/// \cond SKIP_IN_MANUAL
-namespace internal {
-
-// The metric in double-doubles with error bounds (see Unfolding).
-class Double_double_metric
-{
-public:
-  using Real = Bounded_double_double;
-
-  // A direct-mapped cache of corner ratios: neighbouring edges cross the same triangles.
-  class Memory
-  {
-  public:
-    template <class Compute>
-    const Planar_vector<Real>& operator()(Halfedge_index h, const Compute& compute)
-    {
-      if (entries_.empty())
-        entries_.resize(size);
-      Entry& entry = entries_[h.idx() % size];
-      if (entry.halfedge != h) {
-        entry.ratio = compute();
-        entry.halfedge = h;
-      }
-      return entry.ratio;
-    }
-
-  private:
-    static constexpr std::size_t size = 4096;
-    struct Entry
-    {
-      Halfedge_index halfedge;
-      Planar_vector<Real> ratio;
-    };
-    std::vector<Entry> entries_;
-  };
-
-  Double_double_metric(const Delta_complex& input, const Input_metric& metric, Memory& memory)
-    : input_(input), metric_(metric), memory_(memory)
-  {}
-  template <class Compute>
-  const Planar_vector<Real>& remembered(Halfedge_index h, const Compute& compute)
-  {
-    return memory_(h, compute);
-  }
-  Real constant(int x) const { return Real(x); }
-  Real squared_length(Edge_index e) const { return metric_.squared_length_double_double(input_, e); }
-  Real four_areas(Face_index f) const { return metric_.four_areas_double_double(input_, f); }
-
-private:
-  const Delta_complex& input_;
-  const Input_metric& metric_;
-  Memory& memory_;
-};
-
-// The metric in multiple-precision intervals.
-class Mpfr_metric
-{
-public:
-  using Real = Mpfr_interval;
-  Mpfr_metric(const Delta_complex& input, const Input_metric& metric, long precision)
-    : input_(input), metric_(metric), precision_(precision)
-  {}
-  Real constant(int x) const { return Real(double(x), precision_); }
-  template <class Compute>
-  auto remembered(Halfedge_index, const Compute& compute) const { return compute(); }
-  Real squared_length(Edge_index e) const
-  {
-    return Real(data(metric_.squared_length(input_, e)), precision_);
-  }
-  Real four_areas(Face_index f) const
-  {
-    return sqrt(Real(data(metric_.squared_four_areas(input_, f)), precision_));
-  }
-
-private:
-  const Delta_complex& input_;
-  const Input_metric& metric_;
-  long precision_;
-};
-
-// The metric in the multiquadratic field of the roots that it is asked for.
-class Multiquadratic_metric
-{
-public:
-  using Real = Multiquadratic;
-  Multiquadratic_metric(const Delta_complex& input, const Input_metric& metric)
-    : input_(input), metric_(metric)
-  {}
-  Real constant(int x) const { return Real(&basis_, 0, Rational(x)); }
-  template <class Compute>
-  auto remembered(Halfedge_index, const Compute& compute) const { return compute(); }
-  Real squared_length(Edge_index e) const
-  {
-    return Real(&basis_, 0, metric_.squared_length(input_, e));
-  }
-  Real four_areas(Face_index f)
-  {
-    const Square_root_basis::Root root = basis_.root(metric_.squared_four_areas(input_, f));
-    return Real(&basis_, root.mask, root.coefficient);
-  }
-
-private:
-  const Delta_complex& input_;
-  const Input_metric& metric_;
-  Square_root_basis basis_;
-};
-
-} // namespace internal
-/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

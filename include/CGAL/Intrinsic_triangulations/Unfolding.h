@@ -32,9 +32,12 @@ namespace Intrinsic_triangulations {
 ///
 /// \tparam Metric gives the images in some ring of the squared length of an input edge and
 ///   of √q of an input face (four times its area): a type `Real`, members
-///   `squared_length(Edge_index)` and `four_areas(Face_index)`, `constant(int)`, and
+///   `squared_length(Edge_index)` and `four_areas(Face_index)`, `constant(int)`,
 ///   `remembered(Halfedge_index, compute)`, which returns what the last call with that
-///   halfedge did, or `compute()`.
+///   halfedge did, or `compute()`; `is_flat(Halfedge_index)`, whether the two faces of an
+///   input edge are known to lie in one plane in space, and if so,
+///   `ratio_in_plane(Halfedge_index, Vertex_index)`, the ratio of the vector from the
+///   source of a halfedge to a vertex in the plane of its face, to the halfedge.
 ///
 /// Lengths are in the unit of the metric. Cost: proportional to the number of crossings,
 /// plus that of finding their order.
@@ -73,20 +76,31 @@ public:
   {
     const Vertex_index v = complex_.source(h);
     const std::int64_t roundabout = correspondence_.coordinates().roundabout(h);
-    const Vector one = {metric_.constant(1), metric_.constant(0)};
+    const Vector zero = {metric_.constant(0), metric_.constant(0)},
+                 one = {metric_.constant(1), metric_.constant(0)};
     if (correspondence_.coordinates().is_original(complex_.edge(h)))
       return {one, roundabout};
 
     // h leaves v between the input halfedges `roundabout - 1` and `roundabout`.
     const Halfedge_index first = correspondence_.input_halfedge(v, roundabout - 1);
-    Vector right = one, left = corner_ratio(first);
+    Run run{first, zero, one, false};
+    Place right{input_.target(first), one, true}, left = unknown_apex(first);
     Halfedge_index crossed = input_.opposite(input_.next(first)); // from left to right
     const internal::Crossing_sequence sequence(complex_, correspondence_.coordinates(), h);
     const std::int64_t n = correspondence_.coordinates().number_of_crossings(complex_.edge(h));
     for (std::int64_t crossing = 0;; ++crossing) {
-      const Vector apex = left + (right - left) * corner_ratio(crossed);
-      if (crossing + 1 == n)
-        return {apex, roundabout - 1};
+      if (metric_.is_flat(crossed)) {
+        run.is_longer = true;
+      } else {
+        locate(left, run);
+        locate(right, run);
+        run = {crossed, left.position, right.position, false};
+      }
+      Place apex = unknown_apex(crossed);
+      if (crossing + 1 == n) {
+        locate(apex, run);
+        return {apex.position, roundabout - 1};
+      }
       if (sequence.turns_left(std::size_t(crossing))) {
         right = apex;
         crossed = input_.opposite(input_.prev(crossed));
@@ -120,8 +134,8 @@ public:
     const Normal_coordinates& coordinates = correspondence_.coordinates();
     const std::int64_t fan = coordinates.triangle_crossings(complex_, h).e_k +
                              (coordinates.is_original(complex_.edge(kj)) ? 1 : 0);
-    for (std::int64_t i = 0; i < fan; ++i)
-      w = w * corner_ratio(correspondence_.input_halfedge(k, u.reference + i));
+    for (std::int64_t i = 0; i < fan;)
+      w = w * fan_ratio(k, u.reference, i, fan);
     const Real s = reference_length(k, u.reference), two_s = s + s;
     const Vector z = times_conjugate(w, u.vector);
     return {two_s * z.x, two_s * z.y, s * squared_norm(u.vector), s * squared_norm(w),
@@ -151,6 +165,52 @@ private:
   Real reference_length(Vertex_index v, std::int64_t reference) const
   {
     return metric_.squared_length(input_.edge(correspondence_.input_halfedge(v, reference)));
+  }
+
+  // The input triangles of a strip since the last bent edge lie in one plane, so that a
+  // corner can be located from the first edge of the run at once, by its point in space.
+  struct Run
+  {
+    Halfedge_index base; // with the first triangle of the run to its left
+    Vector source, target; // where the base lies
+    bool is_longer; // than one triangle
+  };
+  // A corner of the strip, located when it is needed.
+  struct Place
+  {
+    Vertex_index vertex;
+    Vector position;
+    bool is_located;
+  };
+
+  Place unknown_apex(Halfedge_index h) const
+  {
+    const Vector zero = {metric_.constant(0), metric_.constant(0)};
+    return {input_.target(input_.next(h)), zero, false};
+  }
+
+  void locate(Place& place, const Run& run) const
+  {
+    if (place.is_located)
+      return;
+    place.position =
+      run.source + (run.target - run.source) * (run.is_longer
+                                                  ? metric_.ratio_in_plane(run.base, place.vertex)
+                                                  : corner_ratio(run.base));
+    place.is_located = true;
+  }
+
+  // The ratio from input halfedge i of a fan around v to the end of its flat part, to which
+  // i is advanced.
+  Vector fan_ratio(Vertex_index v, std::int64_t reference, std::int64_t& i, std::int64_t fan) const
+  {
+    const Halfedge_index base = correspondence_.input_halfedge(v, reference + i);
+    std::int64_t length = 1;
+    Halfedge_index last = correspondence_.input_halfedge(v, reference + i + 1);
+    while (i + length < fan && metric_.is_flat(last))
+      last = correspondence_.input_halfedge(v, reference + i + ++length);
+    i += length;
+    return length == 1 ? corner_ratio(base) : metric_.ratio_in_plane(base, input_.target(last));
   }
 
   // The ratio at the source of an input halfedge from it to the next counterclockwise.

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Vectors between points in space, and when two triangles lie in one plane, exactly.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLAT_GEOMETRY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLAT_GEOMETRY_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/Rational.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/Number_types/internal/Exact_type_selector.h>
+
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+using Points = Large_vector<std::array<double, 3>>;
+// Exact sums and products of doubles; no division.
+using Exact_ring = CGAL::internal::Exact_ring_selector<double>::Type;
+
+template <class FT>
+using Vector = std::array<FT, 3>;
+
+template <class FT>
+struct Difference
+{
+  FT operator()(double a, double b) const { return FT(a) - FT(b); }
+};
+template <>
+struct Difference<Bounded_double_double>
+{
+  Bounded_double_double operator()(double a, double b) const
+  {
+    return Bounded_double_double::difference(a, b);
+  }
+};
+
+template <class FT>
+Vector<FT> difference(const Points& points, Vertex_index from, Vertex_index to)
+{
+  const Difference<FT> d;
+  const std::array<double, 3>&p = points[from.idx()], &q = points[to.idx()];
+  return {d(q[0], p[0]), d(q[1], p[1]), d(q[2], p[2])};
+}
+
+template <class FT>
+FT scalar_product(const Vector<FT>& a, const Vector<FT>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class FT>
+Vector<FT> cross_product(const Vector<FT>& a, const Vector<FT>& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// A volume far above its rounding errors, which are less than 2^-48 of the product of the
+// sums of the absolute values.
+inline bool is_clearly_bent(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k,
+                            Vertex_index l)
+{
+  const auto a = difference<double>(points, i, j), b = difference<double>(points, i, k),
+             c = difference<double>(points, i, l);
+  const auto sum = [](const Vector<double>& v) {
+    return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
+  };
+  return std::abs(scalar_product(cross_product(a, b), c)) >
+         0x1p-48 * sum(a) * sum(b) * sum(c) + 1e-290;
+}
+
+// The sign of scalar_product(a × b, c × d), each vector from the same point.
+inline Sign sign_of_normals(const Points& points, Vertex_index o, Vertex_index a, Vertex_index b,
+                            Vertex_index o2, Vertex_index c, Vertex_index d)
+{
+  const auto evaluate = [&](auto zero) {
+    using FT = decltype(zero);
+    return scalar_product(
+      cross_product(difference<FT>(points, o, a), difference<FT>(points, o, b)),
+      cross_product(difference<FT>(points, o2, c), difference<FT>(points, o2, d)));
+  };
+  const Uncertain<Sign> sign = evaluate(Bounded_double_double()).sign();
+  return is_certain(sign) ? get_certain(sign) : CGAL::sign(evaluate(Exact_ring()));
+}
+
+// Whether the faces beside an edge lie in one plane, on different sides of the edge, and
+// have positive area.
+inline bool is_flat(const Delta_complex& complex, const Points& points, Halfedge_index ij)
+{
+  const Halfedge_index ji = complex.opposite(ij);
+  const Vertex_index i = complex.source(ij), j = complex.target(ij),
+                     k = complex.target(complex.next(ij)), l = complex.target(complex.next(ji));
+  if (is_clearly_bent(points, i, j, k, l))
+    return false;
+  const auto volume = [&](auto zero) {
+    using FT = decltype(zero);
+    return scalar_product(
+      cross_product(difference<FT>(points, i, j), difference<FT>(points, i, k)),
+      difference<FT>(points, i, l));
+  };
+  const Uncertain<Sign> sign = volume(Bounded_double_double()).sign();
+  if (is_certain(sign) ? get_certain(sign) != ZERO : CGAL::sign(volume(Exact_ring())) != ZERO)
+    return false;
+  return sign_of_normals(points, i, j, k, i, l, j) == POSITIVE;
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLAT_GEOMETRY_H

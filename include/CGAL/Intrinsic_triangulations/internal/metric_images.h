@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The metric of the input in the rings in which edges are unfolded (see Unfolding.h).
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_METRIC_IMAGES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_METRIC_IMAGES_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/Planar_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/Mpfr_interval.h>
+#include <CGAL/Intrinsic_triangulations/internal/Multiquadratic.h>
+#include <CGAL/Intrinsic_triangulations/internal/Rational.h>
+
+#include <CGAL/enum.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// The input as all images of its metric see it, with what they remember between calls.
+class Input_surface
+{
+public:
+  using Real = Bounded_double_double;
+
+  Input_surface(const Delta_complex& connectivity, const Input_metric& metric)
+    : connectivity_(connectivity), metric_(metric),
+      flatness_(metric.points().empty() ? 0 : connectivity.number_of_edges(), UNKNOWN),
+      ratios_(number_of_ratios)
+  {}
+
+  const Delta_complex& connectivity() const { return connectivity_; }
+  const Input_metric& metric() const { return metric_; }
+
+  // Whether the faces of an edge lie in one plane; found when first asked for.
+  bool is_flat(Halfedge_index h)
+  {
+    if (flatness_.empty())
+      return false;
+    std::uint8_t& flatness = flatness_[connectivity_.edge(h).idx()];
+    if (flatness == UNKNOWN)
+      flatness =
+        connectivity_.is_flippable(connectivity_.edge(h)) &&
+            internal::is_flat(connectivity_, metric_.points(), h)
+          ? FLAT
+          : BENT;
+    return flatness == FLAT;
+  }
+
+  // On which side of h, in the plane of its face, a vertex lies: positive on the left.
+  Sign side(Halfedge_index h, Vertex_index x) const
+  {
+    const Vertex_index i = connectivity_.source(h), j = connectivity_.target(h),
+                       k = connectivity_.target(connectivity_.next(h));
+    return sign_of_normals(metric_.points(), i, j, x, i, j, k);
+  }
+
+  // A direct-mapped cache of corner ratios: neighbouring edges cross the same triangles.
+  template <class Compute>
+  Planar_vector<Real> remembered(Halfedge_index h, const Compute& compute)
+  {
+    Ratio& entry = ratios_[h.idx() % number_of_ratios];
+    if (entry.halfedge != h) {
+      entry.ratio = compute();
+      entry.halfedge = h;
+    }
+    return entry.ratio;
+  }
+
+private:
+  enum Flatness : std::uint8_t { UNKNOWN, FLAT, BENT };
+  static constexpr std::size_t number_of_ratios = 4096;
+  struct Ratio
+  {
+    Halfedge_index halfedge;
+    Planar_vector<Real> ratio;
+  };
+
+  const Delta_complex& connectivity_;
+  const Input_metric& metric_;
+  Large_vector<std::uint8_t> flatness_;
+  std::vector<Ratio> ratios_;
+};
+
+// In double-doubles with error bounds.
+class Double_double_metric
+{
+public:
+  using Real = Bounded_double_double;
+
+  explicit Double_double_metric(Input_surface& surface) : surface_(surface) {}
+
+  Real constant(int x) const { return Real(x); }
+  Real squared_length(Edge_index e) const
+  {
+    return surface_.metric().squared_length_double_double(surface_.connectivity(), e);
+  }
+  Real four_areas(Face_index f) const
+  {
+    return surface_.metric().four_areas_double_double(surface_.connectivity(), f);
+  }
+  template <class Compute>
+  Planar_vector<Real> remembered(Halfedge_index h, const Compute& compute)
+  {
+    return surface_.remembered(h, compute);
+  }
+  bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
+  Planar_vector<Real> ratio_in_plane(Halfedge_index h, Vertex_index x) const
+  {
+    const Delta_complex& c = surface_.connectivity();
+    const Points& points = surface_.metric().points();
+    const auto u = difference<Real>(points, c.source(h), c.target(h)),
+               w = difference<Real>(points, c.source(h), x);
+    const Vector<Real> normal = cross_product(u, w);
+    const Real s = scalar_product(u, u);
+    const Real height = sqrt(scalar_product(normal, normal)) / s;
+    return {scalar_product(u, w) / s, surface_.side(h, x) == NEGATIVE ? -height : height};
+  }
+
+private:
+  Input_surface& surface_;
+};
+
+// In a ring that is given by the images of the rationals and of their square roots. What
+// is computed is remembered as long as the image lives, which is for one decision.
+template <class Image>
+class Rational_metric
+{
+public:
+  using Real = typename Image::Real;
+
+  Rational_metric(Input_surface& surface, Image image) : surface_(surface), image_(image) {}
+
+  Real constant(int x) { return image_.rational(Rational(x)); }
+  Real squared_length(Edge_index e)
+  {
+    return image_.rational(surface_.metric().squared_length(surface_.connectivity(), e));
+  }
+  Real four_areas(Face_index f)
+  {
+    return image_.root(surface_.metric().squared_four_areas(surface_.connectivity(), f));
+  }
+  template <class Compute>
+  Planar_vector<Real> remembered(Halfedge_index h, const Compute& compute)
+  {
+    const auto position = ratios_.find(h);
+    return position != ratios_.end() ? position->second : ratios_.emplace(h, compute()).first->second;
+  }
+  bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
+  Planar_vector<Real> ratio_in_plane(Halfedge_index h, Vertex_index x)
+  {
+    const Delta_complex& c = surface_.connectivity();
+    const Points& points = surface_.metric().points();
+    const auto u = difference<Rational>(points, c.source(h), c.target(h)),
+               w = difference<Rational>(points, c.source(h), x);
+    const Vector<Rational> normal = cross_product(u, w);
+    const Rational s = scalar_product(u, u);
+    const Real height = image_.root(scalar_product(normal, normal) / (s * s));
+    return {image_.rational(scalar_product(u, w) / s),
+            surface_.side(h, x) == NEGATIVE ? -height : height};
+  }
+
+private:
+  Input_surface& surface_;
+  Image image_;
+  std::unordered_map<Halfedge_index, Planar_vector<Real>> ratios_;
+};
+
+// Multiple-precision intervals.
+struct Mpfr_image
+{
+  using Real = Mpfr_interval;
+  Real rational(const Rational& x) const { return Real(data(x), precision); }
+  Real root(const Rational& x) const { return sqrt(rational(x)); }
+  long precision;
+};
+
+// The multiquadratic field of the roots that are asked for.
+struct Multiquadratic_image
+{
+  using Real = Multiquadratic;
+  Real rational(const Rational& x) const { return Real(&basis, 0, x); }
+  Real root(const Rational& x) const
+  {
+    const Square_root_basis::Root root = basis.root(x);
+    return Real(&basis, root.mask, root.coefficient);
+  }
+  Square_root_basis& basis;
+};
+
+using Mpfr_metric = Rational_metric<Mpfr_image>;
+using Multiquadratic_metric = Rational_metric<Multiquadratic_image>;
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_METRIC_IMAGES_H
