@@ -41,6 +41,7 @@ Kernel_options kernel_options(const Triangulate_options& options)
   result.number_type = *number_type;
   result.precision = options.precision;
   result.maximum_number_of_flips = options.maximum_number_of_flips;
+  result.wanted.lengths = result.wanted.numbers = !options.edges_path.empty();
   result.wanted.verification = options.is_verified;
   result.wanted.tessellation = !options.stats_path.empty();
   return result;

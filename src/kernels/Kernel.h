@@ -26,14 +26,16 @@ namespace idt {
 // What a run is to find out beside the flips; what nobody asked for costs nothing.
 struct Wanted
 {
-  bool numbers = true;         // lengths, weights, areas
-  bool crossings = true;       // where the input lies in the result
-  bool tessellation = false;   // ties and cells, of a result that is Delaunay
-  bool verification = false;   // the exact check of each edge
-  bool exact_lengths = false;  // of the edges of the result, whatever made it
+  bool weights = true;          // their summaries, before and after
+  bool lengths = true;          // of the result
+  bool numbers = true;          // weights and areas of the result
+  bool crossings = true;        // where the input lies in the result
+  bool tessellation = false;    // ties and cells, of a result that is Delaunay
+  bool verification = false;    // the exact check of each edge
+  bool exact_lengths = false;   // of the edges of the result, whatever made it
   bool wrong_decisions = false; // compares each test with the exact one
 
-  static Wanted nothing() { return {false, false, false, false, false, false}; }
+  static Wanted nothing() { return {false, false, false, false, false, false, false, false}; }
   bool needs_input() const
   {
     return crossings || tessellation || verification || exact_lengths || wrong_decisions;

@@ -247,12 +247,12 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
 
   if (wanted.needs_input() && !triangulation.keeps_input())
     triangulation.keep_input(input_metric(job.surface));
-  if (wanted.numbers) {
+  if (wanted.weights) {
     // Questions to the exact geometry change how it follows the flips, so a copy is asked.
     if constexpr (Triangulation::uses_exact_geometry)
-      outcome.weights_before = Number_collector(Triangulation(triangulation)).summary();
+      outcome.weights_before = summarize_weights(Triangulation(triangulation));
     else
-      outcome.weights_before = Number_collector(triangulation).summary();
+      outcome.weights_before = summarize_weights(triangulation);
   }
 
   if (wanted.wrong_decisions) {
@@ -265,11 +265,12 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
 
   if (wanted.needs_input())
     relate_to_input(triangulation, wanted, outcome);
-  if (wanted.numbers) {
-    Number_collector collector(triangulation);
-    outcome.weights_after = collector.summary();
-    collector.move_to(outcome);
-  }
+  if (wanted.weights)
+    outcome.weights_after = summarize_weights(triangulation);
+  if (wanted.lengths)
+    collect_lengths(triangulation, outcome);
+  if (wanted.numbers)
+    collect_weights_and_areas(triangulation, outcome);
   outcome.connectivity = triangulation.connectivity();
   return outcome;
 }
