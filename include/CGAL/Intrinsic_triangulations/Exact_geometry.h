@@ -17,8 +17,11 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -115,7 +118,7 @@ public:
   const Correspondence& correspondence() const { return correspondence_; }
   /// returns the metric of the input.
   const Input_metric& metric() const { return metric_; }
-  /// returns how the tests so far were decided.
+  /// returns how the tests that reached the exact stages were decided.
   const Stage_counts& stage_counts() const { return counts_; }
 
   /// updates the integers, before the flip of the connectivity.
@@ -124,8 +127,6 @@ public:
   {
     correspondence_.flip(complex, e, Follower{*this});
   }
-  /// notes that the filter decided a test.
-  void count_filter_decision() { ++counts_.decided[std::size_t(Stage::FILTER)]; }
   /// makes the queries below possible; as `Correspondence::prepare()`.
   void prepare(const Delta_complex& complex)
   {
@@ -244,9 +245,9 @@ public:
     if (c.four_areas.relative_error() < 0x1p-60 &&
         c.p.error() < 0x1p-60 * (std::abs(c.p.hi()) + c.four_areas.hi()))
       return value;
-    return with_increasing_precision(complex, h, [](const auto& corner) {
-      return corner.p / corner.four_areas;
-    });
+    return with_increasing_precision(
+      complex, h, [](const auto& corner) { return corner.p / corner.four_areas; },
+      [](double width, double magnitude) { return width <= 0x1p-52 * (1 + magnitude); });
   }
 
   /// returns the sum of the cotangents of the one or two angles opposite to `e`, up to
@@ -279,9 +280,13 @@ public:
     const Double_double a = corner(complex, h).four_areas;
     const double value = a.is_zero() || a.relative_error() < 0x1p-54
                            ? a.hi()
-                           : with_increasing_precision(complex, h, [](const auto& corner) {
-                               return corner.four_areas;
-                             });
+                         : sign_of_area(complex, f) == ZERO
+                           ? 0
+                           : with_increasing_precision(
+                               complex, h, [](const auto& corner) { return corner.four_areas; },
+                               [](double width, double magnitude) {
+                                 return width <= 0x1p-52 * magnitude;
+                               });
     return std::ldexp(value, 2 * metric_.unit_exponent() - 2);
   }
 
@@ -469,18 +474,22 @@ private:
     throw Undecided_error("edge " + std::to_string(e.idx()) + ": the opposite angles are too near to pi/2");
   }
 
-  template <class Evaluate>
+  // The middle of an interval that is narrow enough, as is_narrow(width, magnitude) says.
+  template <class Evaluate, class IsNarrow>
   double with_increasing_precision(const Delta_complex& complex, Halfedge_index h,
-                                   const Evaluate& evaluate) const
+                                   const Evaluate& evaluate, const IsNarrow& is_narrow) const
   {
     for (long precision = 128;; precision *= 2) {
       internal::Mpfr_metric metric(*surface_, {precision});
       const internal::Mpfr_interval x = evaluate(
         Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric).opposite_corner(h));
       const double low = x.lower_double(), high = x.upper_double();
-      if (high - low <= 0x1p-52 * std::abs(high) || (high < 0x1p-80 && low > -0x1p-80) ||
-          precision > 4096)
+      const double magnitude = (std::max)(std::abs(low), std::abs(high));
+      if (magnitude < std::numeric_limits<double>::infinity() && is_narrow(high - low, magnitude))
         return low + (high - low) / 2;
+      if (precision > largest_precision)
+        throw Undecided_error("face " + std::to_string(complex.face(h).idx()) +
+                              ": its angles cannot be computed");
     }
   }
 

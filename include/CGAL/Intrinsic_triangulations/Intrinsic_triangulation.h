@@ -19,6 +19,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -228,7 +229,18 @@ public:
     if constexpr (uses_exact_geometry)
       if (!is_certain(answer))
         return decide_and_refine(e);
+    ++number_of_filter_decisions_;
     return answer;
+  }
+
+  /// \brief returns how many calls of `test_and_refine()` each stage decided.
+  ///
+  /// With traits that use no exact geometry all are counted for the filter.
+  Stage_counts stage_counts() const
+  {
+    Stage_counts counts = uses_exact_geometry ? geometry_->stage_counts() : Stage_counts();
+    counts.decided[std::size_t(Stage::FILTER)] = number_of_filter_decisions_;
+    return counts;
   }
 
   /// \brief flips `e` if its two faces form a strictly convex quadrilateral.
@@ -329,6 +341,7 @@ private:
   internal::Large_vector<Edge_data> edges_;
   internal::Large_vector<Face_data> faces_;
   int exponent_ = 0;
+  std::uint64_t number_of_filter_decisions_ = 0;
   mutable std::optional<Exact_geometry> geometry_;
 };
 
