@@ -338,6 +338,7 @@ std::vector<Comparison_total> totals(const std::vector<Surface_comparison>& comp
       total.refused += row.was_refused();
       total.not_ended += !row.was_refused() && !row.has_ended();
       total.wrong += row.is_wrong();
+      total.unnoticed += row.is_wrong() && row.status == "done";
       add(total.wrong_decisions, row.wrong_decisions);
       add(total.not_Delaunay, row.not_Delaunay);
       add(total.inverted_faces, row.inverted_faces);

@@ -81,7 +81,8 @@ struct Comparison_total
   std::size_t surfaces = 0;
   std::size_t refused = 0;
   std::size_t not_ended = 0;
-  std::size_t wrong = 0; // surfaces whose result is wrong
+  std::size_t wrong = 0;     // surfaces whose result is wrong ...
+  std::size_t unnoticed = 0; // ... though the number type does not say so
   std::uint64_t wrong_decisions = 0;
   std::uint64_t not_Delaunay = 0;
   std::uint64_t inverted_faces = 0;

@@ -63,6 +63,7 @@ Json to_json_value(const Comparison_total& total)
           {"refused", total.refused},
           {"not_ended", total.not_ended},
           {"wrong", total.wrong},
+          {"unnoticed", total.unnoticed},
           {"wrong_decisions", total.wrong_decisions},
           {"not_delaunay", total.not_Delaunay},
           {"inverted_faces", total.inverted_faces},

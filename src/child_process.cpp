@@ -5,6 +5,7 @@
 #include "Exit_status.h"
 #include "Interruption.h"
 #include "Stopwatch.h"
+#include "temporary_folder.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -14,7 +15,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 namespace idt {
 namespace {
@@ -30,16 +34,17 @@ void write_all(int descriptor, const std::string& text)
   }
 }
 
-[[noreturn]] void be_the_child(const std::function<void(const Say_function&)>& function, int out)
+[[noreturn]] void be_the_child(const std::function<void(const Say_function&)>& function, int out,
+                               const std::string& folder)
 {
   // Not to outlive the parent, nor to share what it writes to.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int nothing = ::open("/dev/null", O_WRONLY);
   ::dup2(nothing, STDOUT_FILENO);
   ::dup2(nothing, STDERR_FILENO);
-  // CORE leaves a file of diagnostics in the current folder; in this one it cannot.
-  if (::chdir("/proc/self") != 0)
-    ::_exit(1);
+  // What it leaves when it is killed goes with this folder.
+  if (!folder.empty())
+    ::setenv("TMPDIR", folder.c_str(), 1);
   try {
     function([out](const std::string& line) { write_all(out, line + '\n'); });
   } catch (...) {
@@ -53,13 +58,14 @@ class Child
 public:
   explicit Child(const std::function<void(const Say_function&)>& function)
   {
+    folder_ = make_temporary_folder();
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0)
       fail();
     process_ = ::fork();
     if (process_ == 0) {
       ::close(ends[0]);
-      be_the_child(function, ends[1]);
+      be_the_child(function, ends[1], folder_);
     }
     const int error_number = errno;
     ::close(ends[1]);
@@ -72,7 +78,13 @@ public:
   }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
-  ~Child() { ::close(in_); }
+  ~Child()
+  {
+    ::close(in_);
+    std::error_code error;
+    if (!folder_.empty())
+      std::filesystem::remove_all(folder_, error);
+  }
 
   Child_result listen(double seconds)
   {
@@ -122,6 +134,7 @@ private:
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
 
+  std::string folder_;
   pid_t process_ = -1;
   int in_ = -1;
 };

@@ -80,13 +80,13 @@ void write(std::ostream& os, const Surface_comparison& comparison)
 void write(std::ostream& os, const std::vector<Comparison_total>& totals)
 {
   std::vector<std::vector<std::string>> lines = {
-    {"  number type", "surfaces", "refused", "not ended", "wrong", "wrong tests", "not Del.",
-     "inverted", "missing", "length error", "x double"}};
+    {"  number type", "surfaces", "refused", "not ended", "wrong", "unnoticed", "wrong tests",
+     "not Del.", "inverted", "missing", "length error", "x double"}};
   for (const Comparison_total& total : totals)
     lines.push_back({"  " + title(total.type), std::to_string(total.surfaces),
                      std::to_string(total.refused), std::to_string(total.not_ended),
-                     std::to_string(total.wrong), std::to_string(total.wrong_decisions),
-                     std::to_string(total.not_Delaunay), std::to_string(total.inverted_faces),
+                     std::to_string(total.wrong), std::to_string(total.unnoticed),
+                     std::to_string(total.wrong_decisions), std::to_string(total.not_Delaunay), std::to_string(total.inverted_faces),
                      std::to_string(total.missing_edges), cell(total.length_error),
                      cell(total.ratio_to_double)});
   os << "all together\n";
@@ -154,7 +154,8 @@ const char* const columns_help =
   "  time          to build and to flip, the median of several runs in which the number types\n"
   "                take turns; core cannot be interrupted and has one run in a process of its own\n"
   "The totals count a surface as wrong if an edge of its result is not Delaunay or missing, or\n"
-  "a face is inverted, and give the largest length error and the median of the ratios.\n"
+  "a face is inverted, and the error as unnoticed if its status is `done` all the same. They\n"
+  "give the largest length error and the median of the ratios.\n"
   "`-` stands for what is not known. The status is 0 whatever the number types do.\n";
 
 } // namespace
@@ -171,12 +172,12 @@ void add_compare_command(CLI::App& app, Selected_command& selected)
                 "what to compare, separated by commas; see `idt triangulate --help`")
     ->type_name("NT,NT,...")
     ->delimiter(',')
-    ->expected(1)
+    ->allow_extra_args(false)
     ->capture_default_str();
   command.add_option("--precisions", options->precisions, "bits at least, for each run of mpfr")
     ->type_name("BITS,BITS,...")
     ->delimiter(',')
-    ->expected(1)
+    ->allow_extra_args(false)
     ->check(CLI::Range(2, 1000000))
     ->capture_default_str();
   command

@@ -68,7 +68,7 @@ TEST_F(Compare_command, has_a_row_for_each_number_type)
   ASSERT_EQ(json["totals"].size(), 12u);
   EXPECT_EQ(keys(json["totals"][0]),
             (std::vector<std::string>{"number_type", "precision", "surfaces", "refused",
-                                      "not_ended", "wrong", "wrong_decisions", "not_delaunay",
+                                      "not_ended", "wrong", "unnoticed", "wrong_decisions", "not_delaunay",
                                       "inverted_faces", "missing_edges", "length_error",
                                       "ratio_to_double"}));
 }

@@ -291,11 +291,19 @@ TEST_F(Triangulate_command, passes_a_cap_without_area_exactly)
     if (std::set<std::string>{row[0], row[1]} == std::set<std::string>{"2", "3"}) {
       is_found = true;
       EXPECT_EQ(row[2], "2"); // the height of the large triangle
-      // Both opposite angles have the cotangent 2.
-      EXPECT_EQ(row[3], "4");
+      // Both opposite angles have the cotangent 1/2.
+      EXPECT_EQ(row[3], "1");
     }
   }
   EXPECT_TRUE(is_found);
+}
+
+TEST_F(Triangulate_command, leaves_no_diagnostics_in_the_folder)
+{
+  ASSERT_EQ(idt("sample cap -o cap.off").status, 0);
+  for (const char* number_type : {"core", "half-angle-core"})
+    EXPECT_EQ(idt(std::string("triangulate cap.off --number-type ") + number_type).status, 0);
+  EXPECT_EQ(files(), std::vector<std::string>{"cap.off"});
 }
 
 TEST_F(Triangulate_command, names_vertices_that_coincide)
@@ -303,7 +311,7 @@ TEST_F(Triangulate_command, names_vertices_that_coincide)
   write("edge.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
   const Command_run joined = idt("triangulate edge.off");
   EXPECT_EQ(joined.status, 3);
-  EXPECT_TRUE(contains(joined.err, "vertices 1 and 2")) << joined.err;
+  EXPECT_TRUE(contains(joined.err, "edge 1-2 ")) << joined.err;
   // No edge joins them, but a flip between two faces without area would.
   write("flip.off", "OFF\n4 2 0\n0 0 0\n2 0 0\n1 0 0\n1 0 0\n3 0 1 2\n3 1 0 3\n");
   const Command_run flipped = idt("triangulate flip.off");
