@@ -19,6 +19,7 @@ number type say that it cannot tell; the algorithms then report the edge and do 
 
 \cgalHasModel `CGAL::Intrinsic_triangulations::Edge_length_traits`
 \cgalHasModel `CGAL::Intrinsic_triangulations::Half_angle_traits`
+\cgalHasModel `CGAL::Intrinsic_triangulations::Filtered_edge_length_traits`
 
 \sa `IntrinsicFlipVisitor`
 */
@@ -33,14 +34,12 @@ public:
 
   It is `CopyConstructible`, `CopyAssignable`, and constructible from `int`; it has binary
   `+`, `-` and `*`, and `<` and `>`, whose values are `Boolean`.
-  `CGAL::Algebraic_structure_traits<FT>::%Is_exact` is `CGAL::Tag_true` only if each decision
-  is that of the exact numbers: then `flip_to_Delaunay()` runs without a flip budget.
   `CGAL::Real_embeddable_traits<FT>` provides `To_double`, and `To_interval` if `FT` is not a
   built-in floating-point type.
 
-  To construct a triangulation from points, `FT` has `==` as well, and is constructible from
-  the coordinates of the points, from their numerators and denominators if they are
-  rational.
+  To construct a triangulation from points, `FT` is `DefaultConstructible` and has `==` as
+  well, and is constructible from the coordinates of the points, from their numerators and
+  denominators if they are rational.
 
   For a built-in floating-point type or `CGAL::Interval_nt`, very large or small input is
   multiplied by a power of two before the functors see it.
@@ -50,11 +49,25 @@ public:
   /// `bool` or `CGAL::Uncertain<bool>`
   typedef unspecified_type Boolean;
 
-  /// what is kept for an edge; `CopyConstructible` and `CopyAssignable`
+  /// what is kept for an edge; `DefaultConstructible`, `CopyConstructible` and
+  /// `CopyAssignable`. A default constructed value is assigned to before it is read.
   typedef unspecified_type Edge_data;
 
-  /// what is kept for a face; `CopyConstructible` and `CopyAssignable`
+  /// what is kept for a face; as `Edge_data`
   typedef unspecified_type Face_data;
+
+  /// `CGAL::Tag_true` if each decision is that of exact arithmetic on the surface that the
+  /// input defines, else `CGAL::Tag_false`. With `CGAL::Tag_true`, `flip_to_Delaunay()` runs
+  /// without a flip budget.
+  typedef unspecified_type Has_exact_decisions;
+
+  /// \brief whether the triangulation is to keep its input, and to decide by it where the
+  /// answer of `Is_locally_Delaunay` is not certain.
+  ///
+  /// `CGAL::Tag_false` for a model whose answers are final. With `CGAL::Tag_true`, `FT` is
+  /// `double`, `Boolean` is `CGAL::Uncertain<bool>`, and the model has
+  /// `Construct_refined_data` and `Has_positive_area` as well.
+  typedef unspecified_type Uses_exact_geometry;
 
   /// a point in space
   typedef std::array<FT, 3> Point_data;
@@ -106,6 +119,18 @@ public:
   */
   typedef unspecified_type Construct_flipped_hinge;
 
+  /*!
+  Provides, for the number type of an exact stage, an operator that returns what is to be
+  kept for an edge of this squared length, and for a face of this area times four: `Edge_data`
+  and `Face_data` are the same type. Required only if `Uses_exact_geometry` is
+  `CGAL::Tag_true`.
+  */
+  typedef unspecified_type Construct_refined_data;
+
+  /// provides `bool operator()(const Face_data& ijk) const`: whether the area is known to be
+  /// positive. Required only if `Uses_exact_geometry` is `CGAL::Tag_true`.
+  typedef unspecified_type Has_positive_area;
+
   /// provides `FT operator()(const Edge_data& ij) const`
   typedef unspecified_type Compute_squared_length;
 
@@ -128,6 +153,8 @@ public:
   Construct_face_data construct_face_data_object() const;
   Is_locally_Delaunay is_locally_Delaunay_object() const;
   Construct_flipped_hinge construct_flipped_hinge_object() const;
+  Construct_refined_data construct_refined_data_object() const;
+  Has_positive_area has_positive_area_object() const;
   Compute_squared_length compute_squared_length_object() const;
   Compute_length compute_length_object() const;
   Compute_area compute_area_object() const;

@@ -46,7 +46,7 @@ struct Arrays
   explicit Arrays(const Delta_complex& c)
   {
     for (Halfedge_index h : c.halfedges())
-      halfedges.push_back({c.next(h), c.prev(h), c.target(h), c.face(h)});
+      halfedges.push_back({c.next(h).idx(), c.prev(h).idx(), c.target(h).idx(), c.face(h).idx()});
     for (Vertex_index v : c.vertices())
       vertices.push_back(c.halfedge(v));
     for (Face_index f : c.faces())
@@ -54,8 +54,8 @@ struct Arrays
   }
   Delta_complex complex() const { return Delta_complex(halfedges, vertices, faces); }
 
-  std::vector<Delta_complex::Halfedge> halfedges;
-  std::vector<Halfedge_index> vertices, faces;
+  Delta_complex::Halfedge_vector halfedges;
+  Delta_complex::Descriptor_vector vertices, faces;
 };
 
 Delta_complex tetrahedron()
@@ -334,20 +334,20 @@ TEST(Delta_complex, any_single_wrong_entry_is_found)
     for (std::size_t h = 0; h < arrays.halfedges.size(); ++h) {
       for (std::uint32_t value : values(c.number_of_halfedges())) {
         Arrays a = arrays;
-        a.halfedges[h].next = Halfedge_index(value);
+        a.halfedges[h].next = value;
         EXPECT_EQ(a.complex().is_valid(), a.halfedges[h].next == arrays.halfedges[h].next);
         a = arrays;
-        a.halfedges[h].prev = Halfedge_index(value);
+        a.halfedges[h].prev = value;
         EXPECT_EQ(a.complex().is_valid(), a.halfedges[h].prev == arrays.halfedges[h].prev);
       }
       for (std::uint32_t value : values(c.number_of_vertices())) {
         Arrays a = arrays;
-        a.halfedges[h].target = Vertex_index(value);
+        a.halfedges[h].target = value;
         EXPECT_EQ(a.complex().is_valid(), a.halfedges[h].target == arrays.halfedges[h].target);
       }
       for (std::uint32_t value : values(c.number_of_faces())) {
         Arrays a = arrays;
-        a.halfedges[h].face = Face_index(value);
+        a.halfedges[h].face = value;
         EXPECT_EQ(a.complex().is_valid(), a.halfedges[h].face == arrays.halfedges[h].face);
       }
     }
@@ -397,8 +397,8 @@ TEST(Delta_complex, missing_and_additional_entries_are_found)
   Arrays two = Arrays(IT::make_Delta_complex_from_triangles(6, Triangles{{0, 1, 2}, {3, 4, 5}}));
   EXPECT_TRUE(two.complex().is_valid());
   for (Delta_complex::Halfedge& h : two.halfedges)
-    if (h.target == Vertex_index(3))
-      h.target = Vertex_index(2);
+    if (h.target == 3)
+      h.target = 2;
   two.vertices[3] = Halfedge_index();
   EXPECT_FALSE(two.complex().is_valid());
 }

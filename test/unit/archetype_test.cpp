@@ -31,6 +31,7 @@ template <class Boolean_>
 class Number
 {
 public:
+  Number() = default; // without a value
   explicit Number(int i) : value_(i) {}
   explicit Number(double x) : value_(x) {}
 
@@ -47,10 +48,11 @@ private:
   double value_;
 };
 
-// Not arithmetic, not default constructible, not comparable.
+// Not arithmetic, not comparable, and by default without a value.
 class Edge
 {
 public:
+  Edge() = default;
   static Edge of(double squared) { return Edge(squared); }
   double hidden() const { return squared_; }
 
@@ -61,6 +63,7 @@ protected:
 class Face
 {
 public:
+  Face() = default;
   static Face of(double four_areas) { return Face(four_areas); }
   double hidden() const { return four_areas_; }
 
@@ -68,12 +71,11 @@ protected:
   explicit Face(double four_areas) : four_areas_(four_areas) {}
   double four_areas_;
 };
-// Flipped_hinge_data is to be default constructible, its members need not be.
 struct Flipped
 {
-  Edge kl = Edge::of(0);
-  Face ilk = Face::of(0);
-  Face jkl = Face::of(0);
+  Edge kl;
+  Face ilk;
+  Face jkl;
 };
 
 template <class Boolean_>
@@ -87,6 +89,8 @@ public:
   using Point_data = std::array<FT, 3>;
   using Hinge_data = IT::Hinge<Edge, Face>;
   using Flipped_hinge_data = Flipped;
+  using Has_exact_decisions = CGAL::Tag_false;
+  using Uses_exact_geometry = CGAL::Tag_false;
 
   explicit Traits(int) {} // not default constructible
   Traits(const Traits&) = default;
@@ -207,13 +211,6 @@ struct Nothing_is_constrained
 } // namespace archetype
 
 namespace CGAL {
-
-template <class Boolean>
-class Algebraic_structure_traits<archetype::Number<Boolean>>
-{
-public:
-  using Is_exact = Tag_false;
-};
 
 template <class Boolean>
 class Real_embeddable_traits<archetype::Number<Boolean>>

@@ -187,12 +187,12 @@ public:
   {
     const Halfedge_index h = complex.halfedge(f);
     Uncertain<Sign> sign = unfolded_corner(complex, h).four_areas.sign();
-    for (long precision = 128; !is_certain(sign); precision *= 2) {
+    for (long precision = 128; !is_certain(sign); precision *= 4) {
       internal::Mpfr_metric metric(*surface_, {precision});
       sign = Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric)
                .opposite_corner(h)
                .four_areas.sign();
-      if (!is_certain(sign) && precision == 256) {
+      if (!is_certain(sign) && precision == 2048) {
         internal::Square_root_basis basis;
     internal::Multiquadratic_metric field(*surface_, {basis});
         if (Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
@@ -207,7 +207,7 @@ public:
     return get_certain(sign);
   }
 
-  /// returns the length of `e` in the unit of the input, within 0.51 units in the last
+  /// returns the length of `e` in the unit of the input, within one unit in the last
   /// place. \pre `prepare()` was called
   double length(const Delta_complex& complex, Edge_index e) const
   {
@@ -232,8 +232,12 @@ public:
   Interval_nt<> length_interval(const Delta_complex& complex, Edge_index e) const
   {
     const internal::Mpfr_interval l = sqrt(multiprecision_squared_length(complex, e, 128));
-    return Interval_nt<>(std::ldexp(l.lower_double(), metric_.unit_exponent()),
-                         std::ldexp(l.upper_double(), metric_.unit_exponent()));
+    // Where the scaling is not exact, it is wrong by less than the next double.
+    const double low = std::ldexp(l.lower_double(), metric_.unit_exponent()),
+                 high = std::ldexp(l.upper_double(), metric_.unit_exponent());
+    if (low >= (std::numeric_limits<double>::min)())
+      return Interval_nt<>(low, high);
+    return Interval_nt<>((std::max)(0., std::nextafter(low, 0.)), std::nextafter(high, 1.));
   }
 
   /// returns the cotangent of the angle opposite to `h`, up to `2^-50 (1 + |cot|)`.
@@ -247,7 +251,7 @@ public:
       return value;
     return with_increasing_precision(
       complex, h, [](const auto& corner) { return corner.p / corner.four_areas; },
-      [](double width, double magnitude) { return width <= 0x1p-52 * (1 + magnitude); });
+      [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
   }
 
   /// returns the sum of the cotangents of the one or two angles opposite to `e`, up to
@@ -285,7 +289,7 @@ public:
                            : with_increasing_precision(
                                complex, h, [](const auto& corner) { return corner.four_areas; },
                                [](double width, double magnitude) {
-                                 return width <= 0x1p-52 * magnitude;
+                                 return width <= 0x1p-51 * magnitude;
                                });
     return std::ldexp(value, 2 * metric_.unit_exponent() - 2);
   }
@@ -358,7 +362,7 @@ private:
   Sign sign_by_late_stages(const Delta_complex& complex, Edge_index e)
   {
     Uncertain<Sign> sign = Uncertain<Sign>::indeterminate();
-    for (long precision : {128l, 256l}) {
+    for (long precision : {128l, 512l, 2048l}) {
       sign = multiprecision_sign(complex, e, precision);
       if (is_certain(sign))
         return decided(Stage::MULTIPRECISION, sign);
@@ -373,7 +377,7 @@ private:
                                            : sign_of_tie(complex, e));
     } catch (const internal::Too_many_roots&) {
     }
-    for (long precision = 512; precision <= largest_precision; precision *= 2) {
+    for (long precision = 8192; precision <= largest_precision; precision *= 2) {
       sign = multiprecision_sign(complex, e, precision);
       if (is_certain(sign))
         return decided(Stage::MULTIPRECISION, sign);
@@ -474,7 +478,8 @@ private:
     throw Undecided_error("edge " + std::to_string(e.idx()) + ": the opposite angles are too near to pi/2");
   }
 
-  // The middle of an interval that is narrow enough, as is_narrow(width, magnitude) says.
+  // The middle of an interval that is narrow enough, as is_narrow(width, magnitude) says. An
+  // interval around a double is two units in its last place wide, however high the precision.
   template <class Evaluate, class IsNarrow>
   double with_increasing_precision(const Delta_complex& complex, Halfedge_index h,
                                    const Evaluate& evaluate, const IsNarrow& is_narrow) const

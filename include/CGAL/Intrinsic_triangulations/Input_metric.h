@@ -55,7 +55,39 @@ public:
   {
     Input_metric m;
     m.squared_lengths_ = std::move(squared_lengths);
+    double largest = 0;
+    for (const Rational& s : m.squared_lengths_)
+      largest = (std::max)(largest, s.convert_to<double>());
+    m.exponent_ = internal::unit_exponent<double>(std::sqrt(largest));
+    if (m.exponent_ != 0)
+      for (Rational& s : m.squared_lengths_) {
+        const double factor = std::ldexp(1., -m.exponent_);
+        s *= Rational(factor) * Rational(factor);
+      }
     return m;
+  }
+
+  /// checks that lengths are positive and obey the triangle inequality, exactly.
+  /// \exception Invalid_surface_error if not
+  void check(const Delta_complex& input) const
+  {
+    internal::Offenders offenders;
+    for (Edge_index e : input.edges())
+      if (squared_length(input, e) <= 0)
+        offenders.add(e.idx());
+    if (offenders.count > 0)
+      throw Invalid_surface_error(internal::Defect::ZERO_LENGTH_EDGE, offenders.first,
+                                  offenders.count,
+                                  "edge " + std::to_string(offenders.first) +
+                                    " does not have a positive length" + offenders.and_more());
+    for (Face_index f : input.faces())
+      if (squared_four_areas(input, f) < 0)
+        offenders.add(f.idx());
+    if (offenders.count > 0)
+      throw Invalid_surface_error(internal::Defect::TRIANGLE_INEQUALITY, offenders.first,
+                                  offenders.count,
+                                  "the lengths of face " + std::to_string(offenders.first) +
+                                    " violate the triangle inequality" + offenders.and_more());
   }
 
   /// returns k such that one unit of this metric is `2^k` units of the input.

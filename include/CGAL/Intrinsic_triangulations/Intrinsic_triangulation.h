@@ -106,6 +106,31 @@ public:
     return t;
   }
 
+  /// \brief constructs the triangulation of a surface given by the exact squared lengths of
+  /// its edges, as those between points with rational coordinates are.
+  ///
+  /// For traits with exact geometry only.
+  /// \exception Invalid_surface_error if a squared length is not positive, or three
+  ///   violate the triangle inequality; equality is accepted. O(size) rational operations.
+  static Intrinsic_triangulation
+  from_squared_lengths(Delta_complex connectivity,
+                       std::vector<Input_metric::Rational> squared_lengths,
+                       const Traits& traits = Traits())
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    Intrinsic_triangulation t(std::move(connectivity), traits);
+    Input_metric metric = Input_metric::from_squared_lengths(std::move(squared_lengths));
+    metric.check(t.connectivity_);
+    t.exponent_ = metric.unit_exponent();
+    const auto refined = traits.construct_refined_data_object();
+    for (Edge_index e : t.connectivity_.edges())
+      t.edges_[e.idx()] = refined(metric.squared_length_double_double(t.connectivity_, e));
+    for (Face_index f : t.connectivity_.faces())
+      t.faces_[f.idx()] = refined(metric.four_areas_double_double(t.connectivity_, f));
+    t.keep_input(std::move(metric));
+    return t;
+  }
+
   /// \brief keeps the input beside the triangulation from now on: where it lies, and its
   /// exact metric.
   ///
@@ -325,7 +350,11 @@ private:
     const Halfedge_index h = connectivity_.halfedge(e);
     throw Invalid_surface_error(Invalid_surface_error::Defect::ZERO_LENGTH_EDGE,
                                 connectivity_.source(h).idx(), 1,
-                                "vertices " + std::to_string(connectivity_.source(h).idx()) +
+                                connectivity_.is_loop(e)
+                                  ? "a loop at vertex " +
+                                      std::to_string(connectivity_.source(h).idx()) +
+                                      " has length zero: the lengths leave no room there"
+                                  : "vertices " + std::to_string(connectivity_.source(h).idx()) +
                                   " and " + std::to_string(connectivity_.target(h).idx()) +
                                   " coincide on the surface, though no edge joins them; merge them first");
   }

@@ -11,33 +11,42 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// \brief a complex number, or a vector in a plane, over a ring.
 template <class Real>
-struct Planar_vector
+class Planar_vector
 {
-  Real x; ///< real part
-  Real y; ///< imaginary part
+public:
+  Planar_vector(const Real& x, const Real& y) : x_(x), y_(y) {}
+
+  /// returns the real part.
+  const Real& x() const { return x_; }
+  /// returns the imaginary part.
+  const Real& y() const { return y_; }
 
   /// returns the product of complex numbers.
   friend Planar_vector operator*(const Planar_vector& a, const Planar_vector& b)
   {
-    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+    return {a.x_ * b.x_ - a.y_ * b.y_, a.x_ * b.y_ + a.y_ * b.x_};
   }
   /// returns the sum.
   friend Planar_vector operator+(const Planar_vector& a, const Planar_vector& b)
   {
-    return {a.x + b.x, a.y + b.y};
+    return {a.x_ + b.x_, a.y_ + b.y_};
   }
   /// returns the difference.
   friend Planar_vector operator-(const Planar_vector& a, const Planar_vector& b)
   {
-    return {a.x - b.x, a.y - b.y};
+    return {a.x_ - b.x_, a.y_ - b.y_};
   }
   /// returns `a` times the conjugate of `b`.
   friend Planar_vector times_conjugate(const Planar_vector& a, const Planar_vector& b)
   {
-    return {a.x * b.x + a.y * b.y, a.y * b.x - a.x * b.y};
+    return {a.x_ * b.x_ + a.y_ * b.y_, a.y_ * b.x_ - a.x_ * b.y_};
   }
   /// returns the squared absolute value.
-  friend Real squared_norm(const Planar_vector& a) { return a.x * a.x + a.y * a.y; }
+  friend Real squared_norm(const Planar_vector& a) { return a.x_ * a.x_ + a.y_ * a.y_; }
+
+private:
+  Real x_;
+  Real y_;
 };
 
 } // namespace Intrinsic_triangulations

@@ -18,6 +18,21 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// At an input halfedge ij with the third corner k to its left, both relative to ij: the
+// vector from i to k, and the vector from k to j.
+template <class Vector>
+struct Corner_ratios
+{
+  Vector at_source;
+  Vector at_target;
+};
+
+} // namespace internal
+/// \endcond
+
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 ///
 /// \brief lengths, angles and areas of the current triangulation from the input alone.
@@ -32,12 +47,13 @@ namespace Intrinsic_triangulations {
 ///
 /// \tparam Metric gives the images in some ring of the squared length of an input edge and
 ///   of √q of an input face (four times its area): a type `Real`, members
-///   `squared_length(Edge_index)` and `four_areas(Face_index)`, `constant(int)`,
-///   `remembered(Halfedge_index, compute)`, which returns what the last call with that
-///   halfedge did, or `compute()`; `is_flat(Halfedge_index)`, whether the two faces of an
-///   input edge are known to lie in one plane in space, and if so,
-///   `ratio_in_plane(Halfedge_index, Vertex_index)`, the ratio of the vector from the
-///   source of a halfedge to a vertex in the plane of its face, to the halfedge.
+///   `squared_length(Edge_index)` and `four_areas(Face_index)`, `constant(int)`; a type
+///   `Vector` of complex numbers over it; `remembered(Halfedge_index, compute)`, which
+///   returns what the last call with that halfedge did, or `compute()`;
+///   `is_flat(Halfedge_index)`, whether the two faces of an input edge are known to lie in
+///   one plane in space, and if so, `ratio_in_plane(Halfedge_index, Vertex_index,
+///   Vertex_index)`, the ratio of the vector between two vertices in the plane of the face
+///   of a halfedge, to the halfedge.
 ///
 /// Lengths are in the unit of the metric. Cost: proportional to the number of crossings,
 /// plus that of finding their order.
@@ -46,7 +62,7 @@ class Unfolding
 {
 public:
   using Real = typename Metric::Real;
-  using Vector = Planar_vector<Real>;
+  using Vector = typename Metric::Vector;
 
   /// \brief an edge as a vector in the frame of an input halfedge: 1 is that halfedge.
   struct Edge_vector
@@ -76,38 +92,27 @@ public:
   {
     const Vertex_index v = complex_.source(h);
     const std::int64_t roundabout = correspondence_.coordinates().roundabout(h);
-    const Vector zero = {metric_.constant(0), metric_.constant(0)},
-                 one = {metric_.constant(1), metric_.constant(0)};
+    const Vector zero(metric_.constant(0), metric_.constant(0)),
+      one(metric_.constant(1), metric_.constant(0));
     if (correspondence_.coordinates().is_original(complex_.edge(h)))
       return {one, roundabout};
 
     // h leaves v between the input halfedges `roundabout - 1` and `roundabout`.
-    const Halfedge_index first = correspondence_.input_halfedge(v, roundabout - 1);
-    Run run{first, zero, one, false};
-    Place right{input_.target(first), one, true}, left = unknown_apex(first);
-    Halfedge_index crossed = input_.opposite(input_.next(first)); // from left to right
+    Run run{correspondence_.input_halfedge(v, roundabout - 1), zero, one, 1};
+    Halfedge_index crossed = input_.opposite(input_.next(run.base)); // from left to right
     const internal::Crossing_sequence sequence(complex_, correspondence_.coordinates(), h);
     const std::int64_t n = correspondence_.coordinates().number_of_crossings(complex_.edge(h));
+    bool turns_left = false;
     for (std::int64_t crossing = 0;; ++crossing) {
-      if (metric_.is_flat(crossed)) {
-        run.is_longer = true;
-      } else {
-        locate(left, run);
-        locate(right, run);
-        run = {crossed, left.position, right.position, false};
-      }
-      Place apex = unknown_apex(crossed);
-      if (crossing + 1 == n) {
-        locate(apex, run);
-        return {apex.position, roundabout - 1};
-      }
-      if (sequence.turns_left(std::size_t(crossing))) {
-        right = apex;
-        crossed = input_.opposite(input_.prev(crossed));
-      } else {
-        left = apex;
-        crossed = input_.opposite(input_.next(crossed));
-      }
+      if (metric_.is_flat(crossed))
+        ++run.length;
+      else
+        run = next_run(run, crossed, turns_left);
+      if (crossing + 1 == n)
+        return {run.source + run.vector * ratio_to(run, input_.target(input_.next(crossed))),
+                roundabout - 1};
+      turns_left = sequence.turns_left(std::size_t(crossing));
+      crossed = input_.opposite(turns_left ? input_.prev(crossed) : input_.next(crossed));
     }
   }
 
@@ -138,7 +143,7 @@ public:
       w = w * fan_ratio(k, u.reference, i, fan);
     const Real s = reference_length(k, u.reference), two_s = s + s;
     const Vector z = times_conjugate(w, u.vector);
-    return {two_s * z.x, two_s * z.y, s * squared_norm(u.vector), s * squared_norm(w),
+    return {two_s * z.x(), two_s * z.y(), s * squared_norm(u.vector), s * squared_norm(w),
             s * squared_norm(w - u.vector)};
   }
 
@@ -167,37 +172,40 @@ private:
     return metric_.squared_length(input_.edge(correspondence_.input_halfedge(v, reference)));
   }
 
-  // The input triangles of a strip since the last bent edge lie in one plane, so that a
-  // corner can be located from the first edge of the run at once, by its point in space.
+  // The input triangles of a strip since the last bent edge. They lie in one plane, so that
+  // a corner can be found from the first edge of the run at once, by its point in space.
+  //
+  // Directions are products alone and positions sums of such products: so errors add up.
   struct Run
   {
-    Halfedge_index base; // with the first triangle of the run to its left
-    Vector source, target; // where the base lies
-    bool is_longer; // than one triangle
-  };
-  // A corner of the strip, located when it is needed.
-  struct Place
-  {
-    Vertex_index vertex;
-    Vector position;
-    bool is_located;
+    Halfedge_index base; // the first edge, with the first triangle to its left
+    Vector source;       // where its source lies
+    Vector vector;       // from there to its target
+    std::int64_t length; // number of triangles
   };
 
-  Place unknown_apex(Halfedge_index h) const
+  // The ratio to the base of the vector from its source to the last corner of the run.
+  Vector ratio_to(const Run& run, Vertex_index apex) const
   {
-    const Vector zero = {metric_.constant(0), metric_.constant(0)};
-    return {input_.target(input_.next(h)), zero, false};
+    return run.length == 1 ? corner_ratios(run.base).at_source
+                           : metric_.ratio_in_plane(run.base, input_.source(run.base), apex);
   }
 
-  void locate(Place& place, const Run& run) const
+  // The run that begins with `crossed`, to which the strip turned last.
+  Run next_run(const Run& run, Halfedge_index crossed, bool turns_left) const
   {
-    if (place.is_located)
-      return;
-    place.position =
-      run.source + (run.target - run.source) * (run.is_longer
-                                                  ? metric_.ratio_in_plane(run.base, place.vertex)
-                                                  : corner_ratio(run.base));
-    place.is_located = true;
+    if (run.length == 1) {
+      const Corner_ratios ratios = corner_ratios(run.base);
+      if (turns_left) // from the source of the base to the apex
+        return {crossed, run.source, run.vector * ratios.at_source, 1};
+      return {crossed, run.source + run.vector * ratios.at_source, run.vector * ratios.at_target, 1};
+    }
+    const Vertex_index from = input_.source(run.base), left = input_.source(crossed),
+                       right = input_.target(crossed);
+    return {crossed,
+            left == from ? run.source
+                         : run.source + run.vector * metric_.ratio_in_plane(run.base, from, left),
+            run.vector * metric_.ratio_in_plane(run.base, left, right), 1};
   }
 
   // The ratio from input halfedge i of a fan around v to the end of its flat part, to which
@@ -210,22 +218,26 @@ private:
     while (i + length < fan && metric_.is_flat(last))
       last = correspondence_.input_halfedge(v, reference + i + ++length);
     i += length;
-    return length == 1 ? corner_ratio(base) : metric_.ratio_in_plane(base, input_.target(last));
+    return length == 1 ? corner_ratios(base).at_source
+                       : metric_.ratio_in_plane(base, v, input_.target(last));
   }
 
-  // The ratio at the source of an input halfedge from it to the next counterclockwise.
-  Vector corner_ratio(Halfedge_index ij) const
+  using Corner_ratios = internal::Corner_ratios<Vector>;
+
+  Corner_ratios corner_ratios(Halfedge_index ij) const
   {
-    return metric_.remembered(ij, [&] { return computed_corner_ratio(ij); });
+    return metric_.remembered(ij, [&] { return computed_corner_ratios(ij); });
   }
 
-  Vector computed_corner_ratio(Halfedge_index ij) const
+  Corner_ratios computed_corner_ratios(Halfedge_index ij) const
   {
     const Real s_ij = metric_.squared_length(input_.edge(ij));
     const Real s_jk = metric_.squared_length(input_.edge(input_.next(ij)));
     const Real s_ki = metric_.squared_length(input_.edge(input_.prev(ij)));
     const Real two_s = s_ij + s_ij;
-    return {(s_ij + s_ki - s_jk) / two_s, metric_.four_areas(input_.face(ij)) / two_s};
+    const Real height = metric_.four_areas(input_.face(ij)) / two_s;
+    return {Vector((s_ij + s_ki - s_jk) / two_s, height),
+            Vector((s_ij + s_jk - s_ki) / two_s, -height)};
   }
 
   const Delta_complex& complex_;

@@ -6,16 +6,21 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_DELAUNAY_TRIANGULATION_H
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,6 +51,51 @@ private:
   Flip_report report_;
 };
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// The squared lengths of the edges exactly, or nothing if all coordinates are doubles.
+template <class TriangleMesh, class PointMap>
+std::optional<std::vector<Rational>> rational_squared_lengths(const TriangleMesh& mesh,
+                                                              const PointMap& point_map,
+                                                              const Delta_complex& connectivity)
+{
+  std::vector<std::array<Rational, 3>> points;
+  points.reserve(connectivity.number_of_vertices());
+  bool are_doubles = true;
+  for (typename boost::graph_traits<TriangleMesh>::vertex_descriptor v : vertices(mesh)) {
+    const auto& p = get(point_map, v);
+    points.push_back({convert_number<Rational>(p.x()), convert_number<Rational>(p.y()),
+                      convert_number<Rational>(p.z())});
+    for (const Rational& x : points.back())
+      are_doubles = are_doubles && Rational(x.template convert_to<double>()) == x;
+  }
+  if (are_doubles)
+    return std::nullopt;
+  std::vector<Rational> result;
+  result.reserve(connectivity.number_of_edges());
+  for (Edge_index e : connectivity.edges()) {
+    const Halfedge_index h = connectivity.halfedge(e);
+    result.push_back(squared_distance_3(points[connectivity.source(h).idx()],
+                                        points[connectivity.target(h).idx()]));
+  }
+  return result;
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// \brief the traits that are used for points of a kernel unless others are given:
+/// `Filtered_edge_length_traits`, which need rational coordinates, or for a kernel whose
+/// number type is exact and has square roots, `Edge_length_traits` over that type.
+template <class Kernel>
+using Default_intrinsic_triangulation_traits = std::conditional_t<
+  Algebraic_structure_traits<typename Kernel::FT>::Is_exact::value &&
+    std::is_convertible<typename Algebraic_structure_traits<typename Kernel::FT>::Algebraic_category,
+                        Field_with_sqrt_tag>::value,
+  Edge_length_traits<typename Kernel::FT>, Filtered_edge_length_traits>;
+
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief copies a triangle mesh as an intrinsic triangulation, without flipping anything.
 ///
@@ -58,23 +108,35 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using Traits = typename internal_np::Lookup_named_param_def<
-    internal_np::geom_traits_t, NamedParameters, Edge_length_traits<double>>::type;
-  using FT = typename Traits::FT;
-
-  const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
   const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                           get_const_property_map(vertex_point, mesh));
+  using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
+  using Kernel = typename Kernel_traits<Point>::Kernel;
+  using Traits = typename internal_np::Lookup_named_param_def<
+    internal_np::geom_traits_t, NamedParameters,
+    Default_intrinsic_triangulation_traits<Kernel>>::type;
+  using Triangulation = Intrinsic_triangulation<Traits>;
+  const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
+
   Delta_complex connectivity = make_Delta_complex(mesh);
-  typename Intrinsic_triangulation<Traits>::Point_vector points(connectivity.number_of_vertices(),
-                                                                internal::default_init);
+  if constexpr (Triangulation::uses_exact_geometry &&
+                !std::is_floating_point<typename Kernel::FT>::value) {
+    std::optional<std::vector<Input_metric::Rational>> squared_lengths =
+      internal::rational_squared_lengths(mesh, point_map, connectivity);
+    if (squared_lengths) // some coordinate is not a double
+      return Triangulation::from_squared_lengths(std::move(connectivity),
+                                                 std::move(*squared_lengths), traits);
+  }
+  typename Triangulation::Point_vector points(connectivity.number_of_vertices(),
+                                              internal::default_init);
   auto* point = points.data();
+  using FT = typename Traits::FT;
   for (typename boost::graph_traits<TriangleMesh>::vertex_descriptor v : vertices(mesh)) {
     const auto& p = get(point_map, v);
     *point++ = {internal::convert_number<FT>(p.x()), internal::convert_number<FT>(p.y()),
                 internal::convert_number<FT>(p.z())};
   }
-  return Intrinsic_triangulation<Traits>(std::move(connectivity), std::move(points), traits);
+  return Triangulation(std::move(connectivity), std::move(points), traits);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRef
@@ -96,7 +158,7 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{the traits, which fix number type and formulas}
 ///     \cgalParamType{a model of `IntrinsicTriangulationTraits`}
-///     \cgalParamDefault{`Edge_length_traits<double>`}
+///     \cgalParamDefault{`Default_intrinsic_triangulation_traits`: exact decisions}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map, visitor, maximum_number}
 ///     \cgalParamDescription{as for `flip_to_Delaunay()`; edges are given by `Edge_index`}

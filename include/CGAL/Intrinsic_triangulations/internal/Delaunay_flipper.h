@@ -124,9 +124,11 @@ private:
     switch (triangulation_.flip(e)) {
     case Flip_outcome::FLIPPED:
       ++report_.flips;
-      if constexpr (!Triangulation::Traits::Has_exact_decisions::value)
-        if (!possibly(triangulation_.is_locally_Delaunay(e)))
-          report_.inconsistent.push_back(e);
+      if constexpr (!Triangulation::Traits::Has_exact_decisions::value) {
+        const auto is_mended = triangulation_.is_locally_Delaunay(e);
+        if (!certainly(is_mended))
+          (possibly(is_mended) ? report_.undecided : report_.inconsistent).push_back(e);
+      }
       push_surrounding_edges(e);
       unwrapped_visitor().after_flip(e);
       break;

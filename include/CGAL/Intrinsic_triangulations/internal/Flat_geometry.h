@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -27,7 +28,7 @@ using Points = Large_vector<std::array<double, 3>>;
 using Exact_ring = CGAL::internal::Exact_ring_selector<double>::Type;
 
 template <class FT>
-using Vector = std::array<FT, 3>;
+using Vector_3 = std::array<FT, 3>;
 
 template <class FT>
 struct Difference
@@ -44,7 +45,7 @@ struct Difference<Bounded_double_double>
 };
 
 template <class FT>
-Vector<FT> difference(const Points& points, Vertex_index from, Vertex_index to)
+Vector_3<FT> difference(const Points& points, Vertex_index from, Vertex_index to)
 {
   const Difference<FT> d;
   const std::array<double, 3>&p = points[from.idx()], &q = points[to.idx()];
@@ -52,13 +53,13 @@ Vector<FT> difference(const Points& points, Vertex_index from, Vertex_index to)
 }
 
 template <class FT>
-FT scalar_product(const Vector<FT>& a, const Vector<FT>& b)
+FT scalar_product(const Vector_3<FT>& a, const Vector_3<FT>& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 template <class FT>
-Vector<FT> cross_product(const Vector<FT>& a, const Vector<FT>& b)
+Vector_3<FT> cross_product(const Vector_3<FT>& a, const Vector_3<FT>& b)
 {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -70,22 +71,22 @@ inline bool is_clearly_bent(const Points& points, Vertex_index i, Vertex_index j
 {
   const auto a = difference<double>(points, i, j), b = difference<double>(points, i, k),
              c = difference<double>(points, i, l);
-  const auto sum = [](const Vector<double>& v) {
+  const auto sum = [](const Vector_3<double>& v) {
     return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
   };
   return std::abs(scalar_product(cross_product(a, b), c)) >
          0x1p-48 * sum(a) * sum(b) * sum(c) + 1e-290;
 }
 
-// The sign of scalar_product(a × b, c × d), each vector from the same point.
-inline Sign sign_of_normals(const Points& points, Vertex_index o, Vertex_index a, Vertex_index b,
-                            Vertex_index o2, Vertex_index c, Vertex_index d)
+// The sign of scalar_product(a × b, c × d) for vectors from one vertex to another.
+using Vertex_pair = std::pair<Vertex_index, Vertex_index>;
+inline Sign sign_of_normals(const Points& points, Vertex_pair a, Vertex_pair b, Vertex_pair c,
+                            Vertex_pair d)
 {
   const auto evaluate = [&](auto zero) {
     using FT = decltype(zero);
-    return scalar_product(
-      cross_product(difference<FT>(points, o, a), difference<FT>(points, o, b)),
-      cross_product(difference<FT>(points, o2, c), difference<FT>(points, o2, d)));
+    const auto vector = [&](Vertex_pair v) { return difference<FT>(points, v.first, v.second); };
+    return scalar_product(cross_product(vector(a), vector(b)), cross_product(vector(c), vector(d)));
   };
   const Uncertain<Sign> sign = evaluate(Bounded_double_double()).sign();
   return is_certain(sign) ? get_certain(sign) : CGAL::sign(evaluate(Exact_ring()));
@@ -109,7 +110,7 @@ inline bool is_flat(const Delta_complex& complex, const Points& points, Halfedge
   const Uncertain<Sign> sign = volume(Bounded_double_double()).sign();
   if (is_certain(sign) ? get_certain(sign) != ZERO : CGAL::sign(volume(Exact_ring())) != ZERO)
     return false;
-  return sign_of_normals(points, i, j, k, i, l, j) == POSITIVE;
+  return sign_of_normals(points, {i, j}, {i, k}, {i, l}, {i, j}) == POSITIVE;
 }
 
 } // namespace internal

@@ -130,6 +130,23 @@ public:
     return r;
   }
 
+  // For what is built on top: sets the interval to [0, upper end of x], ...
+  void set_upper(const Mpfr_interval& x)
+  {
+    mpfr_set_zero(lower_, 1);
+    mpfr_set(upper_, x.upper_, MPFR_RNDU);
+  }
+  // ... to [−upper end, upper end], ...
+  void make_symmetric() { mpfr_neg(lower_, upper_, MPFR_RNDD); }
+  // ... or to its lower end; returns what that cuts off, as [0, width].
+  Mpfr_interval collapse_to_lower()
+  {
+    Mpfr_interval width(precision());
+    mpfr_sub(width.upper_, upper_, lower_, MPFR_RNDU);
+    mpfr_set(upper_, lower_, MPFR_RNDU);
+    return width;
+  }
+
   // NaN, which only an overflow of the exponent range could make, gives no sign.
   Uncertain<Sign> sign() const
   {

@@ -88,8 +88,8 @@ public:
   const Integer& generator(std::size_t i) const { return generators_[i]; }
 
 private:
-  static constexpr std::size_t maximum_size = 14;
-  static constexpr std::size_t number_of_primes = 64;
+  static constexpr std::size_t maximum_size = 31; // bits of a mask
+  static constexpr std::size_t number_of_primes = 128;
   using Characters = std::bitset<number_of_primes>;
 
   // A reduced vector of symbols and the generators that it combines.
@@ -191,7 +191,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t maximum_number_of_products = 1 << 14;
+  static constexpr std::size_t maximum_number_of_products = 1 << 19;
 
   void add(std::uint32_t mask, const Rational& coefficient)
   {

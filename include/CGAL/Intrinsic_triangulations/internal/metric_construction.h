@@ -38,15 +38,16 @@ template <class FT>
 constexpr bool has_small_exponent_range = std::is_floating_point<typename Machine_type<FT>::type>::value;
 
 // Products of two squared lengths occur, and differences of such products matter down to
-// their rounding: lengths up to 2^(a tenth of the largest exponent) stay far from over-
-// and underflow.
+// their rounding: lengths up to 2^(a tenth of the largest exponent) stay far from over- and
+// underflow. Larger ones are made that small, and no smaller, so that what is small beside
+// them keeps all its bits if it can.
 template <class FT>
 int unit_exponent(double largest)
 {
   if constexpr (has_small_exponent_range<FT>) {
     const int limit = std::numeric_limits<typename Machine_type<FT>::type>::max_exponent / 10;
     const int exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
-    return exponent > limit || exponent < -limit ? exponent : 0;
+    return exponent > limit ? exponent - limit : exponent < -limit ? exponent + limit : 0;
   } else {
     return 0;
   }
@@ -90,6 +91,30 @@ struct Offenders
   std::size_t count = 0;
 };
 
+// Multiplies by a power of two, and returns whether that was exact.
+template <class FT>
+bool scale(FT& x, int exponent)
+{
+  const FT scaled = times_power_of_two(x, exponent);
+  const FT back = times_power_of_two(scaled, -exponent);
+  bool is_exact;
+  if constexpr (std::is_floating_point<FT>::value || !has_small_exponent_range<FT>)
+    is_exact = back == x;
+  else
+    is_exact = back.is_same(x);
+  x = scaled;
+  return is_exact;
+}
+
+inline void throw_if_underflow(const char* what, const Offenders& offenders)
+{
+  if (offenders.count > 0)
+    throw Invalid_surface_error(Defect::OUT_OF_RANGE, offenders.first, offenders.count,
+                                what + std::to_string(offenders.first) +
+                                  " underflows beside the size of the surface: the range of the "
+                                  "number type does not hold both" + offenders.and_more());
+}
+
 // Is zero for finite numbers and NaN otherwise, and needs no branch. An exact number may be
 // finite and still beyond double, where scaling cannot help either.
 inline double zero_if_finite(double x) { return x - x; }
@@ -132,10 +157,17 @@ int normalize_points(PointVector& points)
     if (high[i] > low[i])
       largest = (std::max)(largest, high[i] / 2 - low[i] / 2);
   const int exponent = unit_exponent<FT>(largest);
-  if (exponent != 0)
-    for (std::array<FT, 3>& p : points)
-      for (FT& x : p)
-        x = times_power_of_two(x, -exponent);
+  if (exponent == 0)
+    return 0;
+  Offenders offenders;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    bool is_exact = true;
+    for (FT& x : points[v])
+      is_exact &= scale(x, -exponent);
+    if (!is_exact)
+      offenders.add(v);
+  }
+  throw_if_underflow("a coordinate of vertex ", offenders);
   return exponent;
 }
 
@@ -155,9 +187,12 @@ int normalize_lengths(std::vector<FT>& lengths)
                                 "the length of edge " + std::to_string(offenders.first) +
                                   " is not a positive finite number" + offenders.and_more());
   const int exponent = unit_exponent<FT>(largest);
-  if (exponent != 0)
-    for (FT& l : lengths)
-      l = times_power_of_two(l, -exponent);
+  if (exponent == 0)
+    return 0;
+  for (std::size_t e = 0; e < lengths.size(); ++e)
+    if (!scale(lengths[e], -exponent))
+      offenders.add(e);
+  throw_if_underflow("the length of edge ", offenders);
   return exponent;
 }
 

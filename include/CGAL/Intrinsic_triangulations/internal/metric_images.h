@@ -8,8 +8,11 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Planar_vector.h>
+#include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/Double_double_disk.h>
 #include <CGAL/Intrinsic_triangulations/internal/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/Mpfr_disk.h>
 #include <CGAL/Intrinsic_triangulations/internal/Mpfr_interval.h>
 #include <CGAL/Intrinsic_triangulations/internal/Multiquadratic.h>
 #include <CGAL/Intrinsic_triangulations/internal/Rational.h>
@@ -29,8 +32,6 @@ namespace internal {
 class Input_surface
 {
 public:
-  using Real = Bounded_double_double;
-
   Input_surface(const Delta_complex& connectivity, const Input_metric& metric)
     : connectivity_(connectivity), metric_(metric),
       flatness_(metric.points().empty() ? 0 : connectivity.number_of_edges(), UNKNOWN),
@@ -55,39 +56,39 @@ public:
     return flatness == FLAT;
   }
 
-  // On which side of h, in the plane of its face, a vertex lies: positive on the left.
-  Sign side(Halfedge_index h, Vertex_index x) const
+  // Whether a vector in the plane of the face of h points to the left of h or to the right.
+  Sign side(Halfedge_index h, Vertex_index from, Vertex_index to) const
   {
     const Vertex_index i = connectivity_.source(h), j = connectivity_.target(h),
                        k = connectivity_.target(connectivity_.next(h));
-    return sign_of_normals(metric_.points(), i, j, x, i, j, k);
+    return sign_of_normals(metric_.points(), {i, j}, {from, to}, {i, j}, {i, k});
   }
 
   // A direct-mapped cache of corner ratios: neighbouring edges cross the same triangles.
   template <class Compute>
-  Planar_vector<Real> remembered(Halfedge_index h, const Compute& compute)
+  const Corner_ratios<Double_double_disk>& remembered(Halfedge_index h, const Compute& compute)
   {
-    Ratio& entry = ratios_[h.idx() % number_of_ratios];
+    Entry& entry = ratios_[h.idx() % number_of_ratios];
     if (entry.halfedge != h) {
-      entry.ratio = compute();
+      entry.ratios = compute();
       entry.halfedge = h;
     }
-    return entry.ratio;
+    return entry.ratios;
   }
 
 private:
   enum Flatness : std::uint8_t { UNKNOWN, FLAT, BENT };
   static constexpr std::size_t number_of_ratios = 4096;
-  struct Ratio
+  struct Entry
   {
     Halfedge_index halfedge;
-    Planar_vector<Real> ratio;
+    Corner_ratios<Double_double_disk> ratios;
   };
 
   const Delta_complex& connectivity_;
   const Input_metric& metric_;
   Large_vector<std::uint8_t> flatness_;
-  std::vector<Ratio> ratios_;
+  std::vector<Entry> ratios_;
 };
 
 // In double-doubles with error bounds.
@@ -95,6 +96,7 @@ class Double_double_metric
 {
 public:
   using Real = Bounded_double_double;
+  using Vector = Double_double_disk;
 
   explicit Double_double_metric(Input_surface& surface) : surface_(surface) {}
 
@@ -108,21 +110,21 @@ public:
     return surface_.metric().four_areas_double_double(surface_.connectivity(), f);
   }
   template <class Compute>
-  Planar_vector<Real> remembered(Halfedge_index h, const Compute& compute)
+  const Corner_ratios<Vector>& remembered(Halfedge_index h, const Compute& compute)
   {
     return surface_.remembered(h, compute);
   }
   bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
-  Planar_vector<Real> ratio_in_plane(Halfedge_index h, Vertex_index x) const
+  Vector ratio_in_plane(Halfedge_index h, Vertex_index from, Vertex_index to) const
   {
     const Delta_complex& c = surface_.connectivity();
     const Points& points = surface_.metric().points();
     const auto u = difference<Real>(points, c.source(h), c.target(h)),
-               w = difference<Real>(points, c.source(h), x);
-    const Vector<Real> normal = cross_product(u, w);
+               w = difference<Real>(points, from, to);
+    const auto normal = cross_product(u, w);
     const Real s = scalar_product(u, u);
     const Real height = sqrt(scalar_product(normal, normal)) / s;
-    return {scalar_product(u, w) / s, surface_.side(h, x) == NEGATIVE ? -height : height};
+    return {scalar_product(u, w) / s, surface_.side(h, from, to) == NEGATIVE ? -height : height};
   }
 
 private:
@@ -136,6 +138,7 @@ class Rational_metric
 {
 public:
   using Real = typename Image::Real;
+  using Vector = typename Image::Vector;
 
   Rational_metric(Input_surface& surface, Image image) : surface_(surface), image_(image) {}
 
@@ -149,35 +152,36 @@ public:
     return image_.root(surface_.metric().squared_four_areas(surface_.connectivity(), f));
   }
   template <class Compute>
-  Planar_vector<Real> remembered(Halfedge_index h, const Compute& compute)
+  const Corner_ratios<Vector>& remembered(Halfedge_index h, const Compute& compute)
   {
     const auto position = ratios_.find(h);
     return position != ratios_.end() ? position->second : ratios_.emplace(h, compute()).first->second;
   }
   bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
-  Planar_vector<Real> ratio_in_plane(Halfedge_index h, Vertex_index x)
+  Vector ratio_in_plane(Halfedge_index h, Vertex_index from, Vertex_index to)
   {
     const Delta_complex& c = surface_.connectivity();
     const Points& points = surface_.metric().points();
     const auto u = difference<Rational>(points, c.source(h), c.target(h)),
-               w = difference<Rational>(points, c.source(h), x);
-    const Vector<Rational> normal = cross_product(u, w);
+               w = difference<Rational>(points, from, to);
+    const auto normal = cross_product(u, w);
     const Rational s = scalar_product(u, u);
     const Real height = image_.root(scalar_product(normal, normal) / (s * s));
     return {image_.rational(scalar_product(u, w) / s),
-            surface_.side(h, x) == NEGATIVE ? -height : height};
+            surface_.side(h, from, to) == NEGATIVE ? -height : height};
   }
 
 private:
   Input_surface& surface_;
   Image image_;
-  std::unordered_map<Halfedge_index, Planar_vector<Real>> ratios_;
+  std::unordered_map<Halfedge_index, Corner_ratios<Vector>> ratios_;
 };
 
 // Multiple-precision intervals.
 struct Mpfr_image
 {
   using Real = Mpfr_interval;
+  using Vector = Mpfr_disk;
   Real rational(const Rational& x) const { return Real(data(x), precision); }
   Real root(const Rational& x) const { return sqrt(rational(x)); }
   long precision;
@@ -187,6 +191,7 @@ struct Mpfr_image
 struct Multiquadratic_image
 {
   using Real = Multiquadratic;
+  using Vector = Planar_vector<Real>;
   Real rational(const Rational& x) const { return Real(&basis, 0, x); }
   Real root(const Rational& x) const
   {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Everything in the package that depends on the LGPL parts of CGAL alone. The adaptors for
+// Surface_mesh are in CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h (GPL).
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_H
+
+#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
+#include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Mpfr_float.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/graph_traits_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/mollify.h>
+#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+#include <CGAL/Intrinsic_triangulations/validate_triangles.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_H

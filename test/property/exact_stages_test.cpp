@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Each stage of the exact Delaunay test decides something here, and decides it rightly: the
+// verification, which takes the unfolding alone, and the tessellation agree.
+
+#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <thread>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+
+Triangulation make_Delaunay(const IT::Indexed_triangles& surface)
+{
+  Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
+                  surface.points);
+  EXPECT_EQ(IT::flip_to_Delaunay(t).status, IT::Flip_status::DELAUNAY);
+  return t;
+}
+
+void expect_agreement(const Triangulation& t)
+{
+  const IT::Delaunay_verification verification = IT::verify_Delaunay(t);
+  EXPECT_TRUE(verification.is_Delaunay());
+  const IT::Delaunay_tessellation tessellation(t);
+  std::size_t ties = 0;
+  for (IT::Edge_index e : t.connectivity().edges())
+    ties += tessellation.is_tie(e);
+  EXPECT_EQ(ties, verification.ties);
+}
+
+TEST(Exact_stages, the_filter_decides_nearly_all_of_an_ordinary_surface)
+{
+  const Triangulation t = make_Delaunay(IT::bumpy_sphere());
+  const IT::Stage_counts counts = t.stage_counts();
+  EXPECT_GT(counts[IT::Stage::FILTER], 15000u);
+  EXPECT_LT(counts[IT::Stage::UNFOLDING], 100u);
+  expect_agreement(t);
+}
+
+TEST(Exact_stages, double_doubles_decide_near_ties)
+{
+  const Triangulation t = make_Delaunay(IT::random_diagonal_grid(30, 30, 1, 1));
+  EXPECT_GT(t.stage_counts()[IT::Stage::UNFOLDING], 100u);
+  expect_agreement(t);
+}
+
+TEST(Exact_stages, double_doubles_see_exact_zeros_of_few_bits)
+{
+  const Triangulation t = make_Delaunay(IT::random_diagonal_grid(30, 30, 1, 0));
+  EXPECT_EQ(t.stage_counts().ties, 900u);
+  EXPECT_EQ(IT::Delaunay_tessellation(t).number_of_cells(), 900u);
+  expect_agreement(t);
+}
+
+TEST(Exact_stages, rational_arithmetic_decides_ties_of_straight_faces)
+{
+  const Triangulation t = make_Delaunay(IT::prism(100));
+  EXPECT_GT(t.stage_counts()[IT::Stage::RATIONAL] + t.stage_counts()[IT::Stage::UNFOLDING], 0u);
+  EXPECT_GE(IT::verify_Delaunay(t).ties, 100u); // the rectangles of the side
+  expect_agreement(t);
+}
+
+// Coordinates of very different magnitude: a double-double does not hold what they differ by.
+TEST(Exact_stages, multiple_precision_decides_where_magnitudes_differ)
+{
+  IT::Indexed_triangles surface = IT::torus(4, 3);
+  for (auto& p : surface.points)
+    p[0] = std::ldexp(p[0], 60);
+  const Triangulation t = make_Delaunay(surface);
+  EXPECT_GT(t.stage_counts()[IT::Stage::MULTIPRECISION], 0u);
+  expect_agreement(t);
+}
+
+TEST(Exact_stages, the_multiquadratic_field_proves_ties_across_bent_edges)
+{
+  const Triangulation t = make_Delaunay(IT::pillow(60));
+  EXPECT_GT(t.stage_counts()[IT::Stage::ALGEBRAIC], 0u);
+  EXPECT_GE(IT::verify_Delaunay(t).ties, t.stage_counts()[IT::Stage::ALGEBRAIC] > 0 ? 1u : 0u);
+  expect_agreement(t);
+}
+
+TEST(Exact_stages, triangulations_in_two_threads_do_not_meet)
+{
+  const auto work = [] {
+    expect_agreement(make_Delaunay(IT::pillow(40)));
+    expect_agreement(make_Delaunay(IT::prism(40, 1)));
+  };
+  std::thread other(work);
+  work();
+  other.join();
+}
+
+} // namespace

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The front door: every kind of mesh and kernel leads to the same triangulation, and each
+// named parameter arrives.
+
+#include "property/flip_test_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/core/ref.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace test_surfaces;
+using Double_traits = IT::Edge_length_traits<double>;
+
+template <class Kernel_, class Mesh_>
+struct Input
+{
+  using Kernel = Kernel_;
+  using Mesh = Mesh_;
+};
+template <class Kernel>
+using Surface_mesh_of = Input<Kernel, CGAL::Surface_mesh<typename Kernel::Point_3>>;
+template <class Kernel>
+using Polyhedron_of = Input<Kernel, CGAL::Polyhedron_3<Kernel>>;
+
+using Inexact = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+using Exact_with_sqrt = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt;
+using Cartesian = CGAL::Simple_cartesian<double>;
+using Inputs =
+  testing::Types<Surface_mesh_of<Inexact>, Surface_mesh_of<Exact>, Surface_mesh_of<Exact_with_sqrt>,
+                 Surface_mesh_of<Cartesian>, Polyhedron_of<Inexact>, Polyhedron_of<Exact>,
+                 Polyhedron_of<Exact_with_sqrt>, Polyhedron_of<Cartesian>>;
+
+template <class Input>
+typename Input::Mesh mesh_of(const IT::Indexed_triangles& triangles)
+{
+  std::vector<typename Input::Kernel::Point_3> points;
+  for (const std::array<double, 3>& p : triangles.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  std::vector<std::vector<std::size_t>> polygons;
+  for (const auto& t : triangles.triangles)
+    polygons.push_back({t[0], t[1], t[2]});
+  typename Input::Mesh mesh;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, polygons, mesh);
+  return mesh;
+}
+
+const IT::Indexed_triangles& sphere()
+{
+  static const IT::Indexed_triangles triangles = IT::bumpy_sphere(20, 11);
+  return triangles;
+}
+
+// The reference, which needs no mesh and no kernel.
+std::vector<Edge_record> expected_edges(const IT::Indexed_triangles& triangles)
+{
+  IT::Intrinsic_triangulation<Double_traits> t(
+    IT::make_Delta_complex_from_triangles(triangles.points.size(), triangles.triangles),
+    triangles.points);
+  IT::flip_to_Delaunay(t);
+  return edge_records(t);
+}
+
+template <class Input>
+class Mesh_input : public testing::Test {};
+TYPED_TEST_SUITE(Mesh_input, Inputs);
+
+struct Counter
+{
+  bool go_further(std::uint64_t tests, std::uint64_t) { return tests < limit; }
+  void after_flip(IT::Edge_index) { ++flips; }
+  std::uint64_t limit = 1000000;
+  std::uint64_t flips = 0;
+};
+
+} // namespace
+
+TYPED_TEST(Mesh_input, leads_to_the_same_triangulation)
+{
+  const auto mesh = mesh_of<TypeParam>(sphere());
+  const auto t = IT::intrinsic_delaunay_triangulation(
+    mesh, CGAL::parameters::geom_traits(Double_traits()));
+  EXPECT_EQ(t.report().status, IT::Flip_status::DELAUNAY);
+  EXPECT_GT(t.report().flips, 100u);
+  EXPECT_TRUE(are_same_edges(edge_records(t), expected_edges(sphere()), 1e-12));
+
+  const auto filtered = IT::intrinsic_delaunay_triangulation(
+    mesh, CGAL::parameters::geom_traits(IT::Filtered_edge_length_traits()));
+  EXPECT_TRUE(are_same_edges(edge_records(filtered), expected_edges(sphere()), 1e-12));
+
+  // Elements keep the numbers that they have in the mesh.
+  const auto unflipped = IT::intrinsic_triangulation(mesh);
+  const IT::Delta_complex& c = unflipped.connectivity();
+  std::vector<typename TypeParam::Kernel::Point_3> points;
+  for (auto v : vertices(mesh))
+    points.push_back(get(CGAL::vertex_point, mesh, v));
+  IT::Edge_index e(0);
+  for (auto edge : edges(mesh)) {
+    const auto p = get(CGAL::vertex_point, mesh, source(edge, mesh)),
+               q = get(CGAL::vertex_point, mesh, target(edge, mesh));
+    EXPECT_EQ(points[c.source(c.halfedge(e)).idx()], p);
+    EXPECT_EQ(points[c.target(c.halfedge(e)).idx()], q);
+    EXPECT_NEAR(unflipped.squared_length(e), CGAL::to_double(CGAL::squared_distance(p, q)), 1e-15);
+    e = IT::Edge_index(e.idx() + 1);
+  }
+  EXPECT_EQ(e.idx(), c.number_of_edges());
+}
+
+TYPED_TEST(Mesh_input, helical_tube_has_58_loops)
+{
+  const auto t = IT::intrinsic_delaunay_triangulation(mesh_of<TypeParam>(IT::helical_tube()));
+  const IT::Delta_complex& c = t.connectivity();
+  EXPECT_EQ(t.report().status, IT::Flip_status::DELAUNAY);
+  EXPECT_TRUE(c.is_valid(true));
+  ASSERT_EQ(c.number_of_edges(), 174u);
+  int loops = 0, self_glued = 0;
+  for (IT::Edge_index e : c.edges()) {
+    loops += c.is_loop(e);
+    self_glued += c.is_self_glued(e);
+    EXPECT_TRUE(t.is_locally_Delaunay(e));
+    EXPECT_GE(t.cotangent_weight(e), 0);
+  }
+  EXPECT_EQ(loops, 58);
+  EXPECT_EQ(self_glued, 2);
+}
+
+TYPED_TEST(Mesh_input, vertex_point_map_is_used)
+{
+  auto mesh = mesh_of<TypeParam>(sphere());
+  using Point = typename TypeParam::Kernel::Point_3;
+  using Vertex = typename boost::graph_traits<typename TypeParam::Mesh>::vertex_descriptor;
+  // The mesh's own points are no surface at all.
+  std::map<Vertex, Point> points;
+  for (auto v : vertices(mesh)) {
+    points.emplace(v, get(CGAL::vertex_point, mesh, v));
+    put(CGAL::vertex_point, mesh, v, Point(0, 0, 0));
+  }
+  EXPECT_THROW(IT::intrinsic_delaunay_triangulation(mesh), IT::Invalid_surface_error);
+  const auto t = IT::intrinsic_delaunay_triangulation(
+    mesh, CGAL::parameters::vertex_point_map(
+            boost::make_function_property_map<Vertex>([&](Vertex v) { return points.at(v); })));
+  EXPECT_TRUE(are_same_edges(edge_records(t), expected_edges(sphere()), 1e-12));
+}
+
+TYPED_TEST(Mesh_input, visitor_constraints_and_budget_arrive)
+{
+  using CGAL::parameters::visitor;
+  const auto mesh = mesh_of<TypeParam>(sphere());
+  Counter by_reference, by_value, by_boost_reference;
+  const auto t = IT::intrinsic_delaunay_triangulation(mesh, visitor(std::ref(by_reference)));
+  EXPECT_EQ(by_reference.flips, t.report().flips);
+  IT::intrinsic_delaunay_triangulation(mesh, visitor(boost::ref(by_boost_reference)));
+  EXPECT_EQ(by_boost_reference.flips, t.report().flips);
+  IT::intrinsic_delaunay_triangulation(mesh, visitor(by_value));
+  EXPECT_EQ(by_value.flips, 0u); // a copy was told
+  by_value.limit = 7;
+  const auto cancelled = IT::intrinsic_delaunay_triangulation(mesh, visitor(by_value));
+  EXPECT_EQ(cancelled.report().status, IT::Flip_status::CANCELLED);
+  EXPECT_EQ(cancelled.report().tests, 7u);
+
+  const auto stopped =
+    IT::intrinsic_delaunay_triangulation(mesh, CGAL::parameters::maximum_number(std::uint64_t(3)));
+  EXPECT_EQ(stopped.report().status, IT::Flip_status::BUDGET_EXHAUSTED);
+  EXPECT_EQ(stopped.report().flips, 3u);
+  const auto constrained = IT::intrinsic_delaunay_triangulation(
+    mesh, CGAL::parameters::edge_is_constrained_map(
+            boost::make_function_property_map<IT::Edge_index>([](IT::Edge_index) { return true; })));
+  EXPECT_EQ(constrained.report().status, IT::Flip_status::DELAUNAY);
+  EXPECT_EQ(constrained.report().flips, 0u);
+}
