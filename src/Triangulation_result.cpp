@@ -77,10 +77,6 @@ std::string describe_status(const Triangulation_result& result)
     return "not Delaunay: rounding leaves " +
            first_of(report.not_flippable, outcome.connectivity) +
            " that should be flipped and cannot";
-  case IT::Flip_status::INCONSISTENT:
-    return "Delaunay up to rounding: " +
-           counted(report.inconsistent.size(), "edge fails", "edges fail") +
-           " the test again after the flip";
   case IT::Flip_status::UNDECIDED:
     return std::string("undecided: ") + name(result.options.number_type) + " cannot tell for " +
            first_of(report.undecided, outcome.connectivity);

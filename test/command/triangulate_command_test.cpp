@@ -300,10 +300,10 @@ TEST_F(Triangulate_command, passes_a_cap_without_area_exactly)
 
 TEST_F(Triangulate_command, leaves_no_diagnostics_in_the_folder)
 {
-  ASSERT_EQ(idt("sample cap -o cap.off").status, 0);
+  ASSERT_EQ(idt("sample helical-tube -o tube.off").status, 0);
   for (const char* number_type : {"core", "half-angle-core"})
-    EXPECT_EQ(idt(std::string("triangulate cap.off --number-type ") + number_type).status, 0);
-  EXPECT_EQ(files(), std::vector<std::string>{"cap.off"});
+    EXPECT_EQ(idt(std::string("triangulate tube.off --number-type ") + number_type).status, 0);
+  EXPECT_EQ(files(), std::vector<std::string>{"tube.off"});
 }
 
 TEST_F(Triangulate_command, names_vertices_that_coincide)
