@@ -23,7 +23,7 @@ enum class Number_type {
   HALF_ANGLE_CORE
 };
 
-constexpr Number_type default_number_type = Number_type::DOUBLE;
+constexpr Number_type default_number_type = Number_type::FILTERED;
 
 // The name as it stands on the command line and in reports.
 const char* name(Number_type number_type);

@@ -26,40 +26,60 @@ std::string first_of(const std::vector<IT::Edge_index>& edges, const IT::Delta_c
 
 } // namespace
 
-std::size_t number_of_changed_edges(const Outcome& outcome)
+Exit_status exit_status(const Outcome& outcome)
 {
-  return static_cast<std::size_t>(
-    std::count(outcome.is_original.begin(), outcome.is_original.end(), 0));
+  const bool is_done = outcome.report.status == IT::Flip_status::DELAUNAY &&
+                       outcome.failure.empty() &&
+                       (!outcome.verification || outcome.verification->is_Delaunay());
+  return is_done ? Exit_status::DONE : Exit_status::NOT_FINISHED;
 }
 
-Exit_status exit_status(const IT::Flip_report& report)
+std::string describe_verification(const Outcome& outcome)
 {
-  return report.status == IT::Flip_status::DELAUNAY ? Exit_status::DONE
-                                                    : Exit_status::NOT_FINISHED;
+  const IT::Delaunay_verification& verification = *outcome.verification;
+  if (verification.is_Delaunay())
+    return "each of " + counted(verification.tests, "edge", "edges") + " is Delaunay, " +
+           counted(verification.ties, "tie", "ties");
+  std::string text;
+  if (!verification.not_Delaunay.empty())
+    text = "by the exact check, " + first_of(verification.not_Delaunay, outcome.connectivity) +
+           " should have been flipped";
+  if (!verification.inverted.empty()) {
+    const auto first = std::min_element(verification.inverted.begin(), verification.inverted.end());
+    if (!text.empty())
+      text += "; ";
+    text += counted(verification.inverted.size(), "face is", "faces are") +
+            " inside out, the first is face " + std::to_string(first->idx());
+  }
+  return text;
 }
 
 std::string describe_status(const Triangulation_result& result)
 {
-  const IT::Flip_report& report = result.outcome.report;
+  const Outcome& outcome = result.outcome;
+  const IT::Flip_report& report = outcome.report;
+  if (!outcome.failure.empty())
+    return (report.status == IT::Flip_status::DELAUNAY ? "not known in full: " : "not finished: ") +
+           outcome.failure;
+  if (outcome.verification && !outcome.verification->is_Delaunay())
+    return "not Delaunay: " + describe_verification(outcome);
   switch (report.status) {
   case IT::Flip_status::DELAUNAY:
-    // With rounded decisions both diagonals of a near tie can fail the test.
-    if (result.outcome.weights_after.negative > 0)
-      return "Delaunay up to rounding: " +
-             counted(result.outcome.weights_after.negative, "edge fails", "edges fail") +
-             " the test again after the flip";
-    return "Delaunay";
+    return outcome.verification ? "Delaunay, verified" : "Delaunay";
+  case IT::Flip_status::INCONSISTENT:
+    // Either diagonal of a tie is right, whatever rounding makes of it.
+    return std::string(outcome.verification ? "verified Delaunay, but only by luck: "
+                                            : "not Delaunay: ") +
+           "near a tie the rounded decisions contradict each other: " +
+           first_of(report.inconsistent, outcome.connectivity) +
+           " failed the test again after the flip";
   case IT::Flip_status::NOT_FLIPPABLE:
     return "not Delaunay: rounding leaves " +
-           first_of(report.not_flippable, result.outcome.connectivity) +
+           first_of(report.not_flippable, outcome.connectivity) +
            " that should be flipped and cannot";
-  case IT::Flip_status::INCONSISTENT:
-    return "Delaunay up to rounding: " +
-           counted(report.inconsistent.size(), "edge fails", "edges fail") +
-           " the test again after the flip";
   case IT::Flip_status::UNDECIDED:
     return std::string("undecided: ") + name(result.options.number_type) + " cannot tell for " +
-           first_of(report.undecided, result.outcome.connectivity);
+           first_of(report.undecided, outcome.connectivity);
   case IT::Flip_status::BUDGET_EXHAUSTED:
     return "not finished: the budget of " + with_separators(report.flips) + " flips is spent";
   case IT::Flip_status::CANCELLED:

@@ -12,22 +12,10 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <cstdint>
-#include <optional>
 #include <ostream>
 #include <string>
 
 namespace idt {
-
-// What needs the common refinement of the input and the intrinsic triangulation; none of
-// it is known yet where that was not built.
-struct Overlay_counts
-{
-  std::uint64_t simple = 0;    // intrinsic edges that cross exactly one input edge
-  std::uint64_t longest = 0;   // the largest number of segments in one intrinsic edge
-  std::uint64_t crossings = 0; // in all
-  double seconds = 0;
-};
 
 struct Triangulation_result
 {
@@ -35,18 +23,17 @@ struct Triangulation_result
   Kernel_options options;
   Outcome outcome;
   Surface_counts counts; // of the intrinsic triangulation
-  std::optional<Overlay_counts> overlay;
   double write_seconds = 0;
 };
 
-// The number of edges of the result that are not known to be input edges.
-std::size_t number_of_changed_edges(const Outcome& outcome);
-
-// What the end of the flips means for the shell.
-Exit_status exit_status(const CGAL::Intrinsic_triangulations::Flip_report& report);
+// What the result means for the shell.
+Exit_status exit_status(const Outcome& outcome);
 
 // The same in words, with the first edge that is to blame.
 std::string describe_status(const Triangulation_result& result);
+
+// What the exact check found, in words. \pre it was made
+std::string describe_verification(const Outcome& outcome);
 
 // The text that people read.
 void write_report(std::ostream& os, const Triangulation_result& result);

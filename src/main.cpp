@@ -26,6 +26,7 @@ int main(int argc, char** argv)
     app.require_subcommand(1);
     idt::Selected_command selected;
     idt::add_triangulate_command(app, selected);
+    idt::add_compare_command(app, selected);
     idt::add_table_command(app, selected);
     idt::add_sample_command(app, selected);
     try {

@@ -11,6 +11,7 @@
 namespace idt {
 namespace {
 
+namespace IT = CGAL::Intrinsic_triangulations;
 using Json = nlohmann::ordered_json;
 
 // JSON has no infinity.
@@ -28,13 +29,51 @@ Json mollification(const Surface& surface)
           {"largest_relative_change", number(surface.mollification->largest_relative_change)}};
 }
 
+Json stages(const Outcome& outcome)
+{
+  using IT::Stage;
+  if (!outcome.stages)
+    return nullptr;
+  const IT::Stage_counts& counts = *outcome.stages;
+  return {{"filter", counts[Stage::FILTER]},
+          {"unfolding", counts[Stage::UNFOLDING]},
+          {"rational", counts[Stage::RATIONAL]},
+          {"multiprecision", counts[Stage::MULTIPRECISION]},
+          {"algebraic", counts[Stage::ALGEBRAIC]}};
+}
+
+Json ties(const Outcome& outcome)
+{
+  if (outcome.tessellation)
+    return outcome.tessellation->ties;
+  return outcome.verification ? Json(outcome.verification->ties) : Json(nullptr);
+}
+
+Json verification(const Outcome& outcome)
+{
+  if (!outcome.verification)
+    return nullptr;
+  return {{"tests", outcome.verification->tests},
+          {"not_delaunay", outcome.verification->not_Delaunay.size()},
+          {"inverted_faces", outcome.verification->inverted.size()},
+          {"ties", outcome.verification->ties}};
+}
+
+// A member of a summary that may be missing.
+template <class Summary, class Member>
+Json member(const std::optional<Summary>& summary, Member Summary::*member)
+{
+  return summary ? Json((*summary).*member) : Json(nullptr);
+}
+
 } // namespace
 
 nlohmann::ordered_json statistics(const Triangulation_result& result)
 {
   const Surface_counts& counts = result.counts;
   const Outcome& outcome = result.outcome;
-  const std::optional<Overlay_counts>& overlay = result.overlay;
+  const std::optional<Crossing_summary>& crossings = outcome.crossing_summary;
+  const std::optional<Weight_summary>&before = outcome.weights_before, &after = outcome.weights_after;
 
   Json json;
   json["vertices"] = counts.vertices;
@@ -46,24 +85,26 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   json["number_type"] = name(result.options.number_type);
   json["flips"] = outcome.report.flips;
   json["tests"] = outcome.report.tests;
-  json["ties"] = nullptr;
-  json["stages"] = nullptr;
-  json["edges_changed"] = number_of_changed_edges(outcome);
-  json["simple"] = overlay ? Json(overlay->simple) : Json(nullptr);
-  json["longest"] = overlay ? Json(overlay->longest) : Json(nullptr);
-  json["crossings"] = overlay ? Json(overlay->crossings) : Json(nullptr);
+  json["ties"] = ties(outcome);
+  json["cells"] = member(outcome.tessellation, &Tessellation_summary::cells);
+  json["stages"] = stages(outcome);
+  json["edges_changed"] = member(crossings, &Crossing_summary::changed);
+  json["simple"] = member(crossings, &Crossing_summary::simple);
+  json["longest"] = member(crossings, &Crossing_summary::longest);
+  json["crossings"] = member(crossings, &Crossing_summary::crossings);
   json["loops"] = counts.loops;
   json["multiple_edges"] = counts.multiple_edges;
-  json["min_weight_before"] = number(outcome.weights_before.smallest);
-  json["min_weight_after"] = number(outcome.weights_after.smallest);
-  json["negative_weights_before"] = outcome.weights_before.negative;
-  json["negative_weights_after"] = outcome.weights_after.negative;
+  json["min_weight_before"] = before ? number(before->smallest) : Json(nullptr);
+  json["min_weight_after"] = after ? number(after->smallest) : Json(nullptr);
+  json["negative_weights_before"] = member(before, &Weight_summary::negative);
+  json["negative_weights_after"] = member(after, &Weight_summary::negative);
+  json["verification"] = verification(outcome);
   json["mollification"] = mollification(result.surface);
   json["seconds"] = {
     {"read", result.surface.read_seconds},
     {"build", result.surface.build_seconds + outcome.build_seconds},
     {"flip", outcome.flip_seconds},
-    {"overlay", overlay ? Json(overlay->seconds) : Json(nullptr)},
+    {"overlay", member(crossings, &Crossing_summary::seconds)},
     {"write", result.write_seconds}};
   json["peak_memory_bytes"] = peak_memory_bytes();
   return json;

@@ -9,12 +9,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace idt {
 namespace {
@@ -39,11 +39,7 @@ struct Row
   std::optional<double> seconds; // to build and to flip
 };
 
-constexpr std::size_t number_of_columns = 8;
-using Line = std::array<std::string, number_of_columns>;
-
-const Line titles = {"model",   "V",         "flips",     "simple",
-                     "longest", "cond ratio", "crossings", "time [s]"};
+using Line = std::vector<std::string>;
 
 std::string cell(const std::optional<std::uint64_t>& number)
 {
@@ -84,40 +80,35 @@ Json json_row(const Row& row)
 
 void write_table(std::ostream& os, const std::vector<Row>& rows)
 {
-  std::vector<Line> lines = {titles};
+  std::vector<Line> lines = {{"model", "V", "flips", "simple", "longest", "cond ratio",
+                              "crossings", "time [s]"}};
   for (const Row& row : rows)
     lines.push_back(line(row));
-  std::array<std::size_t, number_of_columns> widths = {};
-  for (const Line& l : lines)
-    for (std::size_t i = 0; i < number_of_columns; ++i)
-      widths[i] = (std::max)(widths[i], l[i].size());
-  for (const Line& l : lines) {
-    os << l[0] << std::string(widths[0] - l[0].size(), ' ');
-    for (std::size_t i = 1; i < number_of_columns; ++i)
-      os << "  " << std::string(widths[i] - l[i].size(), ' ') << l[i];
-    os << '\n';
-  }
+  write_aligned(os, lines);
 }
 
 Exit_status run_table(const Table_options& options)
 {
   check_output_paths({options.json_path}, options.inputs);
+  Kernel_options kernel_options;
+  kernel_options.wanted = Wanted::nothing();
+  kernel_options.wanted.crossings = true;
   std::vector<Row> rows;
   const Exit_status status = for_each_input(options.inputs, [&](const std::string& path) {
     rows.emplace_back();
     rows.back().model = std::filesystem::path(path).stem().string();
-    const Triangulation_result result = triangulate(path, Kernel_options(), std::nullopt);
+    const Triangulation_result result = triangulate(path, kernel_options, std::nullopt);
     Row& row = rows.back();
     row.vertices = result.counts.vertices;
     row.flips = result.outcome.report.flips;
-    if (result.overlay) {
-      row.simple = result.overlay->simple;
-      row.longest = result.overlay->longest;
-      row.crossings = result.overlay->crossings;
+    if (const std::optional<Crossing_summary>& summary = result.outcome.crossing_summary) {
+      row.simple = summary->simple;
+      row.longest = summary->longest;
+      row.crossings = summary->crossings;
     }
     row.seconds =
       result.surface.build_seconds + result.outcome.build_seconds + result.outcome.flip_seconds;
-    const Exit_status row_status = exit_status(result.outcome.report);
+    const Exit_status row_status = exit_status(result.outcome);
     if (row_status != Exit_status::DONE)
       std::cerr << "idt: " << path << ": " << describe_status(result) << std::endl;
     return row_status;

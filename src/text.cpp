@@ -2,6 +2,7 @@
 
 #include "text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 
@@ -41,6 +42,22 @@ std::string seconds_text(double seconds)
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, seconds < 10 ? "%.3f s" : "%.1f s", seconds);
   return buffer;
+}
+
+void write_aligned(std::ostream& os, const std::vector<std::vector<std::string>>& lines)
+{
+  if (lines.empty())
+    return;
+  std::vector<std::size_t> widths(lines.front().size(), 0);
+  for (const std::vector<std::string>& line : lines)
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      widths[i] = (std::max)(widths[i], line[i].size());
+  for (const std::vector<std::string>& line : lines) {
+    os << line[0] << std::string(widths[0] - line[0].size(), ' ');
+    for (std::size_t i = 1; i < widths.size(); ++i)
+      os << "  " << std::string(widths[i] - line[i].size(), ' ') << line[i];
+    os << '\n';
+  }
 }
 
 } // namespace idt

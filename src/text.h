@@ -6,7 +6,9 @@
 #define IDT_TEXT_H
 
 #include <cstdint>
+#include <ostream>
 #include <string>
+#include <vector>
 
 namespace idt {
 
@@ -24,6 +26,10 @@ std::string in_short(double number);
 
 // "0.012 s"
 std::string seconds_text(double seconds);
+
+// A table: the first column begins at the left, the others end at the right. \pre the
+// lines have as many cells as the first
+void write_aligned(std::ostream& os, const std::vector<std::vector<std::string>>& lines);
 
 } // namespace idt
 

@@ -27,6 +27,7 @@ struct Triangulate_options
   std::optional<std::uint64_t> maximum_number_of_flips;
   std::optional<double> mollification;
   bool is_mollification_local = false;
+  bool is_verified = false;
   std::string stats_path;
   std::string edges_path;
 };
@@ -37,12 +38,12 @@ Kernel_options kernel_options(const Triangulate_options& options)
   const std::optional<Number_type> number_type = find_number_type(options.number_type);
   if (!number_type)
     throw Usage_error("--number-type: there is no \"" + options.number_type + "\"");
-  if (!is_available(*number_type))
-    throw Usage_error("--number-type: this version of idt was built without \"" +
-                      options.number_type + "\"");
   result.number_type = *number_type;
   result.precision = options.precision;
   result.maximum_number_of_flips = options.maximum_number_of_flips;
+  result.wanted.lengths = result.wanted.numbers = !options.edges_path.empty();
+  result.wanted.verification = options.is_verified;
+  result.wanted.tessellation = !options.stats_path.empty();
   return result;
 }
 
@@ -88,7 +89,7 @@ Exit_status run_triangulate(const Triangulate_options& options)
     is_first = false;
     write_report(std::cout, result);
     flush_standard_output();
-    const Exit_status status = exit_status(result.outcome.report);
+    const Exit_status status = exit_status(result.outcome);
     if (status != Exit_status::DONE)
       std::cerr << "idt: " << path << ": " << describe_status(result) << std::endl;
     return status;
@@ -102,7 +103,6 @@ std::string number_type_help()
   for (Number_type number_type : number_types()) {
     const std::string title = name(number_type);
     text << "  " << title << std::string(20 - title.size(), ' ') << description(number_type)
-         << (is_available(number_type) ? "" : " (not in this build)")
          << (number_type == default_number_type ? " (default)" : "") << '\n';
   }
   return text.str();
@@ -167,6 +167,9 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
     .add_flag("--mollify-local", options->is_mollification_local,
               "lengthen only edges of triangles that lack the margin")
     ->needs(mollify);
+  command.add_flag("--verify", options->is_verified,
+                   "afterwards decide every interior edge once more, exactly and from the input "
+                   "alone, whatever the number type; status 4 if one is not Delaunay");
   command
     .add_option("--stats", options->stats_path, "write what the report says as a JSON object")
     ->type_name("F.json");

@@ -4,6 +4,8 @@
 
 #include "text.h"
 
+#include <cstdint>
+
 namespace idt {
 
 void write_edges(std::ostream& os, const Triangulation_result& result)
@@ -13,11 +15,14 @@ void write_edges(std::ostream& os, const Triangulation_result& result)
   os << "source,target,length,cotan_weight,crossings,original\n";
   for (IT::Edge_index e : outcome.connectivity.edges()) {
     const IT::Halfedge_index h = outcome.connectivity.halfedge(e);
-    const bool is_original = outcome.is_original[e.idx()] != 0;
-    // An input edge crosses no input edge; for the others only the overlay knows.
     os << outcome.connectivity.source(h).idx() << ',' << outcome.connectivity.target(h).idx()
-       << ',' << in_full(outcome.lengths[e.idx()]) << ',' << in_full(outcome.weights[e.idx()])
-       << ',' << (is_original ? "0" : "") << ',' << (is_original ? '1' : '0') << '\n';
+       << ',' << in_full(outcome.lengths[e.idx()]) << ',' << in_full(outcome.weights[e.idx()]) << ',';
+    if (e.idx() < outcome.crossings.size()) {
+      const std::int64_t crossings = outcome.crossings[e.idx()];
+      os << (crossings < 0 ? 0 : crossings) << ',' << (crossings < 0 ? '1' : '0') << '\n';
+    } else {
+      os << ",\n"; // more crossings than could be counted
+    }
     if (!os)
       return; // the disk is full: the caller finds out
   }

@@ -25,6 +25,16 @@ private:
   std::ostream& os_;
 };
 
+std::string stages_text(const CGAL::Intrinsic_triangulations::Stage_counts& counts)
+{
+  using CGAL::Intrinsic_triangulations::Stage;
+  return with_separators(counts[Stage::FILTER]) + " by the filter, " +
+         with_separators(counts[Stage::UNFOLDING]) + " by unfolding, " +
+         with_separators(counts[Stage::RATIONAL]) + " rational, " +
+         with_separators(counts[Stage::MULTIPRECISION]) + " in multiple precision, " +
+         with_separators(counts[Stage::ALGEBRAIC]) + " algebraic";
+}
+
 std::string weights_text(const Weight_summary& summary)
 {
   if (!summary.smallest)
@@ -63,22 +73,31 @@ void write_report(std::ostream& os, const Triangulation_result& result)
   report.line("number type", number_type);
   report.line("flips", with_separators(outcome.report.flips) + " in " +
                          with_separators(outcome.report.tests) + " tests");
-  report.line("changed edges", with_separators(number_of_changed_edges(outcome)));
-  if (result.overlay) {
-    report.line("crossings", with_separators(result.overlay->crossings));
-    report.line("simple edges", with_separators(result.overlay->simple));
-    report.line("longest edge", counted(result.overlay->longest, "segment", "segments"));
+  if (outcome.stages)
+    report.line("decided", stages_text(*outcome.stages));
+  if (outcome.tessellation)
+    report.line("ties", with_separators(outcome.tessellation->ties) + ", which leaves " +
+                          counted(outcome.tessellation->cells, "cell", "cells"));
+  if (outcome.crossing_summary) {
+    report.line("changed edges", with_separators(outcome.crossing_summary->changed));
+    report.line("crossings", with_separators(outcome.crossing_summary->crossings));
+    report.line("simple edges", with_separators(outcome.crossing_summary->simple));
+    report.line("longest edge", counted(outcome.crossing_summary->longest, "segment", "segments"));
   }
   report.line("loops", with_separators(counts.loops));
   report.line("multiple edges", with_separators(counts.multiple_edges));
-  report.line("weights before", weights_text(outcome.weights_before));
-  report.line("weights after", weights_text(outcome.weights_after));
+  if (outcome.weights_before)
+    report.line("weights before", weights_text(*outcome.weights_before));
+  if (outcome.weights_after)
+    report.line("weights after", weights_text(*outcome.weights_after));
+  if (outcome.verification)
+    report.line("verification", describe_verification(outcome));
 
   std::string times = "read " + seconds_text(surface.read_seconds) + ", build " +
                       seconds_text(surface.build_seconds + outcome.build_seconds) + ", flip " +
                       seconds_text(outcome.flip_seconds);
-  if (result.overlay)
-    times += ", overlay " + seconds_text(result.overlay->seconds);
+  if (outcome.crossing_summary)
+    times += ", crossings " + seconds_text(outcome.crossing_summary->seconds);
   if (result.write_seconds > 0)
     times += ", write " + seconds_text(result.write_seconds);
   report.line("time", times);

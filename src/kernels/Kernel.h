@@ -10,21 +10,44 @@
 #include "../Surface.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace idt {
+
+// What a run is to find out beside the flips; what nobody asked for costs nothing.
+struct Wanted
+{
+  bool weights = true;          // their summaries, before and after
+  bool lengths = true;          // of the result
+  bool numbers = true;          // weights and areas of the result
+  bool crossings = true;        // where the input lies in the result
+  bool tessellation = false;    // ties and cells, of a result that is Delaunay
+  bool verification = false;    // the exact check of each edge
+  bool exact_lengths = false;   // of the edges of the result, whatever made it
+  bool wrong_decisions = false; // compares each test with the exact one
+
+  static Wanted nothing() { return {false, false, false, false, false, false, false, false}; }
+  bool needs_input() const
+  {
+    return crossings || tessellation || verification || exact_lengths || wrong_decisions;
+  }
+};
 
 struct Kernel_options
 {
   Number_type number_type = default_number_type;
   int precision = 128; // bits at least, for MPFR alone
   std::optional<std::uint64_t> maximum_number_of_flips;
+  Wanted wanted;
 };
 
 // Is asked before each test, with the numbers of tests and flips so far; the flips end
@@ -45,30 +68,55 @@ struct Weight_summary
   std::size_t negative = 0;
 };
 
-// No number is NaN. A weight beside a face of zero area is infinite.
+// What the normal coordinates tell.
+struct Crossing_summary
+{
+  std::uint64_t simple = 0;    // intrinsic edges that cross exactly one input edge
+  std::uint64_t longest = 0;   // the largest number of segments in one intrinsic edge
+  std::uint64_t crossings = 0; // in all
+  std::uint64_t changed = 0;   // intrinsic edges that are no input edges
+  double seconds = 0;
+};
+
+// The cells that are left of a Delaunay triangulation when the ties are removed.
+struct Tessellation_summary
+{
+  std::size_t ties = 0;
+  std::size_t cells = 0;
+};
+
+// No number is NaN. A weight beside a face of zero area is infinite. What was not wanted,
+// or could not be found out, is empty.
 struct Outcome
 {
   CGAL::Intrinsic_triangulations::Delta_complex connectivity;
-  std::vector<double> lengths;           // for each edge
-  std::vector<double> weights;           // for each edge, cot + cot
-  std::vector<double> areas;             // for each face
-  std::vector<std::uint8_t> is_original; // for each edge: it was never flipped
+  std::vector<double> lengths;          // for each edge
+  std::vector<double> weights;          // for each edge, cot + cot
+  std::vector<double> areas;            // for each face
+  std::vector<std::int64_t> crossings;  // for each edge: -1 if it is an input edge
+  std::vector<double> exact_lengths;    // for each edge, correctly rounded but for one unit
+  std::vector<std::uint8_t> is_tie;     // for each edge
   CGAL::Intrinsic_triangulations::Flip_report report;
-  Weight_summary weights_before;
-  Weight_summary weights_after;
+  std::string failure; // what ended the flips, or kept something from being found out
+  // How many tests each stage decided, for the number type that has stages.
+  std::optional<CGAL::Intrinsic_triangulations::Stage_counts> stages;
+  std::optional<Weight_summary> weights_before;
+  std::optional<Weight_summary> weights_after;
+  std::optional<Crossing_summary> crossing_summary;
+  std::optional<Tessellation_summary> tessellation;
+  std::optional<CGAL::Intrinsic_triangulations::Delaunay_verification> verification;
+  std::optional<std::uint64_t> wrong_decisions;
   double build_seconds = 0;
   double flip_seconds = 0;
 };
 
 // Makes a surface Delaunay with the number type that the options name.
 // \exception Invalid_surface_error if the number type cannot hold the surface
-// \exception Undecided_error if it cannot decide something that must be
+// \exception Undecided_error if it cannot decide something that the construction needs
 Outcome run(const Job& job);
 
-// Whether the command was built with a number type.
-bool is_available(Number_type number_type);
-
 // One for each number type, each in a file of its own.
+Outcome run_filtered(const Job& job);
 Outcome run_double(const Job& job);
 Outcome run_float(const Job& job);
 Outcome run_long_double(const Job& job);

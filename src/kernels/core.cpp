@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Core_diagnostics.h"
 #include "run_kernel.h"
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
@@ -11,6 +12,7 @@ namespace idt {
 Outcome run_core(const Job& job)
 {
   using FT = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT;
+  const Discarded_core_diagnostics discarded;
   return run_kernel<IT::Edge_length_traits<FT>>(job);
 }
 

@@ -15,6 +15,8 @@ namespace {
 Outcome dispatch(const Job& job)
 {
   switch (job.options.number_type) {
+  case Number_type::FILTERED:
+    return run_filtered(job);
   case Number_type::DOUBLE:
     return run_double(job);
   case Number_type::FLOAT:
@@ -31,17 +33,11 @@ Outcome dispatch(const Job& job)
     return run_half_angle_double(job);
   case Number_type::HALF_ANGLE_CORE:
     return run_half_angle_core(job);
-  default:
-    throw std::logic_error("the command was built without this number type");
   }
+  throw std::logic_error("there is no such number type");
 }
 
 } // namespace
-
-bool is_available(Number_type number_type)
-{
-  return number_type != Number_type::FILTERED;
-}
 
 Outcome run(const Job& job)
 {

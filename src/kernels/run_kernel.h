@@ -6,26 +6,32 @@
 #ifndef IDT_KERNELS_RUN_KERNEL_H
 #define IDT_KERNELS_RUN_KERNEL_H
 
+#include "Decision_counter.h"
 #include "Kernel.h"
+#include "Number_collector.h"
 
 #include "../Stopwatch.h"
 
+#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_construction.h>
 #include <CGAL/Intrinsic_triangulations/internal/number_conversion.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/number_utils.h>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,13 +51,22 @@ IT::Intrinsic_triangulation<Traits> make_triangulation(const Surface& surface, c
       lengths.push_back(IT::internal::convert_number<FT>(length));
     return Triangulation::from_lengths(surface.connectivity, std::move(lengths), traits);
   }
-  std::vector<typename Traits::Point_data> points;
+  typename Triangulation::Point_vector points;
   points.reserve(surface.points.size());
   for (const std::array<double, 3>& p : surface.points)
     points.push_back({IT::internal::convert_number<FT>(p[0]),
                       IT::internal::convert_number<FT>(p[1]),
                       IT::internal::convert_number<FT>(p[2])});
   return Triangulation(surface.connectivity, std::move(points), traits);
+}
+
+// The metric that the file says, before any rounding to a number type.
+inline IT::Input_metric input_metric(const Surface& surface)
+{
+  if (!surface.has_points())
+    return IT::Input_metric::from_lengths(surface.lengths);
+  return IT::Input_metric::from_points(
+    IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end()));
 }
 
 // The squared edge lengths and areas handle a face of zero area; half-angle tangents do
@@ -85,145 +100,177 @@ void require_usable_faces(const IT::Intrinsic_triangulation<IT::Half_angle_trait
         ", which half-angle tangents cannot handle: choose another number type");
 }
 
-// Plain numbers for what leaves the kernel.
-template <class Triangulation>
-class Number_collector
-{
-  using FT = typename Triangulation::FT;
-
-public:
-  explicit Number_collector(const Triangulation& triangulation)
-    : triangulation_(triangulation), complex_(triangulation.connectivity())
-  {
-    lengths_.reserve(complex_.number_of_edges());
-    for (IT::Edge_index e : complex_.edges())
-      lengths_.push_back(CGAL::to_double(triangulation_.length(e)));
-    areas_.reserve(complex_.number_of_faces());
-    has_area_.reserve(complex_.number_of_faces());
-    for (IT::Face_index f : complex_.faces()) {
-      const FT area = triangulation_.area(f);
-      areas_.push_back(CGAL::to_double(area));
-      has_area_.push_back(CGAL::certainly(area > FT(0)));
-    }
-    weights_.reserve(complex_.number_of_edges());
-    for (IT::Edge_index e : complex_.edges())
-      weights_.push_back(weight(e));
-  }
-
-  Weight_summary summary() const
-  {
-    Weight_summary result;
-    for (IT::Edge_index e : complex_.edges()) {
-      if (complex_.is_border(e))
-        continue;
-      const double w = weights_[e.idx()];
-      if (!result.smallest || w < *result.smallest)
-        result.smallest = w;
-      result.negative += w < 0;
-    }
-    return result;
-  }
-
-  void move_to(Outcome& outcome)
-  {
-    outcome.lengths = std::move(lengths_);
-    outcome.areas = std::move(areas_);
-    outcome.weights = std::move(weights_);
-  }
-
-private:
-  double weight(IT::Edge_index e) const
-  {
-    const IT::Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
-    double result = std::numeric_limits<double>::quiet_NaN();
-    if ((complex_.is_border(h) || has_area_[complex_.face(h).idx()]) &&
-        (complex_.is_border(g) || has_area_[complex_.face(g).idx()]))
-      result = CGAL::to_double(triangulation_.cotangent_weight(e));
-    if (std::isnan(result)) {
-      result = (complex_.is_border(h) ? 0 : rough_cotangent(h)) +
-               (complex_.is_border(g) ? 0 : rough_cotangent(g));
-      // Two faces of zero area, with angles of 0 and of π opposite to the edge: a tie.
-      if (std::isnan(result))
-        result = 0;
-    }
-    // The sign is what the number type decides; a sum of two rounded cotangents that
-    // cancel can have another.
-    if (result < 0 && !complex_.is_border(e) && CGAL::certainly(triangulation_.is_locally_Delaunay(e)))
-      result = 0;
-    return result;
-  }
-
-  // For a face whose area is zero, or not known to be positive.
-  double rough_cotangent(IT::Halfedge_index h) const
-  {
-    const auto length = [&](IT::Halfedge_index k) { return lengths_[complex_.edge(k).idx()]; };
-    // In units of the longest side, lest a square overflows.
-    const double longest =
-      std::fmax(length(h), std::fmax(length(complex_.next(h)), length(complex_.prev(h))));
-    const double ij = length(h) / longest, jk = length(complex_.next(h)) / longest,
-                 ki = length(complex_.prev(h)) / longest;
-    const double p = IT::twice_scalar_product<double>(jk * jk, ki * ki, ij * ij);
-    const double q = IT::squared_four_areas_from_lengths(ij, jk, ki);
-    return q > 0 ? p / std::sqrt(q)
-                 : std::copysign(std::numeric_limits<double>::infinity(), p);
-  }
-
-  const Triangulation& triangulation_;
-  const IT::Delta_complex& complex_;
-  std::vector<double> lengths_;
-  std::vector<double> areas_;
-  std::vector<std::uint8_t> has_area_;
-  std::vector<double> weights_;
-};
-
-// Marks what was flipped, and asks the caller whether to go on.
-class Recording_visitor
+// Asks the caller whether to go on, and remembers how far the flips are in case that an
+// exception ends them.
+class Asking_visitor
 {
 public:
-  Recording_visitor(const Continue_function& go_further, std::vector<std::uint8_t>& is_original)
-    : go_further_(go_further), is_original_(is_original)
+  // The caller is asked before every `stride`-th test, a power of two.
+  Asking_visitor(const Continue_function& go_further, std::uint64_t stride)
+    : go_further_(go_further), mask_(go_further ? stride - 1 : ~std::uint64_t(0))
   {}
 
   bool go_further(std::uint64_t tests, std::uint64_t flips)
   {
-    return !go_further_ || go_further_(tests, flips);
+    tests_ = tests;
+    return (tests & mask_) != 0 || !go_further_ || go_further_(tests, flips);
   }
-  // An edge that is flipped back onto an input edge counts as changed: only its normal
-  // coordinates can tell.
-  void after_flip(IT::Edge_index e) { is_original_[e.idx()] = 0; }
+  void after_flip(IT::Edge_index) { ++flips_; }
+
+  std::uint64_t tests() const { return tests_; }
+  std::uint64_t flips() const { return flips_; }
 
 private:
   const Continue_function& go_further_;
-  std::vector<std::uint8_t>& is_original_;
+  std::uint64_t mask_;
+  std::uint64_t tests_ = 0;
+  std::uint64_t flips_ = 0;
 };
+
+template <class Triangulation>
+void flip(Triangulation& triangulation, const Job& job, Outcome& outcome)
+{
+  using Traits = typename Triangulation::Traits;
+  const std::size_t number_of_edges = triangulation.connectivity().number_of_edges();
+  const std::uint64_t budget = job.options.maximum_number_of_flips.value_or(
+    Traits::Has_exact_decisions::value ? (std::numeric_limits<std::uint64_t>::max)()
+                                       : IT::default_maximum_number_of_flips(number_of_edges));
+  // With built-in numbers a test is faster than the question.
+  Asking_visitor visitor(job.go_further,
+                         std::is_floating_point<typename Traits::FT>::value ? 64 : 1);
+  const Stopwatch stopwatch;
+  try {
+    outcome.report = IT::flip_to_Delaunay(
+      triangulation, CGAL::parameters::visitor(std::ref(visitor)).maximum_number(budget));
+  } catch (const IT::Invalid_surface_error&) {
+    throw;
+  } catch (const IT::Error& error) {
+    // The triangulation is as it was before the decision that failed.
+    outcome.failure = error.what();
+    outcome.report.status = IT::Flip_status::UNDECIDED;
+    outcome.report.tests = visitor.tests() + 1;
+    outcome.report.flips = visitor.flips();
+  }
+  outcome.flip_seconds = stopwatch.seconds();
+}
+
+template <class Triangulation>
+void find_crossings(const Triangulation& triangulation, Outcome& outcome)
+{
+  const IT::Normal_coordinates& coordinates =
+    triangulation.exact_geometry().correspondence().coordinates();
+  Crossing_summary summary;
+  outcome.crossings.reserve(triangulation.connectivity().number_of_edges());
+  for (IT::Edge_index e : triangulation.connectivity().edges()) {
+    outcome.crossings.push_back(coordinates.crossings(e));
+    const std::uint64_t n = static_cast<std::uint64_t>(coordinates.number_of_crossings(e));
+    summary.simple += n == 1;
+    summary.longest = (std::max)(summary.longest, n + 1);
+    summary.changed += !coordinates.is_original(e);
+    if (n > (std::numeric_limits<std::uint64_t>::max)() - summary.crossings)
+      throw IT::Integer_overflow_error("all edges together cross more than 2^64 input edges");
+    summary.crossings += n;
+  }
+  outcome.crossing_summary = summary;
+}
+
+template <class Triangulation>
+void find_ties(const Triangulation& triangulation, Outcome& outcome)
+{
+  const IT::Delaunay_tessellation tessellation(triangulation);
+  Tessellation_summary summary;
+  summary.cells = tessellation.number_of_cells();
+  outcome.is_tie.reserve(triangulation.connectivity().number_of_edges());
+  for (IT::Edge_index e : triangulation.connectivity().edges()) {
+    outcome.is_tie.push_back(tessellation.is_tie(e));
+    summary.ties += tessellation.is_tie(e);
+  }
+  outcome.tessellation = summary;
+}
+
+// The tests that reached the exact geometry are counted there; the rest is the filter's.
+inline void find_stages(const IT::Exact_geometry& geometry, Outcome& outcome)
+{
+  IT::Stage_counts counts = geometry.stage_counts();
+  std::uint64_t& filter = counts.decided[static_cast<std::size_t>(IT::Stage::FILTER)];
+  filter = outcome.report.tests;
+  for (IT::Stage stage : {IT::Stage::UNFOLDING, IT::Stage::RATIONAL, IT::Stage::MULTIPRECISION,
+                          IT::Stage::ALGEBRAIC})
+    filter -= counts[stage];
+  outcome.stages = counts;
+}
+
+// What the input and the integers tell about the result.
+template <class Triangulation>
+void relate_to_input(const Triangulation& triangulation, const Wanted& wanted, Outcome& outcome)
+{
+  const IT::Delta_complex& complex = triangulation.connectivity();
+  try {
+    const Stopwatch stopwatch;
+    if constexpr (Triangulation::uses_exact_geometry)
+      find_stages(triangulation.exact_geometry(), outcome);
+    if (wanted.crossings) {
+      find_crossings(triangulation, outcome);
+      outcome.crossing_summary->seconds = stopwatch.seconds();
+    }
+    if (wanted.verification)
+      outcome.verification = IT::verify_Delaunay(triangulation);
+    const bool is_Delaunay =
+      outcome.verification ? outcome.verification->is_Delaunay()
+                           : Triangulation::Traits::Has_exact_decisions::value &&
+                               outcome.report.status == IT::Flip_status::DELAUNAY;
+    if (wanted.tessellation && is_Delaunay)
+      find_ties(triangulation, outcome);
+    if (wanted.exact_lengths) {
+      outcome.exact_lengths.reserve(complex.number_of_edges());
+      for (IT::Edge_index e : complex.edges())
+        outcome.exact_lengths.push_back(triangulation.exact_geometry().length(complex, e));
+    }
+  } catch (const IT::Invalid_surface_error&) {
+    throw;
+  } catch (const IT::Error& error) {
+    if (outcome.failure.empty())
+      outcome.failure = error.what();
+  }
+}
 
 template <class Traits>
 Outcome run_kernel(const Job& job, const Traits& traits = Traits())
 {
-  using FT = typename Traits::FT;
-  constexpr bool is_exact = CGAL::Algebraic_structure_traits<FT>::Is_exact::value;
-
+  using Triangulation = IT::Intrinsic_triangulation<Traits>;
+  const Wanted& wanted = job.options.wanted;
   Outcome outcome;
   Stopwatch stopwatch;
-  auto triangulation = make_triangulation(job.surface, traits);
+  Triangulation triangulation = make_triangulation(job.surface, traits);
   require_usable_faces(triangulation);
   outcome.build_seconds = stopwatch.restart();
 
-  outcome.weights_before = Number_collector(triangulation).summary();
-  const std::size_t number_of_edges = triangulation.connectivity().number_of_edges();
-  outcome.is_original.assign(number_of_edges, 1);
-  Recording_visitor visitor(job.go_further, outcome.is_original);
-  const std::uint64_t budget = job.options.maximum_number_of_flips.value_or(
-    is_exact ? (std::numeric_limits<std::uint64_t>::max)()
-             : IT::default_maximum_number_of_flips(number_of_edges));
-  stopwatch.restart();
-  outcome.report = IT::flip_to_Delaunay(
-    triangulation, CGAL::parameters::visitor(std::ref(visitor)).maximum_number(budget));
-  outcome.flip_seconds = stopwatch.restart();
+  if (wanted.needs_input() && !triangulation.keeps_input())
+    triangulation.keep_input(input_metric(job.surface));
+  if (wanted.weights) {
+    // Questions to the exact geometry change how it follows the flips, so a copy is asked.
+    if constexpr (Triangulation::uses_exact_geometry)
+      outcome.weights_before = summarize_weights(Triangulation(triangulation));
+    else
+      outcome.weights_before = summarize_weights(triangulation);
+  }
 
-  Number_collector collector(triangulation);
-  outcome.weights_after = collector.summary();
-  collector.move_to(outcome);
+  if (wanted.wrong_decisions) {
+    Decision_counter<Triangulation> counter(triangulation);
+    flip(counter, job, outcome);
+    outcome.wrong_decisions = counter.wrong_decisions();
+  } else {
+    flip(triangulation, job, outcome);
+  }
+
+  if (wanted.needs_input())
+    relate_to_input(triangulation, wanted, outcome);
+  if (wanted.weights)
+    outcome.weights_after = summarize_weights(triangulation);
+  if (wanted.lengths)
+    collect_lengths(triangulation, outcome);
+  if (wanted.numbers)
+    collect_weights_and_areas(triangulation, outcome);
   outcome.connectivity = triangulation.connectivity();
   return outcome;
 }

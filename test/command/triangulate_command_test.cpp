@@ -6,7 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <set>
 
 namespace {
@@ -49,16 +51,29 @@ TEST_F(Triangulate_command, writes_the_keys_of_the_statistics_in_order)
     keys.push_back(item.key());
   EXPECT_EQ(keys, (std::vector<std::string>{
                     "vertices", "edges", "faces", "boundary_edges", "components",
-                    "euler_characteristic", "number_type", "flips", "tests", "ties", "stages",
-                    "edges_changed", "simple", "longest", "crossings", "loops",
+                    "euler_characteristic", "number_type", "flips", "tests", "ties", "cells",
+                    "stages", "edges_changed", "simple", "longest", "crossings", "loops",
                     "multiple_edges", "min_weight_before", "min_weight_after",
-                    "negative_weights_before", "negative_weights_after", "mollification",
-                    "seconds", "peak_memory_bytes"}));
+                    "negative_weights_before", "negative_weights_after", "verification",
+                    "mollification", "seconds", "peak_memory_bytes"}));
   EXPECT_EQ(json["vertices"], 4);
   EXPECT_EQ(json["boundary_edges"], 4);
   EXPECT_EQ(json["euler_characteristic"], 1);
   EXPECT_EQ(json["flips"], 1);
+  EXPECT_EQ(json["number_type"], "filtered");
+  EXPECT_EQ(json["ties"], 0);
+  EXPECT_EQ(json["cells"], 2);
   EXPECT_EQ(json["edges_changed"], 1);
+  EXPECT_EQ(json["simple"], 1);
+  EXPECT_EQ(json["longest"], 2);
+  EXPECT_EQ(json["crossings"], 1);
+  EXPECT_TRUE(json["verification"].is_null());
+  keys.clear();
+  for (const auto& item : json["stages"].items())
+    keys.push_back(item.key());
+  EXPECT_EQ(keys, (std::vector<std::string>{"filter", "unfolding", "rational", "multiprecision",
+                                            "algebraic"}));
+  EXPECT_EQ(json["stages"]["filter"], json["tests"]);
   EXPECT_EQ(json["negative_weights_before"], 1);
   EXPECT_EQ(json["negative_weights_after"], 0);
   EXPECT_LT(json["min_weight_before"], 0);
@@ -87,6 +102,7 @@ TEST_F(Triangulate_command, writes_one_row_for_each_edge)
     } else {
       const std::set<std::string> ends = {row[0], row[1]};
       EXPECT_EQ(ends, (std::set<std::string>{"1", "3"}));
+      EXPECT_EQ(row[4], "1");
       EXPECT_EQ(row[2], "0.5");
       // Both opposite angles have the cotangent (1 - 1/16) / (1/2).
       EXPECT_NEAR(std::stod(row[3]), 3.75, 1e-14);
@@ -98,7 +114,8 @@ TEST_F(Triangulate_command, writes_one_row_for_each_edge)
 TEST_F(Triangulate_command, agrees_with_itself_for_each_number_type)
 {
   ASSERT_EQ(idt("sample helical-tube -o tube.off").status, 0);
-  for (const char* number_type : {"double", "long-double", "interval", "mpfr", "core",
+  Json reference;
+  for (const char* number_type : {"filtered", "double", "long-double", "interval", "mpfr", "core",
                                   "half-angle-double", "half-angle-core"}) {
     const Command_run run =
       idt(std::string("triangulate tube.off --stats s.json --number-type ") + number_type);
@@ -106,6 +123,13 @@ TEST_F(Triangulate_command, agrees_with_itself_for_each_number_type)
     const Json json = Json::parse(content(folder_ / "s.json"));
     EXPECT_EQ(json["number_type"], number_type);
     EXPECT_EQ(json["loops"], 58) << number_type;
+    EXPECT_EQ(json["stages"].is_null(), number_type != std::string("filtered"));
+    if (reference.is_null())
+      reference = json;
+    for (const char* key : {"edges_changed", "simple", "longest", "crossings"}) {
+      EXPECT_GT(json[key], 0) << key;
+      EXPECT_EQ(json[key], reference[key]) << number_type << ' ' << key;
+    }
     EXPECT_EQ(json["negative_weights_after"], 0) << number_type;
     EXPECT_GE(json["min_weight_after"], 0) << number_type;
   }
@@ -170,6 +194,130 @@ TEST_F(Triangulate_command, names_what_is_wrong_with_an_input)
   EXPECT_TRUE(contains(idt("triangulate square.off").err, "face 0"));
   EXPECT_TRUE(contains(idt("triangulate flat.gluing").err, "face 0"));
   EXPECT_FALSE(fs::exists(folder_ / "e.csv"));
+}
+
+TEST_F(Triangulate_command, knows_an_edge_that_was_flipped_back)
+{
+  // Each interior edge of the pillow's result is an input edge or crosses one.
+  ASSERT_EQ(idt("sample pillow -o pillow.off").status, 0);
+  ASSERT_EQ(idt("triangulate pillow.off --edges e.csv --stats s.json").status, 0);
+  const Json json = Json::parse(content(folder_ / "s.json"));
+  std::vector<std::string> rows = lines(content(folder_ / "e.csv"));
+  rows.erase(rows.begin());
+  std::uint64_t changed = 0, crossings = 0, simple = 0, most = 0;
+  for (const std::string& line : rows) {
+    const std::vector<std::string> row = fields(line);
+    const std::uint64_t n = std::stoull(row[4]);
+    EXPECT_EQ(n == 0, row[5] == "1") << line;
+    changed += n > 0;
+    crossings += n;
+    simple += n == 1;
+    most = std::max(most, n);
+  }
+  EXPECT_EQ(json["edges_changed"], changed);
+  EXPECT_EQ(json["crossings"], crossings);
+  EXPECT_EQ(json["simple"], simple);
+  EXPECT_EQ(json["longest"], most + 1);
+}
+
+TEST_F(Triangulate_command, verifies_a_result_exactly)
+{
+  for (const char* sample : {"torus", "prism", "latitude-longitude-sphere"}) {
+    const std::string name = std::string(sample) + ".off";
+    ASSERT_EQ(idt(std::string("sample ") + sample + " -o " + name).status, 0);
+    // Rounding leaves edges that exact arithmetic would have flipped.
+    const Command_run rounded =
+      idt("triangulate " + name + " --number-type double --verify --stats s.json --edges e.csv");
+    EXPECT_EQ(rounded.status, 4) << name;
+    EXPECT_TRUE(contains(rounded.err, "edge ")) << rounded.err;
+    EXPECT_TRUE(contains(rounded.err, "joins vertices")) << rounded.err;
+    EXPECT_TRUE(contains(rounded.out, "\n  verification ")) << rounded.out;
+    EXPECT_TRUE(fs::exists(folder_ / "e.csv"));
+    Json json = Json::parse(content(folder_ / "s.json"));
+    EXPECT_GT(json["verification"]["not_delaunay"], 0) << name;
+    EXPECT_TRUE(json["cells"].is_null()) << name;
+
+    const Command_run exact = idt("triangulate " + name + " --verify --stats s.json");
+    EXPECT_EQ(exact.status, 0) << exact.err;
+    json = Json::parse(content(folder_ / "s.json"));
+    std::vector<std::string> keys;
+    for (const auto& item : json["verification"].items())
+      keys.push_back(item.key());
+    EXPECT_EQ(keys, (std::vector<std::string>{"tests", "not_delaunay", "inverted_faces", "ties"}));
+    EXPECT_EQ(json["verification"]["tests"], json["edges"]) << name;
+    EXPECT_EQ(json["verification"]["not_delaunay"], 0) << name;
+    EXPECT_EQ(json["verification"]["inverted_faces"], 0) << name;
+    EXPECT_EQ(json["verification"]["ties"], json["ties"]) << name;
+    // On a closed surface each tie joins two faces of a cell.
+    EXPECT_EQ(json["cells"].get<std::size_t>() + json["ties"].get<std::size_t>(), json["faces"]);
+  }
+}
+
+TEST_F(Triangulate_command, calls_rounded_decisions_that_contradict_each_other_by_name)
+{
+  ASSERT_EQ(idt("sample pillow -o pillow.off").status, 0);
+  const Command_run run = idt("triangulate pillow.off --number-type double --edges e.csv");
+  EXPECT_EQ(run.status, 4);
+  EXPECT_TRUE(contains(run.err, "contradict")) << run.err;
+  EXPECT_TRUE(contains(run.err, "edge ")) << run.err;
+  EXPECT_TRUE(fs::exists(folder_ / "e.csv"));
+}
+
+TEST_F(Triangulate_command, verifies_the_evaluation_meshes_that_double_gets_wrong)
+{
+  if (!fs::is_directory(data_folder() / "good"))
+    GTEST_SKIP() << "no evaluation meshes: set IDT_DATA_DIR";
+  for (const char* name :
+       {"varylab_BlownUpA_TA001_01.off", "synth_torus_8x8.off", "thingi10k_79741.off"}) {
+    const std::string path = "'" + (data_folder() / "good" / name).string() + "'";
+    EXPECT_EQ(idt("triangulate " + path + " --number-type double --verify").status, 4) << name;
+    EXPECT_EQ(idt("triangulate " + path + " --verify").status, 0) << name;
+  }
+}
+
+TEST_F(Triangulate_command, passes_a_cap_without_area_exactly)
+{
+  // The middle of a side of one triangle is a corner of the other three.
+  write("cap.off", "OFF\n5 4 0\n0 0 0\n2 0 0\n1 2 0\n1 0 0\n1 -1 0\n"
+                   "3 0 1 2\n3 0 3 1\n3 0 4 3\n3 3 4 1\n");
+  const Command_run run = idt("triangulate cap.off --verify --edges e.csv --stats s.json");
+  EXPECT_EQ(run.status, 0) << run.err;
+  const Json json = Json::parse(content(folder_ / "s.json"));
+  EXPECT_EQ(json["verification"]["not_delaunay"], 0);
+  EXPECT_EQ(json["mollification"], 0);
+  bool is_found = false;
+  for (const std::string& line : lines(content(folder_ / "e.csv"))) {
+    const std::vector<std::string> row = fields(line);
+    if (std::set<std::string>{row[0], row[1]} == std::set<std::string>{"2", "3"}) {
+      is_found = true;
+      EXPECT_EQ(row[2], "2"); // the height of the large triangle
+      // Both opposite angles have the cotangent 1/2.
+      EXPECT_EQ(row[3], "1");
+    }
+  }
+  EXPECT_TRUE(is_found);
+}
+
+TEST_F(Triangulate_command, leaves_no_diagnostics_in_the_folder)
+{
+  ASSERT_EQ(idt("sample helical-tube -o tube.off").status, 0);
+  for (const char* number_type : {"core", "half-angle-core"})
+    EXPECT_EQ(idt(std::string("triangulate tube.off --number-type ") + number_type).status, 0);
+  EXPECT_EQ(files(), std::vector<std::string>{"tube.off"});
+}
+
+TEST_F(Triangulate_command, names_vertices_that_coincide)
+{
+  write("edge.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  const Command_run joined = idt("triangulate edge.off");
+  EXPECT_EQ(joined.status, 3);
+  EXPECT_TRUE(contains(joined.err, "edge 1-2 ")) << joined.err;
+  // No edge joins them, but a flip between two faces without area would.
+  write("flip.off", "OFF\n4 2 0\n0 0 0\n2 0 0\n1 0 0\n1 0 0\n3 0 1 2\n3 1 0 3\n");
+  const Command_run flipped = idt("triangulate flip.off");
+  EXPECT_EQ(flipped.status, 3);
+  EXPECT_TRUE(contains(flipped.err, "vertices")) << flipped.err;
+  EXPECT_TRUE(contains(flipped.err, "2 and 3") || contains(flipped.err, "3 and 2")) << flipped.err;
 }
 
 TEST_F(Triangulate_command, accepts_faces_of_zero_area_and_unused_vertices)

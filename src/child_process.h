@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Work that may take for ever without asking whether to go on.
+
+#ifndef IDT_CHILD_PROCESS_H
+#define IDT_CHILD_PROCESS_H
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace idt {
+
+struct Child_result
+{
+  enum class End {
+    DONE,
+    TIME_LIMIT, // it was ended, since the next line took too long
+    DIED,       // a signal or an exception ended it
+    INTERRUPTED // it was ended, since the command was interrupted
+  };
+  End end = End::DONE;
+  std::vector<std::string> lines; // what it had to say until then
+};
+
+using Say_function = std::function<void(const std::string& line)>;
+
+// Runs `function` in a copy of this process and returns the lines that it said. The copy
+// has no standard output or error, and none of its changes is seen here.
+// \param seconds how long it may take to the first line, between two lines, and to the end
+// \exception Output_error if there can be no such process
+Child_result run_in_child_process(const std::function<void(const Say_function&)>& function,
+                                  double seconds);
+
+} // namespace idt
+
+#endif // IDT_CHILD_PROCESS_H

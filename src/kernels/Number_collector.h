@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Plain numbers for what leaves a kernel: lengths, areas and weights.
+
+#ifndef IDT_KERNELS_NUMBER_COLLECTOR_H
+#define IDT_KERNELS_NUMBER_COLLECTOR_H
+
+#include "Kernel.h"
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace idt {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+// Cotangent weights as doubles, none of them NaN, from the triangulation's own accessors,
+// with the sign that its number type decides.
+template <class Triangulation>
+class Weight_evaluator
+{
+  using FT = typename Triangulation::FT;
+
+public:
+  explicit Weight_evaluator(const Triangulation& triangulation)
+    : triangulation_(triangulation), complex_(triangulation.connectivity()),
+      has_area_(complex_.number_of_faces(), unknown)
+  {}
+
+  double operator()(IT::Edge_index e)
+  {
+    const IT::Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+    double result = std::numeric_limits<double>::quiet_NaN();
+    if ((complex_.is_border(h) || has_positive_area(complex_.face(h))) &&
+        (complex_.is_border(g) || has_positive_area(complex_.face(g))))
+      result = CGAL::to_double(triangulation_.cotangent_weight(e));
+    if (std::isnan(result)) {
+      result = (complex_.is_border(h) ? 0 : rough_cotangent(h)) +
+               (complex_.is_border(g) ? 0 : rough_cotangent(g));
+      // Two faces of zero area, with angles of 0 and of π opposite to the edge: a tie.
+      if (std::isnan(result))
+        result = 0;
+    }
+    // A sum of two rounded cotangents that cancel can have another sign.
+    if (result < 0 && !complex_.is_border(e) &&
+        CGAL::certainly(triangulation_.is_locally_Delaunay(e)))
+      result = 0;
+    return result;
+  }
+
+private:
+  static constexpr std::int8_t unknown = -1;
+
+  bool has_positive_area(IT::Face_index f)
+  {
+    std::int8_t& answer = has_area_[f.idx()];
+    if (answer == unknown)
+      answer = find_positive_area(f) ? 1 : 0;
+    return answer != 0;
+  }
+
+  bool find_positive_area(IT::Face_index f) const
+  {
+    if constexpr (Triangulation::uses_exact_geometry)
+      // The stored bound mostly knows; a rounded area can be tiny though the exact one is zero.
+      return triangulation_.traits().has_positive_area_object()(triangulation_.face_data(f)) ||
+             triangulation_.exact_geometry().sign_of_area(complex_, f) == CGAL::POSITIVE;
+    else
+      return CGAL::certainly(triangulation_.area(f) > FT(0));
+  }
+
+  // For a face whose area is zero, or not known to be positive, or beside one.
+  double rough_cotangent(IT::Halfedge_index h)
+  {
+    if constexpr (Triangulation::uses_exact_geometry) {
+      if (has_positive_area(complex_.face(h)))
+        return triangulation_.cotangent(h);
+      // At the corner of a flat face the scalar product is that of two parallel sides.
+      const double p = triangulation_.exact_geometry().corner(complex_, h).p.hi();
+      return std::copysign(std::numeric_limits<double>::infinity(), p);
+    }
+    const auto length = [&](IT::Halfedge_index k) {
+      return CGAL::to_double(triangulation_.length(complex_.edge(k)));
+    };
+    const double l_ij = length(h), l_jk = length(complex_.next(h)), l_ki = length(complex_.prev(h));
+    // In units of the longest side, lest a square overflows.
+    const double longest = std::fmax(l_ij, std::fmax(l_jk, l_ki));
+    const double ij = l_ij / longest, jk = l_jk / longest, ki = l_ki / longest;
+    const double p = IT::twice_scalar_product<double>(jk * jk, ki * ki, ij * ij);
+    const double q = IT::squared_four_areas_from_lengths(ij, jk, ki);
+    return q > 0 ? p / std::sqrt(q)
+                 : std::copysign(std::numeric_limits<double>::infinity(), p);
+  }
+
+  const Triangulation& triangulation_;
+  const IT::Delta_complex& complex_;
+  std::vector<std::int8_t> has_area_;
+};
+
+inline void add(Weight_summary& summary, double weight)
+{
+  if (!summary.smallest || weight < *summary.smallest)
+    summary.smallest = weight;
+  summary.negative += weight < 0;
+}
+
+// Where the stored numbers have error bounds, the exact geometry is only asked for the few
+// weights that can be the smallest.
+template <class Triangulation>
+Weight_summary summarize_weights(const Triangulation& triangulation)
+{
+  const IT::Delta_complex& complex = triangulation.connectivity();
+  Weight_evaluator<Triangulation> weight(triangulation);
+  Weight_summary summary;
+  if constexpr (!Triangulation::uses_exact_geometry) {
+    for (IT::Edge_index e : complex.edges())
+      if (!complex.is_border(e))
+        add(summary, weight(e));
+  } else {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    // The cotangent opposite to h from below and from above; see the traits for the error of p.
+    const auto cotangent_bounds = [&](IT::Halfedge_index h) -> std::pair<double, double> {
+      const auto &ij = triangulation.edge_data(complex.edge(h)),
+                 &jk = triangulation.edge_data(complex.edge(complex.next(h))),
+                 &ki = triangulation.edge_data(complex.edge(complex.prev(h)));
+      const auto& area = triangulation.face_data(complex.face(h));
+      if (!(area.value > 2 * area.error))
+        return {-infinity, infinity};
+      const double value = IT::twice_scalar_product(jk.value, ki.value, ij.value) / area.value;
+      const double error = (1.6 * (ij.error + jk.error + ki.error) + std::abs(value) * area.error) *
+                             1.1 / (area.value - area.error) + 0x1p-50 * std::abs(value);
+      return {value - error, value + error};
+    };
+    std::vector<double> from_below(complex.number_of_edges(), infinity);
+    double smallest_from_above = infinity;
+    for (IT::Edge_index e : complex.edges()) {
+      if (complex.is_border(e))
+        continue;
+      const IT::Halfedge_index h = complex.halfedge(e);
+      const auto k = cotangent_bounds(h), l = cotangent_bounds(complex.opposite(h));
+      from_below[e.idx()] = k.first + l.first;
+      smallest_from_above = (std::min)(smallest_from_above, k.second + l.second);
+      summary.negative += !CGAL::certainly(triangulation.is_locally_Delaunay(e));
+    }
+    // The bounds are those of the exact weight; what is reported is rounded once more.
+    smallest_from_above += 0x1p-40 * (1 + std::abs(smallest_from_above));
+    for (IT::Edge_index e : complex.edges())
+      if (!complex.is_border(e) && from_below[e.idx()] <= smallest_from_above) {
+        const double w = weight(e);
+        if (!summary.smallest || w < *summary.smallest)
+          summary.smallest = w;
+      }
+  }
+  return summary;
+}
+
+template <class Triangulation>
+void collect_lengths(const Triangulation& triangulation, Outcome& outcome)
+{
+  outcome.lengths.reserve(triangulation.connectivity().number_of_edges());
+  for (IT::Edge_index e : triangulation.connectivity().edges())
+    outcome.lengths.push_back(CGAL::to_double(triangulation.length(e)));
+}
+
+template <class Triangulation>
+void collect_weights_and_areas(const Triangulation& triangulation, Outcome& outcome)
+{
+  const IT::Delta_complex& complex = triangulation.connectivity();
+  Weight_evaluator<Triangulation> weight(triangulation);
+  outcome.weights.reserve(complex.number_of_edges());
+  for (IT::Edge_index e : complex.edges())
+    outcome.weights.push_back(weight(e));
+  outcome.areas.reserve(complex.number_of_faces());
+  for (IT::Face_index f : complex.faces())
+    outcome.areas.push_back(CGAL::to_double(triangulation.area(f)));
+}
+
+} // namespace idt
+
+#endif // IDT_KERNELS_NUMBER_COLLECTOR_H
