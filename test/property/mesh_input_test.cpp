@@ -26,6 +26,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -95,6 +96,19 @@ struct Counter
   std::uint64_t flips = 0;
 };
 
+// The exact traits, but for coordinates with square roots, whose exact type is too slow here.
+template <class TypeParam>
+using Test_traits = std::conditional_t<
+  std::is_same<typename TypeParam::Kernel::FT,
+               CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT>::value,
+  Double_traits, IT::Filtered_edge_length_traits>;
+
+template <class TypeParam>
+auto test_traits()
+{
+  return CGAL::parameters::geom_traits(Test_traits<TypeParam>());
+}
+
 } // namespace
 
 TYPED_TEST(Mesh_input, leads_to_the_same_triangulation)
@@ -106,12 +120,11 @@ TYPED_TEST(Mesh_input, leads_to_the_same_triangulation)
   EXPECT_GT(t.report().flips, 100u);
   EXPECT_TRUE(are_same_edges(edge_records(t), expected_edges(sphere()), 1e-12));
 
-  const auto filtered = IT::intrinsic_delaunay_triangulation(
-    mesh, CGAL::parameters::geom_traits(IT::Filtered_edge_length_traits()));
+  const auto filtered = IT::intrinsic_delaunay_triangulation(mesh, test_traits<TypeParam>());
   EXPECT_TRUE(are_same_edges(edge_records(filtered), expected_edges(sphere()), 1e-12));
 
   // Elements keep the numbers that they have in the mesh.
-  const auto unflipped = IT::intrinsic_triangulation(mesh);
+  const auto unflipped = IT::intrinsic_triangulation(mesh, test_traits<TypeParam>());
   const IT::Delta_complex& c = unflipped.connectivity();
   std::vector<typename TypeParam::Kernel::Point_3> points;
   for (auto v : vertices(mesh))
@@ -130,7 +143,8 @@ TYPED_TEST(Mesh_input, leads_to_the_same_triangulation)
 
 TYPED_TEST(Mesh_input, helical_tube_has_58_loops)
 {
-  const auto t = IT::intrinsic_delaunay_triangulation(mesh_of<TypeParam>(IT::helical_tube()));
+  const auto t = IT::intrinsic_delaunay_triangulation(mesh_of<TypeParam>(IT::helical_tube()),
+                                                      test_traits<TypeParam>());
   const IT::Delta_complex& c = t.connectivity();
   EXPECT_EQ(t.report().status, IT::Flip_status::DELAUNAY);
   EXPECT_TRUE(c.is_valid(true));
@@ -157,16 +171,17 @@ TYPED_TEST(Mesh_input, vertex_point_map_is_used)
     points.emplace(v, get(CGAL::vertex_point, mesh, v));
     put(CGAL::vertex_point, mesh, v, Point(0, 0, 0));
   }
-  EXPECT_THROW(IT::intrinsic_delaunay_triangulation(mesh), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::intrinsic_delaunay_triangulation(mesh, test_traits<TypeParam>()),
+               IT::Invalid_surface_error);
   const auto t = IT::intrinsic_delaunay_triangulation(
-    mesh, CGAL::parameters::vertex_point_map(
+    mesh, test_traits<TypeParam>().vertex_point_map(
             boost::make_function_property_map<Vertex>([&](Vertex v) { return points.at(v); })));
   EXPECT_TRUE(are_same_edges(edge_records(t), expected_edges(sphere()), 1e-12));
 }
 
 TYPED_TEST(Mesh_input, visitor_constraints_and_budget_arrive)
 {
-  using CGAL::parameters::visitor;
+  const auto visitor = [](const auto& v) { return test_traits<TypeParam>().visitor(v); };
   const auto mesh = mesh_of<TypeParam>(sphere());
   Counter by_reference, by_value, by_boost_reference;
   const auto t = IT::intrinsic_delaunay_triangulation(mesh, visitor(std::ref(by_reference)));
@@ -181,11 +196,11 @@ TYPED_TEST(Mesh_input, visitor_constraints_and_budget_arrive)
   EXPECT_EQ(cancelled.report().tests, 7u);
 
   const auto stopped =
-    IT::intrinsic_delaunay_triangulation(mesh, CGAL::parameters::maximum_number(std::uint64_t(3)));
+    IT::intrinsic_delaunay_triangulation(mesh, test_traits<TypeParam>().maximum_number(std::uint64_t(3)));
   EXPECT_EQ(stopped.report().status, IT::Flip_status::BUDGET_EXHAUSTED);
   EXPECT_EQ(stopped.report().flips, 3u);
   const auto constrained = IT::intrinsic_delaunay_triangulation(
-    mesh, CGAL::parameters::edge_is_constrained_map(
+    mesh, test_traits<TypeParam>().edge_is_constrained_map(
             boost::make_function_property_map<IT::Edge_index>([](IT::Edge_index) { return true; })));
   EXPECT_EQ(constrained.report().status, IT::Flip_status::DELAUNAY);
   EXPECT_EQ(constrained.report().flips, 0u);

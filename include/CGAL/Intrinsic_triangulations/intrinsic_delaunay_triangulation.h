@@ -121,6 +121,9 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
   Delta_complex connectivity = make_Delta_complex(mesh);
   if constexpr (Triangulation::uses_exact_geometry &&
                 !std::is_floating_point<typename Kernel::FT>::value) {
+    static_assert(!std::is_same<Default_intrinsic_triangulation_traits<Kernel>,
+                                Edge_length_traits<typename Kernel::FT>>::value,
+                  "exact geometry needs points with rational coordinates");
     std::optional<std::vector<Input_metric::Rational>> squared_lengths =
       internal::rational_squared_lengths(mesh, point_map, connectivity);
     if (squared_lengths) // some coordinate is not a double

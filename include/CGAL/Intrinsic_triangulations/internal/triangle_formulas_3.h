@@ -5,7 +5,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRIANGLE_FORMULAS_3_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRIANGLE_FORMULAS_3_H
 
-#include <CGAL/number_utils.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/number_type_basic.h>
 
 #include <array>
 
