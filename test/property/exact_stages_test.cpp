@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <thread>
+#include <variant>
 
 namespace {
 
@@ -67,9 +68,10 @@ TEST(Exact_stages, double_doubles_see_exact_zeros_of_few_bits)
 
 TEST(Exact_stages, rational_arithmetic_decides_ties_of_straight_faces)
 {
-  const Triangulation t = make_Delaunay(IT::prism(100));
-  EXPECT_GT(t.stage_counts()[IT::Stage::RATIONAL] + t.stage_counts()[IT::Stage::UNFOLDING], 0u);
-  EXPECT_GE(IT::verify_Delaunay(t).ties, 100u); // the rectangles of the side
+  const Triangulation t =
+    make_Delaunay(std::get<IT::Indexed_triangles>(IT::make_sample("latitude-longitude-sphere")));
+  EXPECT_GT(t.stage_counts()[IT::Stage::RATIONAL], 0u);
+  EXPECT_GT(IT::verify_Delaunay(t).ties, 0u);
   expect_agreement(t);
 }
 
@@ -88,7 +90,7 @@ TEST(Exact_stages, the_multiquadratic_field_proves_ties_across_bent_edges)
 {
   const Triangulation t = make_Delaunay(IT::pillow(60));
   EXPECT_GT(t.stage_counts()[IT::Stage::ALGEBRAIC], 0u);
-  EXPECT_GE(IT::verify_Delaunay(t).ties, t.stage_counts()[IT::Stage::ALGEBRAIC] > 0 ? 1u : 0u);
+  EXPECT_GT(IT::verify_Delaunay(t).ties, 0u);
   expect_agreement(t);
 }
 

@@ -184,7 +184,8 @@ public:
   /// With `h = halfedge(e)` from i to j, k the third corner to its left and l to its
   /// right, `h` leads from l to k afterwards: it turns counterclockwise. The face of
   /// `h` becomes (i, l, k), that of its opposite (j, k, l). All descriptors keep their
-  /// meaning; four flips of the same edge are the identity. O(1).
+  /// meaning; four flips of the same edge are the identity, but for
+  /// the choice of `halfedge(v)` and `halfedge(f)`. O(1).
   ///
   /// \pre `is_flippable(e)`
   void flip(Edge_index e)

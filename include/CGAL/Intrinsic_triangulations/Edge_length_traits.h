@@ -53,7 +53,7 @@ public:
   /// no decision needs more than the data of the hinge
   using Uses_exact_geometry = Tag_false;
 
-  /// makes the data of an edge from its end points, its length or its squared length.
+  /// makes the data of an edge from its end points or its length.
   struct Construct_edge_data
   {
     Edge_data operator()(const Point_data& p, const Point_data& q) const
@@ -61,20 +61,14 @@ public:
       return internal::squared_distance_3(p, q);
     }
     Edge_data from_length(const FT& length) const { return length * length; }
-    Edge_data from_squared_length(const FT& squared_length) const { return squared_length; }
   };
 
-  /// makes the data of a face from its corners, or from the data of its edges.
+  /// makes the data of a face from its corners, or from the lengths of its edges.
   struct Construct_face_data
   {
     Face_data operator()(const Point_data& p, const Point_data& q, const Point_data& r) const
     {
       return internal::four_areas_3(p, q, r);
-    }
-    /// \pre the squares obey the triangle inequality
-    Face_data from_edges(const Edge_data& ij, const Edge_data& jk, const Edge_data& ki) const
-    {
-      return internal::sqrt_of_non_negative(squared_four_areas(ij, jk, ki));
     }
     /// \pre the lengths obey the triangle inequality
     Face_data from_lengths(const FT& ij, const FT& jk, const FT& ki) const

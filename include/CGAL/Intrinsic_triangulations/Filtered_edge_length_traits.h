@@ -77,10 +77,6 @@ public:
       const double s = length * length;
       return {s, 5 * u * s + tiny};
     }
-    Edge_data from_squared_length(double squared_length) const
-    {
-      return {squared_length, 5 * u * squared_length + tiny};
-    }
   };
 
   struct Construct_face_data
@@ -94,15 +90,6 @@ public:
       return {internal::four_areas_3(p, q, r),
               9.5 * u * (internal::squared_distance_3(p, q) + internal::squared_distance_3(p, r)) +
                 tiny};
-    }
-    Face_data from_edges(const Edge_data& ij, const Edge_data& jk, const Edge_data& ki) const
-    {
-      // The error of a root is bounded by the root of the error.
-      const double sum = ij.value + jk.value + ki.value;
-      const double q = squared_four_areas(ij.value, jk.value, ki.value);
-      const double e = 8 * sum * (ij.error + jk.error + ki.error);
-      const double a = q > 0 ? std::sqrt(q) : 0;
-      return {a, (a * a > 4 * e ? e / a : 3 * std::sqrt(e)) + 4 * u * a + tiny};
     }
     // Kahan's formula: each factor is right up to 2 u.
     Face_data from_lengths(double ij, double jk, double ki) const

@@ -67,10 +67,6 @@ public:
       return CGAL::sqrt(internal::squared_distance_3(p, q));
     }
     Edge_data from_length(const FT& length) const { return length; }
-    Edge_data from_squared_length(const FT& squared_length) const
-    {
-      return CGAL::sqrt(squared_length);
-    }
   };
 
   struct Construct_face_data
@@ -79,7 +75,6 @@ public:
     {
       return {};
     }
-    Face_data from_edges(const Edge_data&, const Edge_data&, const Edge_data&) const { return {}; }
     Face_data from_lengths(const FT&, const FT&, const FT&) const { return {}; }
   };
 

@@ -5,8 +5,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_RATIONAL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_RATIONAL_H
 
-#include <CGAL/enum.h>
-
 #include <boost/multiprecision/gmp.hpp>
 
 namespace CGAL {
@@ -21,7 +19,6 @@ using Rational = boost::multiprecision::number<boost::multiprecision::gmp_ration
 
 inline mpq_srcptr data(const Rational& x) { return x.backend().data(); }
 inline mpz_srcptr data(const Integer& x) { return x.backend().data(); }
-inline Sign sign_of(const Rational& x) { return CGAL::Sign(x.sign()); }
 
 } // namespace internal
 } // namespace Intrinsic_triangulations
