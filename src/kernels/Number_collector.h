@@ -137,9 +137,9 @@ Weight_summary summarize_weights(const Triangulation& triangulation)
       const auto& area = triangulation.face_data(complex.face(h));
       if (!(area.value > 2 * area.error))
         return {-infinity, infinity};
-      const double value = IT::twice_scalar_product(jk.value, ki.value, ij.value) / area.value;
-      const double error = (1.6 * (ij.error + jk.error + ki.error) + std::abs(value) * area.error) *
-                             1.1 / (area.value - area.error) + 0x1p-50 * std::abs(value);
+      const double value = IT::twice_scalar_product(jk, ki, ij) / area.value;
+      const double error = (1 + std::abs(value)) * area.error * 1.1 / (area.value - area.error) +
+                           0x1p-50 * std::abs(value);
       return {value - error, value + error};
     };
     std::vector<double> from_below(complex.number_of_edges(), infinity);

@@ -6,6 +6,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EDGE_LENGTH_TRAITS_H
 
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/cotangent_bound.h>
 #include <CGAL/Intrinsic_triangulations/internal/triangle_formulas_3.h>
 
 #include <CGAL/Uncertain.h>
@@ -15,6 +16,31 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// What is computed in float can be too far from what it stands for to be bounded in float,
+// and other number types are not made for speed.
+template <class FT>
+struct Cotangent_bound_of_edge_length_traits {};
+
+template <>
+struct Cotangent_bound_of_edge_length_traits<double>
+{
+  // The test in double sees p_k b + p_l a up to a few 2^-53 of either product.
+  struct Compute_cotangent_bound
+  {
+    float operator()(double ijk, double ij, double jk, double ki) const
+    {
+      return cotangent_bound(twice_scalar_product(jk, ki, ij), ijk);
+    }
+  };
+  Compute_cotangent_bound compute_cotangent_bound_object() const { return {}; }
+};
+
+} // namespace internal
+/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
 ///
@@ -35,7 +61,7 @@ namespace Intrinsic_triangulations {
 /// Source: the formulas of `hinge_formulas.h`; Delaunay criterion of Fisher, Springborn,
 /// Schroeder, Bobenko (2006), section 2.1.
 template <class FT_>
-class Edge_length_traits
+class Edge_length_traits : public internal::Cotangent_bound_of_edge_length_traits<FT_>
 {
 public:
   using FT = FT_;
@@ -88,13 +114,11 @@ public:
       const FT p_k = twice_scalar_product(h.jk, h.ki, h.ij);
       const FT p_l = twice_scalar_product(h.il, h.lj, h.ij);
       const FT value = delaunay_value(p_k, h.ijk, p_l, h.jil);
-      const auto sign_of_value = CGAL::sign(value);
-      if (certainly(sign_of_value == ZERO) && certainly(h.ijk == FT(0)) &&
-          certainly(h.jil == FT(0))) {
+      if (certainly(value == FT(0)) && certainly(h.ijk == FT(0)) && certainly(h.jil == FT(0))) {
         const Boolean is_k_sharp = p_k >= FT(0), is_l_sharp = p_l >= FT(0);
         return is_k_sharp | is_l_sharp;
       }
-      return sign_of_value != NEGATIVE;
+      return !(value < FT(0));
     }
   };
 

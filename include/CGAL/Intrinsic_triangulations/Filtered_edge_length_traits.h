@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Squared lengths and areas in double, each with a bound on its error.
+// Squared lengths and areas in double, with a bound on their errors for each face.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_FILTERED_EDGE_LENGTH_TRAITS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_FILTERED_EDGE_LENGTH_TRAITS_H
 
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/cotangent_bound.h>
 #include <CGAL/Intrinsic_triangulations/internal/triangle_formulas_3.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -20,11 +22,12 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
-/// \brief a double and an upper bound on its absolute error.
-struct Bounded_double
+/// \brief what `Filtered_edge_length_traits` keep for a face.
+struct Bounded_area
 {
-  double value;
-  double error;
+  double value; ///< four times the area
+  double error; ///< more than the error of `value`, and more than the sum of the errors of the
+                ///< squared lengths of the three sides
 };
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
@@ -33,13 +36,22 @@ struct Bounded_double
 ///
 /// Every Delaunay test gives the answer of exact real arithmetic on the piecewise-flat
 /// surface that the input defines, however many flips came before. The functors below
-/// are the first stage: they keep a running error bound beside each squared length and
-/// area and answer where it suffices. Where it does not, `Intrinsic_triangulation` asks
-/// its `Exact_geometry`, whose result replaces what is stored.
+/// are the first stage: they keep a running error bound for each face and answer where it
+/// suffices. Where it does not, `Intrinsic_triangulation` asks its `Exact_geometry`, whose
+/// result replaces what is stored.
 ///
-/// Invariants: with u = 2^-53, the error of a squared length s is at least 5 u s, that of
-/// an area a (times four) at least 4 u a. They let one factor cover the rounding errors
-/// of a test.
+/// Invariants: let s be the squared lengths of the three sides of a face as they are stored, a
+/// four times its area, E its error bound, and s*, a* the true numbers. With u = 2^-53,
+///
+///     (1)  E >= 1.5 (sum of max(|s - s*|, 2 u s))
+///     (2)  E >= 1.5 |a - a*|
+///     (3)  E >= 12 u (sum of s).
+///
+/// One bound for a face does for its sides as well, because what is computed with them,
+/// p = s + s' - s'', takes the errors of all three. Factor and (3) let it cover rounding, too:
+/// since a* <= (sum of s*) / √3, u |a| is less than E / 20, and a computed p is wrong by less
+/// than E / 1.5 + 2 u (sum of s) <= 0.84 E. Because of the maximum in (1), a side may be replaced
+/// by a number that is right up to 2 u without a look at the face beyond it.
 ///
 /// \cgalModels `IntrinsicTriangulationTraits`
 class Filtered_edge_length_traits
@@ -47,15 +59,15 @@ class Filtered_edge_length_traits
   static constexpr double u = 0x1p-53;
   // Covers underflow; the unit of length is such that ordinary values are far above.
   static constexpr double tiny = 1e-200;
-  // A divisor must be known this well, and be this far from underflow.
+  // A divisor must be this far from underflow.
   static constexpr double smallest_divisor = 1e-100;
 
 public:
   using FT = double;
   /// squared length
-  using Edge_data = Bounded_double;
-  /// four times the area
-  using Face_data = Bounded_double;
+  using Edge_data = double;
+  /// four times the area, with the error bound
+  using Face_data = Bounded_area;
   using Boolean = Uncertain<bool>;
   using Hinge_data = Hinge<Edge_data, Face_data>;
   using Flipped_hinge_data = Flipped_hinge<Edge_data, Face_data>;
@@ -66,17 +78,12 @@ public:
 
   struct Construct_edge_data
   {
-    // Each difference, square and sum adds at most u, and nothing cancels.
+    // Each difference, square and sum adds at most u, and nothing cancels: right up to 6 u.
     Edge_data operator()(const Point_data& p, const Point_data& q) const
     {
-      const double s = internal::squared_distance_3(p, q);
-      return {s, 6 * u * s + tiny};
+      return internal::squared_distance_3(p, q);
     }
-    Edge_data from_length(double length) const
-    {
-      const double s = length * length;
-      return {s, 5 * u * s + tiny};
-    }
+    Edge_data from_length(double length) const { return length * length; }
   };
 
   struct Construct_face_data
@@ -84,19 +91,25 @@ public:
     // The components of the cross product v × w are wrong by at most 4 u times the sum of
     // the absolute values of their two terms, the vector by at most 4 √2 u |v| |w|; norm
     // and root add less than 3 u a. With a <= 2 |v| |w| <= v² + w², 9 u (v² + w²) covers
-    // the error of a = 2 |v × w|.
+    // the error of a = 2 |v × w|. Hence (2), and (1) as 1.5 · 6 < 14.
     Face_data operator()(const Point_data& p, const Point_data& q, const Point_data& r) const
     {
       return {internal::four_areas_3(p, q, r),
-              9.5 * u * (internal::squared_distance_3(p, q) + internal::squared_distance_3(p, r)) +
-                tiny};
+              initial_error(internal::squared_distance_3(p, q),
+                            internal::squared_distance_3(q, r),
+                            internal::squared_distance_3(p, r))};
     }
-    // Kahan's formula: each factor is right up to 2 u.
+    // Kahan's formula: each factor is right up to 2 u, a up to 10 u, and 15 / √3 < 14.
     Face_data from_lengths(double ij, double jk, double ki) const
     {
-      const double a =
-        internal::sqrt_of_non_negative(squared_four_areas_from_lengths(ij, jk, ki));
-      return {a, 10 * u * a + tiny};
+      return {internal::sqrt_of_non_negative(squared_four_areas_from_lengths(ij, jk, ki)),
+              initial_error(ij * ij, jk * jk, ki * ki)};
+    }
+
+  private:
+    static double initial_error(double s, double t, double v)
+    {
+      return 14 * u * (s + t + v) + tiny;
     }
   };
 
@@ -105,24 +118,18 @@ public:
   {
     Boolean operator()(const Hinge_data& h) const
     {
-      const double p_k = twice_scalar_product(h.jk.value, h.ki.value, h.ij.value);
-      const double p_l = twice_scalar_product(h.il.value, h.lj.value, h.ij.value);
-      const double value = p_k * h.jil.value + p_l * h.ijk.value;
-      // p is wrong by at most e_p = 1.5 (e + e + e): the sum of the errors, and two roundings
-      // of at most u (s + s + s) each. A product p a is wrong by at most
-      // |p| e_a + e_p (a + e_a), and its rounding and that of the sum by at most
-      // 2 u |p| a <= |p| e_a / 2. All of it is below 1.6 times the following.
-      const double e_k = h.jk.error + h.ki.error + h.ij.error;
-      const double e_l = h.il.error + h.lj.error + h.ij.error;
-      const double bound = 1.6 * (std::abs(p_k) * h.jil.error + std::abs(p_l) * h.ijk.error +
-                                  e_k * (h.jil.value + h.jil.error) +
-                                  e_l * (h.ijk.value + h.ijk.error)) +
-                           tiny;
-      if (value > bound)
-        return true;
-      if (value < -bound)
-        return false;
-      return Boolean::indeterminate();
+      const double p_k = twice_scalar_product(h.jk, h.ki, h.ij);
+      const double p_l = twice_scalar_product(h.il, h.lj, h.ij);
+      const double a = h.ijk.value, b = h.jil.value, e = h.ijk.error, f = h.jil.error;
+      const double value = p_k * b + p_l * a;
+      // p_k b is wrong by at most |p_k| f / 1.5 + 0.84 e (b + f / 1.5). Its rounding and that of
+      // the sum add 2.01 u |p_k| |b| <= |p_k| f / 9, and the same holds for p_l a: 0.9 times
+      // the following covers all of it.
+      const double bound =
+        e * (std::abs(p_l) + b + f) + f * (std::abs(p_k) + a + e) + tiny;
+      if (!(std::abs(value) > bound))
+        return Boolean::indeterminate();
+      return value > 0;
     }
   };
 
@@ -130,48 +137,89 @@ public:
   /// that the other diagonal exists.
   struct Construct_flipped_hinge
   {
-    Boolean operator()(const Hinge_data& h, Flipped_hinge_data& f) const
+    Boolean operator()(const Hinge_data& h, Flipped_hinge_data& flipped) const
     {
-      const double s = h.ij.value;
-      const double x_k = twice_scalar_product(h.ki.value, s, h.jk.value);
-      const double x_l = twice_scalar_product(h.il.value, s, h.lj.value);
-      const double y_k = twice_scalar_product(h.jk.value, s, h.ki.value);
-      const double y_l = twice_scalar_product(h.lj.value, s, h.il.value);
-      const double a = h.ijk.value, b = h.jil.value, e_a = h.ijk.error, e_b = h.jil.error;
+      const double s = h.ij;
+      const double x_k = twice_scalar_product(h.ki, s, h.jk);
+      const double x_l = twice_scalar_product(h.il, s, h.lj);
+      const double y_k = twice_scalar_product(h.jk, s, h.ki);
+      const double y_l = twice_scalar_product(h.lj, s, h.il);
+      const double a = h.ijk.value, b = h.jil.value, e = h.ijk.error, f = h.jil.error;
       const double r = 1 / (s + s);
       const double along = x_k - x_l, across = a + b;
-      f.kl.value = (along * along + across * across) * r * 0.5;
-      f.ilk.value = (x_k * b + x_l * a) * r;
-      f.jkl.value = (y_k * b + y_l * a) * r;
-      if (!(s > 1024 * h.ij.error && s > smallest_divisor)) {
-        f.kl.error = f.ilk.error = f.jkl.error = std::numeric_limits<double>::infinity();
+      const double s_kl = (along * along + across * across) * r * 0.5;
+      flipped.kl = s_kl;
+      flipped.ilk.value = (x_k * b + x_l * a) * r;
+      flipped.jkl.value = (y_k * b + y_l * a) * r;
+      const double sum = e + f;
+      if (!(s > 512 * sum && s > smallest_divisor)) {
+        flipped.ilk.error = flipped.jkl.error = std::numeric_limits<double>::infinity();
         return true;
       }
-      // As above: e_k bounds the errors of x_k and y_k. 1/s is wrong by less than
-      // 2.002 r e_s / s.
-      const double e_k = 1.5 * (h.jk.error + h.ki.error + h.ij.error);
-      const double e_l = 1.5 * (h.il.error + h.lj.error + h.ij.error);
-      const double e_r = 2.01 * h.ij.error * r + 6 * u;
-      const double e_along = 1.2 * (e_k + e_l), e_across = 1.3 * (e_a + e_b);
-      f.kl.error = 1.01 * ((2 * std::abs(along) + e_along) * e_along +
-                           (2 * across + e_across) * e_across) * r * 0.5 +
-                   f.kl.value * 1.01 * e_r + tiny;
-      const double e_products = e_k * (b + e_b) + e_l * (a + e_a);
-      f.ilk.error = 1.01 * (1.5 * (std::abs(x_k) * e_b + std::abs(x_l) * e_a) + e_products) * r +
-                    std::abs(f.ilk.value) * 1.01 * e_r + tiny;
-      f.jkl.error = 1.01 * (1.5 * (std::abs(y_k) * e_b + std::abs(y_l) * e_a) + e_products) * r +
-                    std::abs(f.jkl.value) * 1.01 * e_r + tiny;
+      // The side ij belongs to both faces: it is wrong by at most min(e, f) / 1.5 <= sum / 3, so r
+      // relatively by at most 0.67 sum r + 1.01 u. `along` is wrong by at most 0.84 sum and its
+      // rounding, together 0.93 sum; `across` by less. Hence s_kl is wrong by at most
+      // 0.94 sum r (|along| + |across| + sum) + s_kl (0.68 sum r + 4.1 u). For (1), 1.5 times that
+      // and 3 u s_kl are added to the bounds of the two faces, of which the other two sides are;
+      // 12 u s_kl makes up for the last terms, and for (3).
+      const double of_sides =
+        sum + sum * r * (1.42 * (std::abs(along) + std::abs(across) + sum) + 1.03 * s_kl) +
+        12 * u * s_kl;
+      // x_k b and x_l a together are wrong by at most 0.78 (|x_k| f + |x_l| e) +
+      // 0.84 (e b + f a + 4/3 e f), rounding of product and sum included. For (2), take 1.5 times
+      // that, and as much of the area as r and the last product are wrong.
+      const double of_products = e * b + f * a + 1.4 * e * f;
+      const auto error = [&](double at_k, double at_l, double area) {
+        const double of_area =
+          r * (1.27 * (std::abs(at_k) * f + std::abs(at_l) * e + of_products) +
+               1.03 * std::abs(area) * sum) +
+          4 * u * std::abs(area);
+        return (of_area > of_sides ? of_area : of_sides) + tiny;
+      };
+      flipped.ilk.error = error(x_k, x_l, flipped.ilk.value);
+      flipped.jkl.error = error(y_k, y_l, flipped.jkl.value);
       return true;
     }
   };
 
-  /// makes stored data from a number of an exact stage.
+  /// \brief bounds the cotangent of the corner opposite to ij in the face ijk from below.
+  ///
+  /// If two such bounds sum to more than zero, the edge that the corners are opposite to is
+  /// Delaunay.
+  struct Compute_cotangent_bound
+  {
+    float operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
+                     const Edge_data& ki) const
+    {
+      // p / a is wrong by at most (0.84 + |p / a|) E / (a - E), which is less than
+      // 2^-24 (1 + |p / a|).
+      if (!(ijk.value > 0x1p25 * ijk.error))
+        return -std::numeric_limits<float>::infinity();
+      return internal::cotangent_bound(twice_scalar_product(jk, ki, ij), ijk.value);
+    }
+  };
+
+  /// makes stored data from the numbers of an exact stage.
   struct Construct_refined_data
   {
-    Bounded_double operator()(const internal::Bounded_double_double& x) const
+    using Number = internal::Bounded_double_double;
+
+    Edge_data operator()(const Number& s) const { return s.hi(); }
+    /// The bound is infinite unless the squared lengths are right up to 2 u; as they are
+    /// shared with other faces, they are not to be replaced then.
+    Face_data operator()(const Number& four_areas, const Number& ij, const Number& jk,
+                         const Number& ki) const
     {
-      return {x.hi(), 6 * u * std::abs(x.hi()) + 1.01 * x.error() + tiny};
+      if (!(is_tight(ij) && is_tight(jk) && is_tight(ki)))
+        return {four_areas.hi(), std::numeric_limits<double>::infinity()};
+      const double of_sides = 13 * u * (ij.hi() + jk.hi() + ki.hi());
+      const double of_area = 1.6 * (u * std::abs(four_areas.hi()) + four_areas.error());
+      return {four_areas.hi(), (std::max)(of_sides, of_area) + tiny};
     }
+
+  private:
+    // What is cut off at hi() is at most u hi().
+    static bool is_tight(const Number& s) { return s.error() <= 0.9 * u * s.hi(); }
   };
   /// tells whether a face is known to have positive area.
   struct Has_positive_area
@@ -181,12 +229,12 @@ public:
   /// gives the stored squared length of an edge, good to the stored bound.
   struct Compute_squared_length
   {
-    double operator()(const Edge_data& e) const { return e.value; }
+    double operator()(const Edge_data& e) const { return e; }
   };
   /// gives the length of an edge from the stored squared length.
   struct Compute_length
   {
-    double operator()(const Edge_data& e) const { return std::sqrt(e.value); }
+    double operator()(const Edge_data& e) const { return std::sqrt(e); }
   };
   /// gives the stored area of a face.
   struct Compute_area
@@ -203,7 +251,7 @@ public:
     double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
                       const Edge_data& ki) const
     {
-      return twice_scalar_product(jk.value, ki.value, ij.value) / ijk.value;
+      return twice_scalar_product(jk, ki, ij) / ijk.value;
     }
   };
 
@@ -217,6 +265,7 @@ public:
   Compute_length compute_length_object() const { return {}; }
   Compute_area compute_area_object() const { return {}; }
   Compute_cotangent compute_cotangent_object() const { return {}; }
+  Compute_cotangent_bound compute_cotangent_bound_object() const { return {}; }
 };
 
 } // namespace Intrinsic_triangulations

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/cotangent_bound.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_construction.h>
 
 #include <CGAL/Uncertain.h>
@@ -20,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -82,7 +84,7 @@ public:
     : Intrinsic_triangulation(std::move(connectivity), traits)
   {
     exponent_ = internal::normalize_points(points);
-    internal::construct_metric_from_points(connectivity_, traits_, points, edges_, faces_);
+    internal::construct_metric_from_points(connectivity_, traits_, points, edges_, faces_, bounds_);
     if constexpr (uses_exact_geometry)
       keep_input(Input_metric::from_normalized_points(std::move(points), exponent_));
   }
@@ -100,7 +102,7 @@ public:
     Intrinsic_triangulation t(std::move(connectivity), traits);
     t.exponent_ = internal::normalize_lengths(lengths);
     internal::construct_metric_from_lengths(t.connectivity_, t.traits_, lengths, t.edges_,
-                                            t.faces_);
+                                            t.faces_, t.bounds_);
     if constexpr (uses_exact_geometry)
       t.keep_input(Input_metric::from_normalized_lengths(std::move(lengths), t.exponent_));
     return t;
@@ -125,8 +127,16 @@ public:
     const auto refined = traits.construct_refined_data_object();
     for (Edge_index e : t.connectivity_.edges())
       t.edges_[e.idx()] = refined(metric.squared_length_double_double(t.connectivity_, e));
-    for (Face_index f : t.connectivity_.faces())
-      t.faces_[f.idx()] = refined(metric.four_areas_double_double(t.connectivity_, f));
+    const auto squared_length = [&](Halfedge_index h) {
+      return metric.squared_length_double_double(t.connectivity_, t.edge(h));
+    };
+    for (Face_index f : t.connectivity_.faces()) {
+      const Halfedge_index h = t.connectivity_.halfedge(f);
+      t.faces_[f.idx()] = refined(metric.four_areas_double_double(t.connectivity_, f),
+                                  squared_length(h), squared_length(t.connectivity_.next(h)),
+                                  squared_length(t.connectivity_.prev(h)));
+      t.bound_corners(h);
+    }
     t.keep_input(std::move(metric));
     return t;
   }
@@ -259,7 +269,20 @@ public:
     return answer;
   }
 
-  /// \brief returns how many calls of `test_and_refine()` each stage decided.
+  /// \brief returns whether bounds that are kept for the corners already tell that `e` is Delaunay.
+  ///
+  /// `false` says nothing. Most edges of an ordinary surface are known to be Delaunay, and
+  /// this is much faster than `is_locally_Delaunay()`, with which it never disagrees.
+  bool is_known_Delaunay(Edge_index e) const
+  {
+    return keeps_bounds && bounds_.imply_Delaunay(e);
+  }
+
+  /// notes that `number` edges were found to be known as Delaunay, for `stage_counts()`.
+  void count_as_tested(std::uint64_t number) { number_of_filter_decisions_ += number; }
+
+  /// \brief returns how many calls of `test_and_refine()` each stage decided, and counts
+  /// for the filter what `count_as_tested()` was told.
   ///
   /// With traits that use no exact geometry all are counted for the filter.
   Stage_counts stage_counts() const
@@ -281,15 +304,15 @@ public:
     const Boolean is_convex = traits_.construct_flipped_hinge_object()(hinge(e), flipped);
     if (!certainly(is_convex))
       return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
-    const Halfedge_index h = connectivity_.halfedge(e);
-    const Face_index f = connectivity_.face(h),
-                     g = connectivity_.face(connectivity_.opposite(h));
+    const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
     if (geometry_)
       geometry_->flip(connectivity_, e);
     connectivity_.flip(e);
     edges_[e.idx()] = flipped.kl;
-    faces_[f.idx()] = flipped.ilk;
-    faces_[g.idx()] = flipped.jkl;
+    faces_[connectivity_.face(h).idx()] = flipped.ilk;
+    faces_[connectivity_.face(g).idx()] = flipped.jkl;
+    bound_corners(h);
+    bound_corners(g);
     if constexpr (uses_exact_geometry)
       if (!traits_.has_positive_area_object()(flipped.ilk) &&
           !traits_.has_positive_area_object()(flipped.jkl))
@@ -305,11 +328,16 @@ public:
   int unit_exponent() const { return exponent_; }
 
 private:
+  static constexpr bool keeps_bounds = internal::Has_cotangent_bound<Traits>::value;
+
   Intrinsic_triangulation(Delta_complex connectivity, const Traits& traits)
     : connectivity_(std::move(connectivity)), traits_(traits),
       edges_(connectivity_.number_of_edges(), internal::default_init),
       faces_(connectivity_.number_of_faces(), internal::default_init)
-  {}
+  {
+    if (keeps_bounds)
+      bounds_ = internal::Cotangent_bounds(connectivity_);
+  }
 
   Edge_index edge(Halfedge_index h) const { return connectivity_.edge(h); }
 
@@ -337,10 +365,22 @@ private:
   void refine(Halfedge_index h, const Exact_geometry::Corner& c)
   {
     const auto refined = traits_.construct_refined_data_object();
+    const Face_data face = refined(c.four_areas, c.s_first, c.s_second, c.s_opposite);
+    if (!(face.error < std::numeric_limits<double>::infinity()))
+      return;
     edges_[edge(connectivity_.prev(h)).idx()] = refined(c.s_first);
     edges_[edge(connectivity_.next(h)).idx()] = refined(c.s_second);
     edges_[edge(h).idx()] = refined(c.s_opposite);
-    faces_[connectivity_.face(h).idx()] = refined(c.four_areas);
+    faces_[connectivity_.face(h).idx()] = face;
+    bound_corners(h);
+  }
+
+  void bound_corners(Halfedge_index h)
+  {
+    const Halfedge_index next = connectivity_.next(h), prev = connectivity_.prev(h);
+    internal::bound_corners(traits_, h, next, prev, face_data(connectivity_.face(h)),
+                            edge_data(edge(h)), edge_data(edge(next)), edge_data(edge(prev)),
+                            bounds_);
   }
 
   // Between two faces without area the new edge may have no length either.
@@ -370,6 +410,7 @@ private:
   // Not initialized before they are filled: at this speed, one pass more can be felt.
   internal::Large_vector<Edge_data> edges_;
   internal::Large_vector<Face_data> faces_;
+  internal::Cotangent_bounds bounds_; // empty if the traits have none
   int exponent_ = 0;
   std::uint64_t number_of_filter_decisions_ = 0;
   mutable std::optional<Exact_geometry> geometry_;

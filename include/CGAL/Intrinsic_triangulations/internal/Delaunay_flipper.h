@@ -10,9 +10,10 @@
 
 #include <CGAL/Uncertain.h>
 
-#include <boost/config.hpp>
 #include <boost/core/ref.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -46,21 +47,60 @@ struct Flip_report
 
 namespace internal {
 
+// A list whose entries are written before it is known whether they stay: without a branch
+// that nothing could predict.
+class Edge_list
+{
+public:
+  // makes room for n entries more, and one to be overwritten
+  void make_room(std::size_t n)
+  {
+    if (edges_.size() <= size_ + n)
+      edges_.resize(2 * size_ + n + 1);
+  }
+  void push_if(bool condition, Edge_index e)
+  {
+    edges_[size_] = e;
+    size_ += condition;
+  }
+  void clear() { size_ = 0; }
+  std::size_t size() const { return size_; }
+  const Edge_index* begin() const { return edges_.data(); }
+  const Edge_index* end() const { return edges_.data() + size_; }
+
+private:
+  std::vector<Edge_index> edges_;
+  std::size_t size_ = 0;
+};
+
+// The edges are settled block by block, and a block in rounds: those of the candidates that
+// are not known to be Delaunay are tested and perhaps flipped, what lies around the flipped
+// ones are the next candidates. Most tests and flips of a round do not depend on each other,
+// so that the processor works on several at once; with a stack, each would wait for the one
+// before. A block is small enough for its data to stay in the cache until it is settled.
 template <class Triangulation, class ConstraintMap, class Visitor>
 class Delaunay_flipper
 {
   using Flip_outcome = typename Triangulation::Flip_outcome;
 
+  // Not a character type: stores of these may alias everything.
+  enum class Mark : std::uint8_t {
+    SETTLED,  // Delaunay, or not to be flipped
+    CANDIDATE // to be looked at: in a list, or in a block still to come
+  };
+
+  static constexpr Edge_index::size_type block_size = 1024;
+
 public:
   Delaunay_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained,
                    Visitor& visitor, std::uint64_t budget)
     : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor),
-      budget_(budget), is_pending_(triangulation.connectivity().number_of_edges(), 1)
+      budget_(budget), marks_(triangulation.connectivity().number_of_edges(), Mark::CANDIDATE)
   {}
 
   Flip_report run()
   {
-    const bool is_done = visit_all();
+    const bool is_done = settle_all();
     const auto is_not_Delaunay = [&](Edge_index e) {
       return !possibly(triangulation_.is_locally_Delaunay(e));
     };
@@ -80,100 +120,131 @@ public:
   }
 
 private:
-  // A mark is set while the edge is on the stack or still to be visited in order.
-  bool visit_all()
+  bool settle_all()
   {
-    for (Edge_index e : triangulation_.connectivity().edges()) {
-      if (!visit(e))
+    using Iterator = Delta_complex::Edge_iterator;
+    const Edge_index::size_type n = triangulation_.connectivity().number_of_edges();
+    for (Edge_index::size_type first = 0; first < n; first += (std::min)(block_size, n - first)) {
+      bool goes_on = find_suspects(Iterator(first), Iterator(first + (std::min)(block_size, n - first)));
+      while (goes_on && suspects_.size() != 0) {
+        candidates_.clear();
+        goes_on = settle_suspects() && find_suspects(candidates_.begin(), candidates_.end());
+      }
+      if (!goes_on)
         return false;
-      while (!stack_.empty()) {
-        const Edge_index top = stack_.back();
-        stack_.pop_back();
-        if (!visit(top))
-          return false;
+    }
+    return true;
+  }
+
+  // Leaves out the candidates that need no test.
+  template <class Iterator>
+  bool find_suspects(Iterator begin, Iterator end)
+  {
+    suspects_.clear();
+    suspects_.make_room(std::size_t(end - begin));
+    std::uint64_t number_of_known = 0;
+    for (; begin != end; ++begin) {
+      const Edge_index e = *begin;
+      if (get(is_constrained_, e)) {
+        marks_[e.idx()] = Mark::SETTLED;
+        continue;
+      }
+      const bool is_known = triangulation_.is_known_Delaunay(e);
+      if (is_known && !goes_further(report_.tests + number_of_known))
+        return false;
+      number_of_known += is_known;
+      marks_[e.idx()] = is_known ? Mark::SETTLED : Mark::CANDIDATE;
+      suspects_.push_if(!is_known, e);
+    }
+    report_.tests += number_of_known;
+    triangulation_.count_as_tested(number_of_known);
+    return true;
+  }
+
+  bool settle_suspects()
+  {
+    candidates_.make_room(4 * suspects_.size());
+    for (Edge_index e : suspects_) {
+      marks_[e.idx()] = Mark::SETTLED;
+      if (!triangulation_.connectivity().is_flippable(e))
+        continue;
+      if (!goes_further(report_.tests))
+        return false;
+      ++report_.tests;
+      const auto is_Delaunay = triangulation_.test_and_refine(e);
+      if (certainly(is_Delaunay))
+        continue;
+      if (possibly(is_Delaunay)) {
+        report_.undecided.push_back(e);
+        continue;
+      }
+      if (report_.flips == budget_) {
+        report_.status = Flip_status::BUDGET_EXHAUSTED;
+        return false;
+      }
+      switch (triangulation_.flip(e)) {
+      case Flip_outcome::FLIPPED:
+        ++report_.flips;
+        if constexpr (!Triangulation::Traits::Has_exact_decisions::value)
+          check_flipped(e);
+        add_surrounding_edges(e);
+        unwrapped_visitor().after_flip(e);
+        break;
+      case Flip_outcome::NOT_CONVEX:
+        report_.not_flippable.push_back(e);
+        break;
+      case Flip_outcome::UNDECIDED:
+        report_.undecided.push_back(e);
+        break;
       }
     }
     return true;
   }
 
-  // Most edges are Delaunay: this much is inlined in the loop, and no more.
-  bool visit(Edge_index e)
+  void check_flipped(Edge_index e)
   {
-    is_pending_[e.idx()] = 0;
-    if (get(is_constrained_, e) || !triangulation_.connectivity().is_flippable(e))
-      return true;
-    if (!unwrapped_visitor().go_further(report_.tests, report_.flips)) {
-      report_.status = Flip_status::CANCELLED;
-      return false;
-    }
-    ++report_.tests;
-    const auto is_Delaunay = triangulation_.test_and_refine(e);
-    return certainly(is_Delaunay) || flip_or_note(e, possibly(is_Delaunay));
+    if (triangulation_.is_known_Delaunay(e))
+      return;
+    const auto is_mended = triangulation_.is_locally_Delaunay(e);
+    if (!certainly(is_mended))
+      (possibly(is_mended) ? report_.undecided : report_.inconsistent).push_back(e);
   }
 
-  BOOST_NOINLINE bool flip_or_note(Edge_index e, bool is_possibly_Delaunay)
+  bool goes_further(std::uint64_t number_of_tests)
   {
-    if (is_possibly_Delaunay) {
-      report_.undecided.push_back(e);
+    if (unwrapped_visitor().go_further(number_of_tests, report_.flips))
       return true;
-    }
-    if (report_.flips == budget_) {
-      report_.status = Flip_status::BUDGET_EXHAUSTED;
-      return false;
-    }
-    switch (triangulation_.flip(e)) {
-    case Flip_outcome::FLIPPED:
-      ++report_.flips;
-      if constexpr (!Triangulation::Traits::Has_exact_decisions::value) {
-        const auto is_mended = triangulation_.is_locally_Delaunay(e);
-        if (!certainly(is_mended))
-          (possibly(is_mended) ? report_.undecided : report_.inconsistent).push_back(e);
-      }
-      push_surrounding_edges(e);
-      unwrapped_visitor().after_flip(e);
-      break;
-    case Flip_outcome::NOT_CONVEX:
-      report_.not_flippable.push_back(e);
-      break;
-    case Flip_outcome::UNDECIDED:
-      report_.undecided.push_back(e);
-      break;
-    }
-    return true;
+    report_.status = Flip_status::CANCELLED;
+    return false;
   }
 
-  void push_surrounding_edges(Edge_index e)
+  void add_surrounding_edges(Edge_index e)
   {
     const Delta_complex& complex = triangulation_.connectivity();
     const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-    push(complex.edge(complex.next(h)));
-    push(complex.edge(complex.prev(h)));
-    push(complex.edge(complex.next(g)));
-    push(complex.edge(complex.prev(g)));
+    add_candidate(complex.edge(complex.next(h)));
+    add_candidate(complex.edge(complex.prev(h)));
+    add_candidate(complex.edge(complex.next(g)));
+    add_candidate(complex.edge(complex.prev(g)));
   }
 
-  void push(Edge_index e)
+  void add_candidate(Edge_index e)
   {
-    if (is_pending_[e.idx()])
-      return;
-    is_pending_[e.idx()] = 1;
-    stack_.push_back(e);
+    Mark& mark = marks_[e.idx()];
+    candidates_.push_if(mark == Mark::SETTLED, e);
+    mark = Mark::CANDIDATE;
   }
 
   // An edge that was noted on the way may have changed since: keep those, once each, for
   // which the finding still holds.
   template <class Predicate>
-  void collect(std::vector<Edge_index>& edges, const Predicate& still_holds)
+  static void collect(std::vector<Edge_index>& edges, const Predicate& still_holds)
   {
-    std::vector<Edge_index> kept;
-    for (Edge_index e : edges)
-      is_pending_[e.idx()] = 0;
-    for (Edge_index e : edges) {
-      if (is_pending_[e.idx()] == 0 && still_holds(e))
-        kept.push_back(e);
-      is_pending_[e.idx()] = 1;
-    }
-    edges.swap(kept);
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    edges.erase(std::remove_if(edges.begin(), edges.end(),
+                               [&](Edge_index e) { return !still_holds(e); }),
+                edges.end());
   }
 
   auto& unwrapped_visitor() { return unwrap(visitor_); }
@@ -189,8 +260,9 @@ private:
   Visitor& visitor_;
   std::uint64_t budget_;
   Flip_report report_;
-  std::vector<Edge_index> stack_;
-  Large_vector<std::uint8_t> is_pending_;
+  Edge_list candidates_; // what a round begins with
+  Edge_list suspects_;   // and what of it is to be tested
+  Large_vector<Mark> marks_;
 };
 
 template <class Triangulation, class ConstraintMap, class Visitor>

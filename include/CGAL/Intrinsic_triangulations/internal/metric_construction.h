@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/cotangent_bound.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
@@ -216,46 +217,71 @@ template <class PointVector>
       offenders.and_more());
 }
 
+// Bounds the corners of the face of h, whose sides from h on are given.
+template <class Traits>
+void bound_corners(const Traits& traits, Halfedge_index h, Halfedge_index next, Halfedge_index prev,
+                   const typename Traits::Face_data& face, const typename Traits::Edge_data& side,
+                   const typename Traits::Edge_data& next_side,
+                   const typename Traits::Edge_data& prev_side, Cotangent_bounds& bounds)
+{
+  if constexpr (Has_cotangent_bound<Traits>::value) {
+    const auto bound = traits.compute_cotangent_bound_object();
+    bounds[h] = bound(face, side, next_side, prev_side);
+    bounds[next] = bound(face, next_side, prev_side, side);
+    bounds[prev] = bound(face, prev_side, side, next_side);
+  }
+}
+
+// All that is computed from the corners of a face is computed while they are at hand: an
+// edge twice, which takes less time than to fetch its ends once more.
 template <class Traits, class PointVector, class EdgeVector, class FaceVector>
 void construct_metric_from_points(const Delta_complex& complex, const Traits& traits,
                                   const PointVector& points, EdgeVector& edges,
-                                  FaceVector& faces)
+                                  FaceVector& faces, Cotangent_bounds& bounds)
 {
   CGAL_precondition(points.size() == complex.number_of_vertices());
   using FT = typename Traits::FT;
+  using Edge_data = typename Traits::Edge_data;
+  using Point_data = typename Traits::Point_data;
   const auto construct_edge_data = traits.construct_edge_data_object();
   const auto construct_face_data = traits.construct_face_data_object();
   const auto compute_squared_length = traits.compute_squared_length_object();
-  const auto* const point = points.data();
+  const Point_data* const point = points.data();
+  auto* const edge = edges.data();
+  auto* face = faces.data();
 
+  const auto is_zero = [&](const Edge_data& e) {
+    return !possibly(compute_squared_length(e) > FT(0));
+  };
   bool has_zero = false;
-  auto* edge = edges.data();
-  for (Edge_index e : complex.edges()) {
-    const Halfedge_index h = complex.halfedge(e);
-    *edge = construct_edge_data(point[complex.source(h).idx()], point[complex.target(h).idx()]);
-    has_zero |= !possibly(compute_squared_length(*edge) > FT(0));
-    ++edge;
+  for (Face_index f : complex.faces()) {
+    const Halfedge_index h = complex.halfedge(f), next = complex.next(h), prev = complex.prev(h);
+    const Point_data p = point[complex.target(prev).idx()], q = point[complex.target(h).idx()],
+                     r = point[complex.target(next).idx()];
+    const Edge_data pq = construct_edge_data(p, q), qr = construct_edge_data(q, r),
+                    pr = construct_edge_data(p, r);
+    edge[complex.edge(h).idx()] = pq;
+    edge[complex.edge(next).idx()] = qr;
+    edge[complex.edge(prev).idx()] = pr;
+    has_zero |= is_zero(pq) | is_zero(qr) | is_zero(pr);
+    *face = construct_face_data(p, q, r);
+    bound_corners(traits, h, next, prev, *face, pq, qr, pr, bounds);
+    ++face;
   }
   if (has_zero) {
     Offenders offenders;
     for (std::size_t e = 0; e < edges.size(); ++e)
-      if (!possibly(compute_squared_length(edges[e]) > FT(0)))
+      if (is_zero(edges[e]))
         offenders.add(e);
     throw_zero_length(complex, points, offenders);
-  }
-
-  auto* face = faces.data();
-  for (Face_index f : complex.faces()) {
-    const Halfedge_index h = complex.halfedge(f);
-    *face++ = construct_face_data(point[complex.source(h).idx()], point[complex.target(h).idx()],
-                                  point[complex.target(complex.next(h)).idx()]);
   }
 }
 
 template <class Traits, class EdgeVector, class FaceVector>
 void construct_metric_from_lengths(const Delta_complex& complex, const Traits& traits,
                                    const std::vector<typename Traits::FT>& lengths,
-                                   EdgeVector& edges, FaceVector& faces)
+                                   EdgeVector& edges, FaceVector& faces,
+                                   Cotangent_bounds& bounds)
 {
   CGAL_precondition(lengths.size() == complex.number_of_edges());
   using FT = typename Traits::FT;
@@ -267,13 +293,14 @@ void construct_metric_from_lengths(const Delta_complex& complex, const Traits& t
 
   Offenders offenders;
   for (Face_index f : complex.faces()) {
-    const Halfedge_index h = complex.halfedge(f);
-    const FT &ij = lengths[complex.edge(h).idx()],
-             &jk = lengths[complex.edge(complex.next(h)).idx()],
-             &ki = lengths[complex.edge(complex.prev(h)).idx()];
+    const Halfedge_index h = complex.halfedge(f), next = complex.next(h), prev = complex.prev(h);
+    const FT &ij = lengths[complex.edge(h).idx()], &jk = lengths[complex.edge(next).idx()],
+             &ki = lengths[complex.edge(prev).idx()];
     if (certainly(squared_four_areas_from_lengths(ij, jk, ki) < FT(0)))
       offenders.add(f.idx());
     faces[f.idx()] = construct_face_data.from_lengths(ij, jk, ki);
+    bound_corners(traits, h, next, prev, faces[f.idx()], edges[complex.edge(h).idx()],
+                  edges[complex.edge(next).idx()], edges[complex.edge(prev).idx()], bounds);
   }
   if (offenders.count > 0)
     throw Invalid_surface_error(Defect::TRIANGLE_INEQUALITY, offenders.first, offenders.count,
