@@ -6,7 +6,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EDGE_LENGTH_TRAITS_H
 
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/cotangent_bound.h>
+#include <CGAL/Intrinsic_triangulations/internal/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/triangle_formulas_3.h>
 
 #include <CGAL/Uncertain.h>
@@ -23,20 +23,20 @@ namespace internal {
 // What is computed in float can be too far from what it stands for to be bounded in float,
 // and other number types are not made for speed.
 template <class FT>
-struct Cotangent_bound_of_edge_length_traits {};
+struct Cotangent_bounds_of_edge_length_traits {};
 
 template <>
-struct Cotangent_bound_of_edge_length_traits<double>
+struct Cotangent_bounds_of_edge_length_traits<double>
 {
-  // The test in double sees p_k b + p_l a up to a few 2^-53 of either product.
-  struct Compute_cotangent_bound
+  // The test in double is wrong by a few 2^-53 S / a of either cotangent.
+  struct Compute_cotangent_bounds
   {
-    float operator()(double ijk, double ij, double jk, double ki) const
+    std::array<float, 3> operator()(double ijk, double ij, double jk, double ki) const
     {
-      return cotangent_bound(twice_scalar_product(jk, ki, ij), ijk);
+      return cotangent_bounds(ij, jk, ki, ijk);
     }
   };
-  Compute_cotangent_bound compute_cotangent_bound_object() const { return {}; }
+  Compute_cotangent_bounds compute_cotangent_bounds_object() const { return {}; }
 };
 
 } // namespace internal
@@ -61,7 +61,7 @@ struct Cotangent_bound_of_edge_length_traits<double>
 /// Source: the formulas of `hinge_formulas.h`; Delaunay criterion of Fisher, Springborn,
 /// Schroeder, Bobenko (2006), section 2.1.
 template <class FT_>
-class Edge_length_traits : public internal::Cotangent_bound_of_edge_length_traits<FT_>
+class Edge_length_traits : public internal::Cotangent_bounds_of_edge_length_traits<FT_>
 {
 public:
   using FT = FT_;

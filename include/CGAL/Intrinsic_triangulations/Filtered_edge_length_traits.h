@@ -7,7 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/cotangent_bound.h>
+#include <CGAL/Intrinsic_triangulations/internal/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/triangle_formulas_3.h>
 
 #include <CGAL/Uncertain.h>
@@ -182,20 +182,22 @@ public:
     }
   };
 
-  /// \brief bounds the cotangent of the corner opposite to ij in the face ijk from below.
+  /// \brief bounds the cotangents of a face from below: of the corners opposite to ij, jk and ki.
   ///
-  /// If two such bounds sum to more than zero, the edge that the corners are opposite to is
+  /// If the two bounds of the corners opposite to an edge sum to more than zero, the edge is
   /// Delaunay.
-  struct Compute_cotangent_bound
+  struct Compute_cotangent_bounds
   {
-    float operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
-                     const Edge_data& ki) const
+    std::array<float, 3> operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
+                                    const Edge_data& ki) const
     {
-      // p / a is wrong by at most (0.84 + |p / a|) E / (a - E), which is less than
-      // 2^-24 (1 + |p / a|).
-      if (!(ijk.value > 0x1p25 * ijk.error))
-        return -std::numeric_limits<float>::infinity();
-      return internal::cotangent_bound(twice_scalar_product(jk, ki, ij), ijk.value);
+      // c = p / a is wrong by at most (0.84 + |c| / 1.5) E / (a - E). With S the sum of the
+      // sides, 1 and |c| are at most S / a, so that this is less than 2^-24 S / a.
+      if (!(ijk.value > 0x1p25 * ijk.error)) {
+        constexpr float unknown = -std::numeric_limits<float>::infinity();
+        return {unknown, unknown, unknown};
+      }
+      return internal::cotangent_bounds(ij, jk, ki, ijk.value);
     }
   };
 
@@ -265,7 +267,7 @@ public:
   Compute_length compute_length_object() const { return {}; }
   Compute_area compute_area_object() const { return {}; }
   Compute_cotangent compute_cotangent_object() const { return {}; }
-  Compute_cotangent_bound compute_cotangent_bound_object() const { return {}; }
+  Compute_cotangent_bounds compute_cotangent_bounds_object() const { return {}; }
 };
 
 } // namespace Intrinsic_triangulations

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/cotangent_bound.h>
+#include <CGAL/Intrinsic_triangulations/internal/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_construction.h>
 
 #include <CGAL/Uncertain.h>
@@ -328,7 +328,7 @@ public:
   int unit_exponent() const { return exponent_; }
 
 private:
-  static constexpr bool keeps_bounds = internal::Has_cotangent_bound<Traits>::value;
+  static constexpr bool keeps_bounds = internal::Has_cotangent_bounds<Traits>::value;
 
   Intrinsic_triangulation(Delta_complex connectivity, const Traits& traits)
     : connectivity_(std::move(connectivity)), traits_(traits),

@@ -8,11 +8,9 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Delta_complex_builder.h>
-#include <CGAL/Intrinsic_triangulations/internal/Graph_numbering.h>
+#include <CGAL/Intrinsic_triangulations/internal/copy_face_graph.h>
 
-#include <boost/graph/graph_traits.hpp>
-
-#include <utility>
+#include <cstddef>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -30,39 +28,7 @@ namespace Intrinsic_triangulations {
 template <class FaceGraph>
 Delta_complex make_Delta_complex(const FaceGraph& graph)
 {
-  using Graph_traits = boost::graph_traits<FaceGraph>;
-  using Record = Delta_complex::Halfedge;
-
-  const internal::Graph_numbering<FaceGraph> numbering(graph);
-  Delta_complex::Halfedge_vector records(numbering.number_of_halfedges(), internal::default_init);
-  Delta_complex::Descriptor_vector face_halfedges(numbering.number_of_faces());
-  Delta_complex::Descriptor_vector vertex_halfedges(numbering.number_of_vertices());
-  numbering.apply([&](auto vertex_position, auto halfedge_position, auto face_position) {
-    Record* record = records.data();
-    for (typename Graph_traits::edge_descriptor e : edges(graph)) {
-      auto h = halfedge(e, graph);
-      for (int side = 0; side < 2; ++side, ++record, h = opposite(h, graph)) {
-        const auto f = face(h, graph);
-        const std::uint32_t v = vertex_position(target(h, graph));
-        *record = {halfedge_position(next(h, graph)), halfedge_position(prev(h, graph)), v,
-                   f == Graph_traits::null_face() ? Face_index::null_index() : face_position(f)};
-        if (f == Graph_traits::null_face())
-          vertex_halfedges[v] = Halfedge_index(std::uint32_t(record - records.data()));
-      }
-    }
-    Halfedge_index* face_halfedge = face_halfedges.data();
-    for (typename Graph_traits::face_descriptor f : faces(graph))
-      *face_halfedge++ = Halfedge_index(halfedge_position(halfedge(f, graph)));
-    Halfedge_index* vertex_halfedge = vertex_halfedges.data();
-    for (typename Graph_traits::vertex_descriptor v : vertices(graph)) {
-      const auto h = halfedge(v, graph);
-      if (!vertex_halfedge->is_valid() && h != Graph_traits::null_halfedge())
-        *vertex_halfedge = Halfedge_index(halfedge_position(h));
-      ++vertex_halfedge;
-    }
-  });
-  internal::check_triangles(records, face_halfedges);
-  return Delta_complex(std::move(records), std::move(vertex_halfedges), std::move(face_halfedges));
+  return internal::copy_face_graph(graph);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity

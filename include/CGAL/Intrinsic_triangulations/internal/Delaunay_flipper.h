@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <vector>
 
@@ -95,8 +96,10 @@ public:
   Delaunay_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained,
                    Visitor& visitor, std::uint64_t budget)
     : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor),
-      budget_(budget), marks_(triangulation.connectivity().number_of_edges(), Mark::CANDIDATE)
-  {}
+      budget_(budget), marks_(triangulation.connectivity().number_of_edges(), default_init)
+  {
+    std::memset(marks_.data(), int(Mark::CANDIDATE), marks_.size());
+  }
 
   Flip_report run()
   {

@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/cotangent_bound.h>
+#include <CGAL/Intrinsic_triangulations/internal/Cotangent_bounds.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
@@ -224,11 +224,12 @@ void bound_corners(const Traits& traits, Halfedge_index h, Halfedge_index next, 
                    const typename Traits::Edge_data& next_side,
                    const typename Traits::Edge_data& prev_side, Cotangent_bounds& bounds)
 {
-  if constexpr (Has_cotangent_bound<Traits>::value) {
-    const auto bound = traits.compute_cotangent_bound_object();
-    bounds[h] = bound(face, side, next_side, prev_side);
-    bounds[next] = bound(face, next_side, prev_side, side);
-    bounds[prev] = bound(face, prev_side, side, next_side);
+  if constexpr (Has_cotangent_bounds<Traits>::value) {
+    const std::array<float, 3> bound =
+      traits.compute_cotangent_bounds_object()(face, side, next_side, prev_side);
+    bounds.set(h, bound[0]);
+    bounds.set(next, bound[1]);
+    bounds.set(prev, bound[2]);
   }
 }
 
@@ -250,14 +251,18 @@ void construct_metric_from_points(const Delta_complex& complex, const Traits& tr
   auto* const edge = edges.data();
   auto* face = faces.data();
 
+  // Coordinate by coordinate, so that they are kept in registers.
+  const auto corner = [&](Halfedge_index h) -> Point_data {
+    const Point_data& p = point[complex.target(h).idx()];
+    return {p[0], p[1], p[2]};
+  };
   const auto is_zero = [&](const Edge_data& e) {
     return !possibly(compute_squared_length(e) > FT(0));
   };
   bool has_zero = false;
   for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f), next = complex.next(h), prev = complex.prev(h);
-    const Point_data p = point[complex.target(prev).idx()], q = point[complex.target(h).idx()],
-                     r = point[complex.target(next).idx()];
+    const Point_data p = corner(prev), q = corner(h), r = corner(next);
     const Edge_data pq = construct_edge_data(p, q), qr = construct_edge_data(q, r),
                     pr = construct_edge_data(p, r);
     edge[complex.edge(h).idx()] = pq;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A lower bound in float for the cotangent of a corner, by which most edges are known to be
+// Lower bounds in float for the cotangents of the corners, by which most edges are known to be
 // Delaunay without a look at their hinges.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COTANGENT_BOUND_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COTANGENT_BOUND_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COTANGENT_BOUNDS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COTANGENT_BOUNDS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -19,22 +19,25 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Bounds every number that differs from p / a by at most 2^-23 (1 + |p / a|), so also what
-// other roundings make of p / a. With c = p / a as it is computed here, the bound is
-// c - 2^-22 (1 + |c|), and of the difference of 2^-23 (1 + |c|) the rounding to float takes at
-// most 2^-24 |c|, the operations in double a few 2^-53 (1 + |c|). An area of zero gives a NaN,
-// whose sums are not greater than zero.
-inline float cotangent_bound(double p, double a)
+// Lower bounds for the cotangents of a face's corners: opposite to ij, to jk, and to ki.
+//
+// Let S = s_ij + s_jk + s_ki. The cotangent opposite to ij is c = (S - 2 s_ij) / a, and |c| <= S / a.
+// The bound is c - 2^-22 S / a. Of the difference the rounding to float takes at most
+// 2^-24 S / a, and the operations in double a few 2^-53 S / a. So it bounds every number that
+// differs from c by at most 2^-23 S / a. An area of zero gives NaNs, whose sums are not
+// greater than zero.
+inline std::array<float, 3> cotangent_bounds(double s_ij, double s_jk, double s_ki, double a)
 {
-  const double c = p * (1 / a); // where three corners of a face are bounded, one division
-  return float(c - 0x1p-22 * (1 + std::abs(c)));
+  const double r = 1 / a, largest = (s_ij + s_jk + s_ki) * (1 - 0x1p-22) * r, twice = r + r;
+  return {float(largest - s_ij * twice), float(largest - s_jk * twice),
+          float(largest - s_ki * twice)};
 }
 
 // Whether traits bound cotangents.
 template <class Traits, class = void>
-struct Has_cotangent_bound : std::false_type {};
+struct Has_cotangent_bounds : std::false_type {};
 template <class Traits>
-struct Has_cotangent_bound<Traits, std::void_t<typename Traits::Compute_cotangent_bound>>
+struct Has_cotangent_bounds<Traits, std::void_t<typename Traits::Compute_cotangent_bounds>>
   : std::true_type {};
 
 // The bounds of all corners, each at the halfedge opposite to it. Border halfedges have minus
@@ -50,7 +53,7 @@ public:
       std::fill(bounds_.begin(), bounds_.end(), -std::numeric_limits<float>::infinity());
   }
 
-  float& operator[](Halfedge_index h) { return bounds_[h.idx()]; }
+  void set(Halfedge_index h, float bound) { bounds_[h.idx()] = bound; }
 
   // The sign of a sum of two floats is right, whatever its rounding.
   bool imply_Delaunay(Edge_index e) const
@@ -66,4 +69,4 @@ private:
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COTANGENT_BOUND_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COTANGENT_BOUNDS_H
