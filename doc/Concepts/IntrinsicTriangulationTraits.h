@@ -120,12 +120,30 @@ public:
   typedef unspecified_type Construct_flipped_hinge;
 
   /*!
-  Provides, for the number type of an exact stage, an operator that returns what is to be
-  kept for an edge of this squared length, and for a face of this area times four: `Edge_data`
-  and `Face_data` are the same type. Required only if `Uses_exact_geometry` is
-  `CGAL::Tag_true`.
+  Provides, for a number type `N` of the exact stages,
+
+  `Edge_data operator()(const N& s) const`: what is to be kept for an edge of this squared
+  length;
+
+  `Face_data operator()(const N& a, const N& ij, const N& jk, const N& ki) const`: what is to
+  be kept for a face of this area times four between edges of these squared lengths. If its
+  member `error` is infinite, the numbers are not good enough to replace what is kept.
+
+  Required only if `Uses_exact_geometry` is `CGAL::Tag_true`.
   */
   typedef unspecified_type Construct_refined_data;
+
+  /*!
+  Provides `std::array<float, 3> operator()(const Face_data& ijk, const Edge_data& ij,
+  const Edge_data& jk, const Edge_data& ki) const`: lower bounds for the cotangents of the
+  corners opposite to \f$ij\f$, \f$jk\f$ and \f$ki\f$. If the two bounds of the corners opposite to
+  an edge sum to more than zero, `Is_locally_Delaunay` certainly holds, or the exact stages
+  would find so.
+
+  Optional: without it, and without `compute_cotangent_bounds_object()`, each edge is tested by
+  `Is_locally_Delaunay`.
+  */
+  typedef unspecified_type Compute_cotangent_bounds;
 
   /// provides `bool operator()(const Face_data& ijk) const`: whether the area is known to be
   /// positive. Required only if `Uses_exact_geometry` is `CGAL::Tag_true`.
@@ -159,5 +177,6 @@ public:
   Compute_length compute_length_object() const;
   Compute_area compute_area_object() const;
   Compute_cotangent compute_cotangent_object() const;
+  Compute_cotangent_bounds compute_cotangent_bounds_object() const;
   /// @}
 };

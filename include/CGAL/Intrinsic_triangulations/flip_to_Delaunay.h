@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The flip algorithm of the paper, section 2.2: a stack of edges, a mark for each.
+// The flip algorithm of the paper, section 2.2: a list of edges, a mark for each.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_DELAUNAY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_DELAUNAY_H
@@ -49,9 +49,11 @@ inline std::uint64_t default_maximum_number_of_flips(std::size_t number_of_edges
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief flips edges until the triangulation is Delaunay.
 ///
-/// All edges are visited in order. When one is not Delaunay it is flipped, and the four
-/// edges around it go on a stack unless they are on it already or still to be visited;
-/// the stack is emptied before the next edge is visited. With exact decisions the
+/// All edges are visited in order, a thousand at a time. When one is not Delaunay it is
+/// flipped, and the four edges around it go on a list unless they are on it already or still
+/// to be visited; the list is worked off, round by round, before further edges are visited.
+/// (The paper has a stack. In what order edges are visited is of no importance for the result,
+/// but here most steps do not have to wait for the one before.) With exact decisions the
 /// algorithm ends, and every edge that is not constrained is Delaunay then.
 ///
 /// An edge that is not Delaunay but whose hinge has no other diagonal, as rounding can

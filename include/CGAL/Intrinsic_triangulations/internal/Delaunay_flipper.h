@@ -74,11 +74,12 @@ private:
   std::size_t size_ = 0;
 };
 
-// The edges are settled block by block, and a block in rounds: those of the candidates that
-// are not known to be Delaunay are tested and perhaps flipped, what lies around the flipped
-// ones are the next candidates. Most tests and flips of a round do not depend on each other,
-// so that the processor works on several at once; with a stack, each would wait for the one
-// before. A block is small enough for its data to stay in the cache until it is settled.
+// The edges are settled block by block, and a block in rounds: all candidates are tested, those
+// that are not Delaunay are flipped, and what lies around them are the next candidates, as is
+// what a flip of the same round has changed. Most tests of a round do not depend on each other,
+// and neither do most flips, so that the processor works on several at once; with a stack,
+// each would wait for the one before. A block is small enough for its data to stay in the
+// cache until it is settled.
 template <class Triangulation, class ConstraintMap, class Visitor>
 class Delaunay_flipper
 {
@@ -86,8 +87,9 @@ class Delaunay_flipper
 
   // Not a character type: stores of these may alias everything.
   enum class Mark : std::uint8_t {
-    SETTLED,  // Delaunay, or not to be flipped
-    CANDIDATE // to be looked at: in a list, or in a block still to come
+    SETTLED,     // Delaunay, or not to be flipped
+    CANDIDATE,   // to be tested: in a list, or in a block still to come
+    NOT_DELAUNAY // tested, and its hinge has not changed since
   };
 
   static constexpr Edge_index::size_type block_size = 1024;
@@ -128,10 +130,11 @@ private:
     using Iterator = Delta_complex::Edge_iterator;
     const Edge_index::size_type n = triangulation_.connectivity().number_of_edges();
     for (Edge_index::size_type first = 0; first < n; first += (std::min)(block_size, n - first)) {
-      bool goes_on = find_suspects(Iterator(first), Iterator(first + (std::min)(block_size, n - first)));
-      while (goes_on && suspects_.size() != 0) {
+      const Edge_index::size_type last = first + (std::min)(block_size, n - first);
+      bool goes_on = test(Iterator(first), Iterator(last));
+      while (goes_on && not_Delaunay_.size() != 0) {
         candidates_.clear();
-        goes_on = settle_suspects() && find_suspects(candidates_.begin(), candidates_.end());
+        goes_on = flip_found() && test(candidates_.begin(), candidates_.end());
       }
       if (!goes_on)
         return false;
@@ -139,48 +142,68 @@ private:
     return true;
   }
 
-  // Leaves out the candidates that need no test.
+  // Finds the edges that are not Delaunay.
+  template <class Iterator>
+  bool test(Iterator begin, Iterator end)
+  {
+    return find_suspects(begin, end) && test_suspects();
+  }
+
+  // Leaves out those that are known to be Delaunay: on an ordinary surface, most.
   template <class Iterator>
   bool find_suspects(Iterator begin, Iterator end)
   {
     suspects_.clear();
     suspects_.make_room(std::size_t(end - begin));
     std::uint64_t number_of_known = 0;
+    bool goes_on = true;
     for (; begin != end; ++begin) {
       const Edge_index e = *begin;
-      if (get(is_constrained_, e)) {
-        marks_[e.idx()] = Mark::SETTLED;
+      marks_[e.idx()] = Mark::SETTLED;
+      if (get(is_constrained_, e))
         continue;
-      }
       const bool is_known = triangulation_.is_known_Delaunay(e);
-      if (is_known && !goes_further(report_.tests + number_of_known))
-        return false;
+      if (is_known && !goes_further(report_.tests + number_of_known)) {
+        goes_on = false;
+        break;
+      }
       number_of_known += is_known;
-      marks_[e.idx()] = is_known ? Mark::SETTLED : Mark::CANDIDATE;
       suspects_.push_if(!is_known, e);
     }
     report_.tests += number_of_known;
     triangulation_.count_as_tested(number_of_known);
-    return true;
+    return goes_on;
   }
 
-  bool settle_suspects()
+  bool test_suspects()
   {
-    candidates_.make_room(4 * suspects_.size());
+    not_Delaunay_.clear();
+    not_Delaunay_.make_room(suspects_.size());
     for (Edge_index e : suspects_) {
-      marks_[e.idx()] = Mark::SETTLED;
       if (!triangulation_.connectivity().is_flippable(e))
         continue;
       if (!goes_further(report_.tests))
         return false;
       ++report_.tests;
       const auto is_Delaunay = triangulation_.test_and_refine(e);
-      if (certainly(is_Delaunay))
-        continue;
-      if (possibly(is_Delaunay)) {
+      const bool is_found = !possibly(is_Delaunay);
+      marks_[e.idx()] = is_found ? Mark::NOT_DELAUNAY : Mark::SETTLED;
+      not_Delaunay_.push_if(is_found, e);
+      if (!is_certain(is_Delaunay))
         report_.undecided.push_back(e);
+    }
+    return true;
+  }
+
+  bool flip_found()
+  {
+    candidates_.make_room(4 * not_Delaunay_.size());
+    for (Edge_index e : not_Delaunay_) {
+      if (marks_[e.idx()] != Mark::NOT_DELAUNAY) { // its hinge has changed
+        candidates_.push_if(true, e);
         continue;
       }
+      marks_[e.idx()] = Mark::SETTLED;
       if (report_.flips == budget_) {
         report_.status = Flip_status::BUDGET_EXHAUSTED;
         return false;
@@ -231,6 +254,7 @@ private:
     add_candidate(complex.edge(complex.prev(g)));
   }
 
+  // An edge that is marked is a candidate already, or will be when flip_found() comes to it.
   void add_candidate(Edge_index e)
   {
     Mark& mark = marks_[e.idx()];
@@ -263,8 +287,7 @@ private:
   Visitor& visitor_;
   std::uint64_t budget_;
   Flip_report report_;
-  Edge_list candidates_; // what a round begins with
-  Edge_list suspects_;   // and what of it is to be tested
+  Edge_list candidates_, suspects_, not_Delaunay_;
   Large_vector<Mark> marks_;
 };
 
