@@ -37,6 +37,9 @@ public:
   Boolean is_locally_Delaunay(Edge_index e) const { return triangulation_.is_locally_Delaunay(e); }
   Flip_outcome flip(Edge_index e) { return triangulation_.flip(e); }
 
+  // Each edge is to come to the test.
+  bool is_known_Delaunay(Edge_index) const { return false; }
+  void count_as_tested(std::uint64_t) {}
   Boolean test_and_refine(Edge_index e)
   {
     const Boolean answer = triangulation_.test_and_refine(e);

@@ -180,11 +180,15 @@ private:
     not_Delaunay_.clear();
     not_Delaunay_.make_room(suspects_.size());
     for (Edge_index e : suspects_) {
-      if (!triangulation_.connectivity().is_flippable(e))
+      if (triangulation_.connectivity().is_border(e))
         continue;
       if (!goes_further(report_.tests))
         return false;
       ++report_.tests;
+      if (triangulation_.connectivity().is_self_glued(e)) { // Delaunay, as the angles of one face
+        triangulation_.count_as_tested(1);
+        continue;
+      }
       const auto is_Delaunay = triangulation_.test_and_refine(e);
       const bool is_found = !possibly(is_Delaunay);
       marks_[e.idx()] = is_found ? Mark::NOT_DELAUNAY : Mark::SETTLED;

@@ -13,6 +13,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -69,31 +70,33 @@ private:
     face_halfedges_ = Delta_complex::Descriptor_vector(number_of_faces_, default_init);
     bool is_in_order = true;
 
+    // A face's sides are counted as they come: to walk around it would mean to fetch records
+    // from anywhere in memory. (Stores to a character type might alias all else.)
+    Large_vector<std::uint16_t> number_of_sides(number_of_faces_, std::uint16_t(0));
+    std::size_t number_of_all_sides = 0;
     Delta_complex::Halfedge* record = records_.data();
-    std::uint32_t position = 0, difference = 0, number_of_border_halfedges = 0;
+    std::uint32_t position = 0;
     for (typename Graph_traits::edge_descriptor e : edges(graph_)) {
       auto h = halfedge(e, graph_);
       for (int side = 0; side < 2; ++side, ++position, ++record, h = opposite(h, graph_)) {
         const auto f = face(h, graph_);
-        const auto n = next(h, graph_);
         const bool is_border = f == Graph_traits::null_face();
-        const std::uint32_t prev_position = halfedge_position(prev(h, graph_));
         is_in_order &= halfedge_position(h) == position;
-        *record = {halfedge_position(n), prev_position, vertex_position(target(h, graph_)),
+        *record = {halfedge_position(next(h, graph_)), halfedge_position(prev(h, graph_)),
+                   vertex_position(target(h, graph_)),
                    is_border ? Face_index::null_index() : face_position(f)};
-        if (!is_border)
-          difference |= halfedge_position(next(n, graph_)) ^ prev_position;
-        else {
-          ++number_of_border_halfedges;
-          if (record->target < number_of_vertices_)
-            vertex_halfedges_[record->target] = Halfedge_index(position);
+        if (record->face < number_of_faces_) {
+          ++number_of_sides[record->face];
+          ++number_of_all_sides;
+        } else if (is_border && record->target < number_of_vertices_) {
+          vertex_halfedges_[record->target] = Halfedge_index(position);
         }
       }
     }
-    // Without a difference, three steps lead back to each halfedge, so that a face is a triangle or
-    // has one side; and only if all are triangles are there three times as many sides as faces.
-    has_other_faces_ =
-      difference != 0 || position - number_of_border_halfedges != 3 * number_of_faces_;
+    // The total tells 3 sides from 3 + 2^16.
+    has_other_faces_ = number_of_all_sides != 3 * number_of_faces_ ||
+                       std::any_of(number_of_sides.begin(), number_of_sides.end(),
+                                   [](std::uint16_t n) { return n != 3; });
     is_in_order &= position == 2 * number_of_edges_;
 
     position = 0;
