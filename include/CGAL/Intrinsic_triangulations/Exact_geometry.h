@@ -137,6 +137,11 @@ public:
     surface_ = std::make_unique<internal::Input_surface>(correspondence_.input(), metric_);
   }
 
+  /// \cond SKIP_IN_MANUAL
+  // The input as the images of its metric see it. \pre `prepare()` was called
+  internal::Input_surface& input_surface() const { return *surface_; }
+  /// \endcond
+
   /// \brief returns the sign of `cot k + cot l` for the angles opposite to `e`, exactly.
   ///
   /// Where both faces have zero area, it is `NEGATIVE` if both angles are π, and `ZERO`

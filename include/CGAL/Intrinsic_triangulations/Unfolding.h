@@ -147,6 +147,16 @@ public:
             s * squared_norm(w - u.vector)};
   }
 
+  /// \cond SKIP_IN_MANUAL
+  using Corner_ratios = internal::Corner_ratios<Vector>;
+
+  // The shape of the input face to the left of ij.
+  Corner_ratios corner_ratios(Halfedge_index ij) const
+  {
+    return metric_.remembered(ij, [&] { return computed_corner_ratios(ij); });
+  }
+  /// \endcond
+
 private:
   // A face whose three edges coincide with input edges is an input face.
   bool is_input_face(Halfedge_index h) const
@@ -220,13 +230,6 @@ private:
     i += length;
     return length == 1 ? corner_ratios(base).at_source
                        : metric_.ratio_in_plane(base, v, input_.target(last));
-  }
-
-  using Corner_ratios = internal::Corner_ratios<Vector>;
-
-  Corner_ratios corner_ratios(Halfedge_index ij) const
-  {
-    return metric_.remembered(ij, [&] { return computed_corner_ratios(ij); });
   }
 
   Corner_ratios computed_corner_ratios(Halfedge_index ij) const
