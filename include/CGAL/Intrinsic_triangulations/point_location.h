@@ -188,20 +188,20 @@ private:
       internal::affine_image(internal::corners_in_both(from, point.halfedge, to, h, f),
                              normalized(point.coordinates));
     for (double& x : result)
-      x = (std::max)(x, (std::numeric_limits<double>::min)());
+      x = positive(x);
     return {h, result};
   }
 
   static Surface_point on_edge(const Delta_complex& complex, Halfedge_index h, double source,
                                double target)
   {
-    constexpr double tiny = (std::numeric_limits<double>::min)();
-    source = (std::max)(source, tiny);
-    target = (std::max)(target, tiny);
     if (complex.is_border(h))
-      return {complex.opposite(h), {target, source, 0}};
-    return {h, {source, target, 0}};
+      return {complex.opposite(h), {positive(target), positive(source), 0}};
+    return {h, {positive(source), positive(target), 0}};
   }
+
+  // A coordinate that is known to be positive: rounding may have lost it.
+  static double positive(double x) { return x > 0 ? x : 0x1p-60; }
 
   static Coordinates normalized(const Coordinates& b)
   {
