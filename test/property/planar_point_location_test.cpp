@@ -186,7 +186,7 @@ void check(const Planar_mesh& mesh, Triangulation t)
   const Overlaid s(std::move(t));
   EXPECT_GT(s.overlay.number_of_crossings(), mesh.points.size());
   Planar_location location(mesh, s);
-  location.check_random_points(20000);
+  location.check_random_points(5000);
   location.check_points_on_edges();
 }
 
@@ -201,21 +201,21 @@ Triangulation in_space(const Planar_mesh& mesh, double slope)
 TEST(Planar_point_location, in_the_plane)
 {
   for (std::uint32_t seed : {1, 2, 3}) {
-    const Planar_mesh mesh = random_mesh(120, seed);
+    const Planar_mesh mesh = random_mesh(60, seed);
     check(mesh, in_space(mesh, 0));
   }
 }
 
 TEST(Planar_point_location, in_a_tilted_plane)
 {
-  const Planar_mesh mesh = random_mesh(100, 4);
+  const Planar_mesh mesh = random_mesh(60, 4);
   check(mesh, in_space(mesh, 1)); // all areas are rational multiples of one root
 }
 
 // The plane stretched by √2: squared lengths are integers, lengths are not.
 TEST(Planar_point_location, by_squared_lengths_alone)
 {
-  const Planar_mesh mesh = random_mesh(100, 5);
+  const Planar_mesh mesh = random_mesh(60, 5);
   IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(mesh.points.size(), mesh.triangles);
   std::vector<IT::Input_metric::Rational> squared_lengths;
   for (IT::Edge_index e : complex.edges()) {
