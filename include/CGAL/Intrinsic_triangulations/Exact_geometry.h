@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/Coplanar_hinge.h>
 #include <CGAL/Intrinsic_triangulations/internal/Straight_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
 
@@ -23,6 +24,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -33,6 +35,7 @@ namespace Intrinsic_triangulations {
 /// \brief the stages of an exact Delaunay test, each taken when those before cannot decide.
 enum class Stage {
   FILTER,         ///< the stored squared lengths and areas with their error bounds
+  COPLANAR,       ///< both faces lie in one plane in space: the in-circle test of four points
   UNFOLDING,      ///< the unfolding over the input triangles, in double-doubles with error bounds
   RATIONAL,       ///< both faces are straight triangles in space: rational arithmetic
   MULTIPRECISION, ///< the unfolding in MPFR intervals
@@ -40,7 +43,7 @@ enum class Stage {
 };
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// \brief the number of stages.
-constexpr std::size_t number_of_stages = 5;
+constexpr std::size_t number_of_stages = 6;
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// \brief how many Delaunay tests each stage decided, and how many were ties.
@@ -70,9 +73,10 @@ class Exact_geometry
     void operator()(const Delta_complex& complex, Edge_index e) const
     {
       geometry.start_straight_faces(complex);
-      geometry.straight_faces_.flip(complex, geometry.metric_.points(), e);
+      is_straight = geometry.straight_faces_.flip(complex, geometry.metric_.points(), e);
     }
     Exact_geometry& geometry;
+    bool& is_straight; // the new edge, and the faces beside it
   };
 
   template <class Metric>
@@ -121,18 +125,23 @@ public:
   /// returns how the tests that reached the exact stages were decided.
   const Stage_counts& stage_counts() const { return counts_; }
 
-  /// updates the integers, before the flip of the connectivity.
+  /// \brief updates the integers, before the flip of the connectivity.
+  ///
+  /// \return whether the new edge is known to be a straight line between two of the points
   /// \exception Integer_overflow_error as `Normal_coordinates::flip()`
-  void flip(const Delta_complex& complex, Edge_index e)
+  bool flip(const Delta_complex& complex, Edge_index e)
   {
-    correspondence_.flip(complex, e, Follower{*this});
+    bool is_straight = false;
+    correspondence_.flip(complex, e, Follower{*this, is_straight});
+    return is_straight;
   }
   /// makes the queries below possible; as `Correspondence::prepare()`.
   void prepare(const Delta_complex& complex)
   {
     if (surface_)
       return;
-    correspondence_.prepare(complex, Follower{*this});
+    bool is_straight;
+    correspondence_.prepare(complex, Follower{*this, is_straight});
     start_straight_faces(complex);
     surface_ = std::make_unique<internal::Input_surface>(correspondence_.input(), metric_);
   }
@@ -149,11 +158,15 @@ public:
   /// \param corners receives the two corners
   /// \exception Undecided_error where a zero is too entangled to be proven: more than
   ///   about a dozen independent square roots
-  Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e, Opposite_corners& corners)
+  Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e,
+                          std::optional<Opposite_corners>& corners)
   {
     const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-    corners = {corner(complex, h), corner(complex, g)};
-    Uncertain<Sign> sign = sign_of(corners.k, corners.l);
+    if (straight_faces_.are_coplanar(complex, metric_.points(), h))
+      return decided(Stage::COPLANAR,
+                     internal::Coplanar_hinge(complex, metric_.points(), h).sign_of_cotangents());
+    corners = Opposite_corners{corner(complex, h), corner(complex, g)};
+    const Uncertain<Sign> sign = sign_of(corners->k, corners->l);
     if (is_certain(sign))
       return decided(Stage::UNFOLDING, sign);
     if (straight_faces_(complex.face(h)) && straight_faces_(complex.face(g)))
@@ -180,7 +193,7 @@ public:
   Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e)
   {
     const Stage_counts counts = counts_;
-    Opposite_corners corners;
+    std::optional<Opposite_corners> corners;
     const Sign sign = sign_of_cotangents(complex, e, corners);
     counts_ = counts;
     return sign;
@@ -313,6 +326,13 @@ public:
                             ": whether its length is zero cannot be proven: too many "
                             "independent square roots");
     }
+  }
+
+  /// returns the area of `f` times four, in double-doubles with an error bound and in the
+  /// unit of the metric. \pre `prepare()` was called
+  internal::Bounded_double_double four_areas(const Delta_complex& complex, Face_index f) const
+  {
+    return corner(complex, complex.halfedge(f)).four_areas;
   }
 
   /// returns the corner opposite to `h`, in double-doubles with error bounds and in the
