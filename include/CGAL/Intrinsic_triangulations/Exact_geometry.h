@@ -328,11 +328,14 @@ public:
     }
   }
 
-  /// returns the area of `f` times four, in double-doubles with an error bound and in the
-  /// unit of the metric. \pre `prepare()` was called
-  internal::Bounded_double_double four_areas(const Delta_complex& complex, Face_index f) const
+  /// returns the area of `f` times four, with an error bound near `2^-50` of it and in the
+  /// unit of the metric. \pre `prepare()` was called; `f` is known to be a triangle in space
+  internal::Bounded_double_double four_areas_of_straight_face(const Delta_complex& complex,
+                                                              Face_index f) const
   {
-    return corner(complex, complex.halfedge(f)).four_areas;
+    const Halfedge_index h = complex.halfedge(f);
+    return internal::four_areas_of_points(metric_.points(), complex.source(h), complex.target(h),
+                                          complex.target(complex.next(h)));
   }
 
   /// returns the corner opposite to `h`, in double-doubles with error bounds and in the

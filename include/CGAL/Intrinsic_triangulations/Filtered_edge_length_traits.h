@@ -176,7 +176,7 @@ public:
   /// tells whether a number is known so well that an exact stage need not replace it.
   struct Is_accurate
   {
-    bool operator()(const Bounded_double& x) const { return x.error <= 0x1p-42 * x.value; }
+    bool operator()(const Bounded_double& x) const { return x.error <= 0x1p-34 * x.value; }
   };
   /// tells whether a face is known to have positive area.
   struct Has_positive_area

@@ -337,7 +337,8 @@ private:
       for (Face_index f : {connectivity_.face(h), connectivity_.face(g)})
         if (!traits_.is_accurate_object()(face_data(f)))
           faces_[f.idx()] =
-            traits_.construct_refined_data_object()(geometry.four_areas(connectivity_, f));
+            traits_.construct_refined_data_object()(
+              geometry.four_areas_of_straight_face(connectivity_, f));
     }
     return sign != NEGATIVE;
   }

@@ -41,33 +41,25 @@ public:
     : points_(points), i_(complex.source(ij)), j_(complex.target(ij)),
       k_(complex.target(complex.next(ij))),
       l_(complex.target(complex.next(complex.opposite(ij))))
+  {}
+
+  Sign sign_of_cotangents()
   {
-    const auto ki = difference<double>(points, k_, i_), kj = difference<double>(points, k_, j_),
-               li = difference<double>(points, l_, i_), lj = difference<double>(points, l_, j_);
-    const auto normal = cross_product(ki, kj);
+    const Sides<double> k = sides<double>(k_, i_, j_), l = sides<double>(l_, j_, i_);
+    if (is_right_along_axes(k) && is_right_along_axes(l))
+      return ZERO;
+    const auto normal = cross_product(k.u, k.v);
     axis_ = std::abs(normal[0]) > std::abs(normal[1]) ? 0 : 1;
     axis_ = std::abs(normal[2]) > std::abs(normal[axis_]) ? 2 : axis_;
-    largest_ = 0;
-    double P_k = 0, P_l = 0;
-    for (int c = 0; c < 3; ++c) {
-      P_k += std::abs(ki[c] * kj[c]);
-      P_l += std::abs(li[c] * lj[c]);
-      largest_ = (std::max)({largest_, std::abs(ki[c]), std::abs(kj[c]), std::abs(li[c]),
-                             std::abs(lj[c])});
-    }
-    const int x = (axis_ + 1) % 3, y = (axis_ + 2) % 3;
-    magnitude_of_n_ = std::abs(ki[x] * kj[y]) + std::abs(ki[y] * kj[x]);
-    magnitude_ =
-      P_k * (std::abs(li[x] * lj[y]) + std::abs(li[y] * lj[x])) + P_l * magnitude_of_n_;
-  }
-
-  Sign sign_of_cotangents() const
-  {
-    Uncertain<Sign> sign = approximate_sign<double>(0x1p-49);
-    if (!is_certain(sign) && has_short_integers())
+    const Corner<double> K = magnitudes(k), L = magnitudes(l);
+    magnitude_of_n_ = K.n;
+    magnitude_ = K.p * L.n + L.p * K.n;
+    Uncertain<Sign> sign = approximate_sign(corner(k, axis_), corner(l, axis_), 0x1p-49);
+    if (!is_certain(sign) && has_short_integers(largest(k, l)))
       sign = exact_sign<double>();
     if (!is_certain(sign))
-      sign = approximate_sign<Double_double>(0x1p-97);
+      sign = approximate_sign(corner(sides<Double_double>(k_, i_, j_), axis_),
+                              corner(sides<Double_double>(l_, j_, i_), axis_), 0x1p-97);
     return is_certain(sign) ? get_certain(sign) : exact_sign<Exact_ring>();
   }
 
@@ -78,21 +70,54 @@ private:
     FT p, n;
   };
 
+  // From a corner to the start and to the end of the edge ij or ji.
   template <class FT>
-  Corner<FT> corner(Vertex_index apex, Vertex_index from, Vertex_index to, int axis) const
+  struct Sides
   {
-    const auto u = difference<FT>(points_, apex, from), v = difference<FT>(points_, apex, to);
+    Vector_3<FT> u, v;
+  };
+
+  template <class FT>
+  Sides<FT> sides(Vertex_index apex, Vertex_index from, Vertex_index to) const
+  {
+    return {difference<FT>(points_, apex, from), difference<FT>(points_, apex, to)};
+  }
+
+  template <class FT>
+  static Corner<FT> corner(const Sides<FT>& s, int axis)
+  {
     const int x = (axis + 1) % 3, y = (axis + 2) % 3;
-    return {scalar_product(u, v), u[x] * v[y] - u[y] * v[x]};
+    return {scalar_product(s.u, s.v), s.u[x] * s.v[y] - s.u[y] * s.v[x]};
+  }
+
+  Corner<double> magnitudes(const Sides<double>& s) const
+  {
+    const int x = (axis_ + 1) % 3, y = (axis_ + 2) % 3;
+    return {std::abs(s.u[0] * s.v[0]) + std::abs(s.u[1] * s.v[1]) + std::abs(s.u[2] * s.v[2]),
+            std::abs(s.u[x] * s.v[y]) + std::abs(s.u[y] * s.v[x])};
+  }
+
+  static bool is_right_along_axes(const Sides<double>& s)
+  {
+    return (s.u[0] == 0 || s.v[0] == 0) && (s.u[1] == 0 || s.v[1] == 0) &&
+           (s.u[2] == 0 || s.v[2] == 0);
+  }
+
+  static double largest(const Sides<double>& k, const Sides<double>& l)
+  {
+    double result = 0;
+    for (const auto* v : {&k.u, &k.v, &l.u, &l.v})
+      for (double x : *v)
+        result = (std::max)(result, std::abs(x));
+    return result;
   }
 
   static double rounded(double x) { return x; }
   static double rounded(const Double_double& x) { return x.hi; }
 
   template <class FT>
-  Uncertain<Sign> approximate_sign(double unit) const
+  Uncertain<Sign> approximate_sign(const Corner<FT>& k, const Corner<FT>& l, double unit) const
   {
-    const Corner<FT> k = corner<FT>(k_, i_, j_, axis_), l = corner<FT>(l_, j_, i_, axis_);
     const double value = rounded(k.p * l.n + l.p * k.n), n = rounded(k.n);
     if (std::abs(value) > unit * magnitude_ + tiny && std::abs(n) > unit * magnitude_of_n_ + tiny)
       return (value > 0) == (n > 0) ? POSITIVE : NEGATIVE;
@@ -101,12 +126,12 @@ private:
 
   // Whether the differences of coordinates are integers of at most 25 bits in some common unit,
   // as in a grid: then p and n are exact in double.
-  bool has_short_integers() const
+  bool has_short_integers(double largest_difference) const
   {
-    if (!(largest_ > 1e-50 && largest_ < 1e50))
+    if (!(largest_difference > 1e-50 && largest_difference < 1e50))
       return false;
     int exponent;
-    std::frexp(largest_, &exponent);
+    std::frexp(largest_difference, &exponent);
     const double scale = std::ldexp(1., 25 - exponent);
     constexpr double to_integer = 0x1.8p52;
     for (int c = 0; c < 3; ++c) {
@@ -135,13 +160,12 @@ private:
   template <class FT>
   Sign exact_sign() const
   {
+    const Sides<FT> of_k = sides<FT>(k_, i_, j_), of_l = sides<FT>(l_, j_, i_);
     for (int n = 0; n < 3; ++n) { // the axis was found with rounding, which may have missed a zero
       const int axis = (axis_ + n) % 3;
-      const Corner<FT> k = corner<FT>(k_, i_, j_, axis);
-      if (CGAL::is_zero(k.n))
-        continue;
-      const Corner<FT> l = corner<FT>(l_, j_, i_, axis);
-      return exact_sign_of(exact_product(k.p, l.n) + exact_product(l.p, k.n)) * CGAL::sign(k.n);
+      const Corner<FT> k = corner(of_k, axis), l = corner(of_l, axis);
+      if (!CGAL::is_zero(k.n))
+        return exact_sign_of(exact_product(k.p, l.n) + exact_product(l.p, k.n)) * CGAL::sign(k.n);
     }
     return ZERO; // only if an edge was flipped though its hinge was not convex
   }
@@ -151,8 +175,8 @@ private:
 
   const Points& points_;
   Vertex_index i_, j_, k_, l_;
-  int axis_; // of the component of the normals
-  double largest_, magnitude_of_n_, magnitude_;
+  int axis_ = 0; // of the component of the normals
+  double magnitude_of_n_ = 0, magnitude_ = 0;
 };
 
 } // namespace internal

@@ -75,6 +75,22 @@ inline double sum_of_absolute_values(const Vector_3<double>& v)
   return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
 }
 
+// Four times the area of a triangle in space. A component of the cross product is wrong by at
+// most 2^-99 of the sum of the absolute values of its terms, the rest adds 4 units of 2^-53.
+inline Bounded_double_double four_areas_of_points(const Points& points, Vertex_index i,
+                                                  Vertex_index j, Vertex_index k)
+{
+  const auto u = difference<Double_double>(points, k, i), v = difference<Double_double>(points, k, j);
+  const auto normal = cross_product(u, v);
+  double squares = 0, magnitude = 0;
+  for (int c = 0; c < 3; ++c) {
+    squares += normal[c].hi * normal[c].hi;
+    magnitude += std::abs(u[c].hi * v[(c + 1) % 3].hi) + std::abs(u[(c + 1) % 3].hi * v[c].hi);
+  }
+  const double area = 2 * std::sqrt(squares);
+  return {area, 0, 0x1p-50 * area + 0x1p-97 * magnitude + 1e-200};
+}
+
 // A volume far above its rounding errors, which are less than 2^-48 of the product of the
 // sums of the absolute values.
 inline bool is_clearly_bent(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k,
