@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Coplanar_hinge.h>
+#include <CGAL/Intrinsic_triangulations/internal/Developed_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/Straight_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
 
@@ -73,6 +74,11 @@ class Exact_geometry
     void operator()(const Delta_complex& complex, Edge_index e) const
     {
       geometry.start_straight_faces(complex);
+      geometry.developed_faces_.flip(complex, e, e == geometry.close_call_, [&](Halfedge_index h) {
+        return geometry.straight_faces_(complex.face(h))
+                 ? std::make_optional(geometry.straight_corner(complex, h))
+                 : std::nullopt;
+      });
       is_straight = geometry.straight_faces_.flip(complex, geometry.metric_.points(), e);
     }
     Exact_geometry& geometry;
@@ -113,6 +119,7 @@ public:
     counts_ = other.counts_;
     straight_faces_ = std::move(other.straight_faces_);
     has_straight_faces_ = other.has_straight_faces_;
+    developed_faces_ = {};
     surface_.reset();
     return *this;
   }
@@ -165,8 +172,15 @@ public:
     if (straight_faces_.are_coplanar(complex, metric_.points(), h))
       return decided(Stage::COPLANAR,
                      internal::Coplanar_hinge(complex, metric_.points(), h).sign_of_cotangents());
-    corners = Opposite_corners{corner(complex, h), corner(complex, g)};
-    const Uncertain<Sign> sign = sign_of(corners->k, corners->l);
+    close_call_ = e;
+    corners = Opposite_corners{developed_corner(complex, h), developed_corner(complex, g)};
+    Uncertain<Sign> sign = sign_of(corners->k, corners->l);
+    if (!is_certain(sign)) { // layouts that were carried along are not the best
+      developed_faces_.erase(complex.face(h));
+      developed_faces_.erase(complex.face(g));
+      corners = Opposite_corners{corner(complex, h), corner(complex, g)};
+      sign = sign_of(corners->k, corners->l);
+    }
     if (is_certain(sign))
       return decided(Stage::UNFOLDING, sign);
     if (straight_faces_(complex.face(h)) && straight_faces_(complex.face(g)))
@@ -357,6 +371,19 @@ private:
     has_straight_faces_ = true;
   }
 
+  // As corner(), from what is kept of tests before.
+  Corner developed_corner(const Delta_complex& complex, Halfedge_index h)
+  {
+    const Face_index f = complex.face(h);
+    if (straight_faces_(f))
+      return straight_corner(complex, h);
+    if (developed_faces_.contains(f))
+      return developed_faces_.corner(complex, h);
+    const Corner c = unfolded_corner(complex, h);
+    developed_faces_.insert(complex, h, c);
+    return c;
+  }
+
   Corner unfolded_corner(const Delta_complex& complex, Halfedge_index h) const
   {
     internal::Double_double_metric metric(*surface_);
@@ -545,6 +572,9 @@ private:
   Stage_counts counts_;
   internal::Straight_faces straight_faces_;
   bool has_straight_faces_ = false;
+  internal::Developed_faces<internal::Bounded_double_double, internal::Double_double_disk, Corner>
+    developed_faces_;
+  Edge_index close_call_; // the last edge whose test took more than double
   std::unique_ptr<internal::Input_surface> surface_; // refers to the members above
 };
 

@@ -29,6 +29,13 @@ public:
       radius_(x.error() + y.error() == 0 ? 0 : std::hypot(x.error(), y.error()) * slightly_more)
   {}
 
+  double radius() const { return radius_; }
+  // An upper bound. Where squares underflow it is far too large, which is safe.
+  double modulus() const
+  {
+    return std::sqrt(x_.hi * x_.hi + y_.hi * y_.hi) * slightly_more + 1e-150;
+  }
+
   Real x() const { return Real(x_.hi, x_.lo, radius_); }
   Real y() const { return Real(y_.hi, y_.lo, radius_); }
 
@@ -76,12 +83,6 @@ private:
   static constexpr double unit = 0x1p-100;
   static constexpr double slightly_more = 1 + 0x1p-45;
   static constexpr double tiny = 1e-300;
-
-  // An upper bound. Where squares underflow it is far too large, which is safe.
-  double modulus() const
-  {
-    return std::sqrt(x_.hi * x_.hi + y_.hi * y_.hi) * slightly_more + 1e-150;
-  }
 
   void set_radius_of_product(const Double_double_disk& a, const Double_double_disk& b)
   {
