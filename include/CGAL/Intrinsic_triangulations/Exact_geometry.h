@@ -8,11 +8,13 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/Stage_counts.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Coplanar_hinge.h>
 #include <CGAL/Intrinsic_triangulations/internal/Developed_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/Straight_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
 
 #include <CGAL/Interval_nt.h>
@@ -31,31 +33,6 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
-
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// \brief the stages of an exact Delaunay test, each taken when those before cannot decide.
-enum class Stage {
-  FILTER,         ///< the stored squared lengths and areas with their error bounds
-  COPLANAR,       ///< both faces lie in one plane in space: the in-circle test of four points
-  UNFOLDING,      ///< the unfolding over the input triangles, in double-doubles with error bounds
-  RATIONAL,       ///< both faces are straight triangles in space: rational arithmetic
-  MULTIPRECISION, ///< the unfolding in MPFR intervals
-  ALGEBRAIC       ///< the unfolding in a multiquadratic field: a proof of zero
-};
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// \brief the number of stages.
-constexpr std::size_t number_of_stages = 6;
-
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// \brief how many Delaunay tests each stage decided, and how many were ties.
-struct Stage_counts
-{
-  std::array<std::uint64_t, number_of_stages> decided{}; ///< by `Stage`
-  std::uint64_t ties = 0; ///< tests whose opposite angles sum to exactly π
-
-  /// returns the number of tests that `stage` decided.
-  std::uint64_t operator[](Stage stage) const { return decided[std::size_t(stage)]; }
-};
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 ///
@@ -174,18 +151,19 @@ public:
                      internal::Coplanar_hinge(complex, metric_.points(), h).sign_of_cotangents());
     close_call_ = e;
     corners = Opposite_corners{developed_corner(complex, h), developed_corner(complex, g)};
-    Uncertain<Sign> sign = sign_of(corners->k, corners->l);
+    Uncertain<Sign> sign = internal::sign_of_cotangents(corners->k, corners->l);
     if (!is_certain(sign)) { // layouts that were carried along are not the best
       developed_faces_.erase(complex.face(h));
       developed_faces_.erase(complex.face(g));
       corners = Opposite_corners{corner(complex, h), corner(complex, g)};
-      sign = sign_of(corners->k, corners->l);
+      sign = internal::sign_of_cotangents(corners->k, corners->l);
     }
     if (is_certain(sign))
       return decided(Stage::UNFOLDING, sign);
     if (straight_faces_(complex.face(h)) && straight_faces_(complex.face(g)))
-      return decided(Stage::RATIONAL,
-                     sign_of(rational_corner(complex, h), rational_corner(complex, g)));
+      return decided(Stage::RATIONAL, internal::sign_of_cotangents(
+                                        internal::rational_corner(complex, metric_.points(), h),
+                                        internal::rational_corner(complex, metric_.points(), g)));
     return sign_by_late_stages(complex, e);
   }
 
@@ -196,7 +174,7 @@ public:
     const Stage_counts counts = counts_;
     internal::Double_double_metric metric(*surface_);
     const Opposite_corners corners = opposite_corners(complex, e, metric);
-    const Uncertain<Sign> sign = sign_of(corners.k, corners.l);
+    const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
     const Sign result =
       is_certain(sign) ? get_certain(sign) : sign_by_late_stages(complex, e);
     counts_ = counts;
@@ -257,10 +235,24 @@ public:
   /// \pre `prepare()` was called
   Interval_nt<> length_interval(const Delta_complex& complex, Edge_index e) const
   {
-    const internal::Mpfr_interval l = sqrt(multiprecision_squared_length(complex, e, 128));
+    internal::Double_double_metric metric(*surface_);
+    const Double_double l = sqrt(
+      Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e));
+    double low, high;
+    if (l.error() < 0x1p-60 * l.hi()) {
+      low = high = l.hi();
+      while (low - l.hi() > l.lo() - 1.01 * l.error())
+        low = std::nextafter(low, 0.);
+      while (high - l.hi() < l.lo() + 1.01 * l.error())
+        high = std::nextafter(high, 2 * high);
+    } else {
+      const internal::Mpfr_interval m = sqrt(multiprecision_squared_length(complex, e, 128));
+      low = m.lower_double();
+      high = m.upper_double();
+    }
     // Where the scaling is not exact, it is wrong by less than the next double.
-    const double low = std::ldexp(l.lower_double(), metric_.unit_exponent()),
-                 high = std::ldexp(l.upper_double(), metric_.unit_exponent());
+    low = std::ldexp(low, metric_.unit_exponent());
+    high = std::ldexp(high, metric_.unit_exponent());
     if (low >= (std::numeric_limits<double>::min)())
       return Interval_nt<>(low, high);
     return Interval_nt<>((std::max)(0., std::nextafter(low, 0.)), std::nextafter(high, 1.));
@@ -363,6 +355,7 @@ public:
 
 private:
   static constexpr long largest_precision = 1l << 16;
+  static constexpr std::size_t few_roots = 4;
 
   void start_straight_faces(const Delta_complex& complex)
   {
@@ -391,18 +384,9 @@ private:
       .opposite_corner(h);
   }
 
-  Corner straight_corner(const Delta_complex& complex, Halfedge_index ij) const
+  Corner straight_corner(const Delta_complex& complex, Halfedge_index h) const
   {
-    const Vertex_index i = complex.source(ij), j = complex.target(ij),
-                       k = complex.target(complex.next(ij));
-    const auto ki = internal::difference<Double_double>(metric_.points(), k, i),
-               kj = internal::difference<Double_double>(metric_.points(), k, j),
-               side = internal::difference<Double_double>(metric_.points(), i, j);
-    const auto normal = internal::cross_product(ki, kj);
-    return {internal::scalar_product(ki, kj).scaled(2),
-            sqrt(internal::scalar_product(normal, normal)).scaled(2),
-            internal::scalar_product(ki, ki), internal::scalar_product(kj, kj),
-            internal::scalar_product(side, side)};
+    return internal::straight_corner<Corner>(complex, metric_.points(), h);
   }
 
   template <class Metric>
@@ -414,24 +398,20 @@ private:
     return {unfolding.opposite_corner(h), unfolding.opposite_corner(complex.opposite(h))};
   }
 
+  // A tie is more likely than a difference below 2^-80, and its proof is cheap while there are
+  // few roots. With many it is the last resort.
   Sign sign_by_late_stages(const Delta_complex& complex, Edge_index e)
   {
+    if (const std::optional<Sign> tie = proven_tie(complex, e, few_roots))
+      return decided(Stage::ALGEBRAIC, *tie);
     Uncertain<Sign> sign = Uncertain<Sign>::indeterminate();
     for (long precision : {128l, 512l, 2048l}) {
       sign = multiprecision_sign(complex, e, precision);
       if (is_certain(sign))
         return decided(Stage::MULTIPRECISION, sign);
     }
-    try {
-      internal::Square_root_basis basis;
-      internal::Multiquadratic_metric field(*surface_, {basis});
-      const auto exact = opposite_corners(complex, e, field);
-      if ((exact.k.p * exact.l.four_areas + exact.l.p * exact.k.four_areas).is_zero())
-        return decided(Stage::ALGEBRAIC, exact.k.p.is_zero() || exact.l.p.is_zero()
-                                           ? ZERO
-                                           : sign_of_tie(complex, e));
-    } catch (const internal::Too_many_roots&) {
-    }
+    if (const std::optional<Sign> tie = proven_tie(complex, e, internal::Root_mask().size()))
+      return decided(Stage::ALGEBRAIC, *tie);
     for (long precision = 8192; precision <= largest_precision; precision *= 2) {
       sign = multiprecision_sign(complex, e, precision);
       if (is_certain(sign))
@@ -443,24 +423,23 @@ private:
                           " and cannot be proven to be pi: too many independent square roots");
   }
 
-  // The sign of cot k + cot l; a zero is only certain with both areas positive, or with
-  // the signs of both scalar products known.
-  template <class Corner_>
-  static Uncertain<Sign> sign_of(const Corner_& k, const Corner_& l)
+  // The sign if the edge is proven to be a tie; none says nothing.
+  std::optional<Sign> proven_tie(const Delta_complex& complex, Edge_index e,
+                                 std::size_t maximum_number_of_roots) const
   {
-    const Uncertain<Sign> sign = (k.p * l.four_areas + l.p * k.four_areas).sign();
-    if (!is_certain(sign) || get_certain(sign) != ZERO)
-      return sign;
-    const Uncertain<Sign> sign_k = k.p.sign(), sign_l = l.p.sign();
-    if (!is_certain(sign_k) || !is_certain(sign_l))
-      return Uncertain<Sign>::indeterminate();
-    return tie(get_certain(sign_k), get_certain(sign_l));
-  }
-
-  // The angles sum to 0, π or 2π; only in the last case are both obtuse.
-  static Sign tie(Sign sign_k, Sign sign_l)
-  {
-    return sign_k == NEGATIVE && sign_l == NEGATIVE ? NEGATIVE : ZERO;
+    try {
+      internal::Square_root_basis basis(maximum_number_of_roots);
+      internal::Multiquadratic_metric field(*surface_, {basis});
+      const auto exact = opposite_corners(complex, e, field);
+      if (!(exact.k.p * exact.l.four_areas + exact.l.p * exact.k.four_areas).is_zero())
+        return std::nullopt;
+      // Angles that sum to π, unless both areas are zero.
+      return !exact.k.four_areas.is_zero() || exact.k.p.is_zero() || exact.l.p.is_zero()
+               ? ZERO
+               : sign_of_tie(complex, e);
+    } catch (const internal::Too_many_roots&) {
+      return std::nullopt;
+    }
   }
 
   Sign decided(Stage stage, Uncertain<Sign> sign)
@@ -471,45 +450,12 @@ private:
     return get_certain(sign);
   }
 
-  // Twice the scalar product and the square of four times the area, of a straight face.
-  struct Rational_corner
-  {
-    internal::Exact_ring p;
-    internal::Exact_ring q;
-  };
-
-  Rational_corner rational_corner(const Delta_complex& complex, Halfedge_index ij) const
-  {
-    using Rational = internal::Exact_ring;
-    const Vertex_index i = complex.source(ij), j = complex.target(ij),
-                       k = complex.target(complex.next(ij));
-    const auto ki = internal::difference<Rational>(metric_.points(), k, i),
-               kj = internal::difference<Rational>(metric_.points(), k, j);
-    const auto normal = internal::cross_product(ki, kj);
-    return {Rational(2) * internal::scalar_product(ki, kj),
-            Rational(4) * internal::scalar_product(normal, normal)};
-  }
-
-  // The sign of p_k √q_l + p_l √q_k.
-  static Sign sign_of(const Rational_corner& k, const Rational_corner& l)
-  {
-    const Sign p_k = CGAL::sign(k.p), p_l = CGAL::sign(l.p);
-    const Sign term_k = CGAL::is_zero(l.q) ? ZERO : p_k, term_l = CGAL::is_zero(k.q) ? ZERO : p_l;
-    if (term_k == ZERO || term_l == ZERO || term_k == term_l) {
-      const Sign sum = term_k == ZERO ? term_l : term_k;
-      return sum == ZERO ? tie(p_k, p_l) : sum;
-    }
-    const Sign difference =
-      CGAL::sign(internal::Exact_ring(k.p * k.p * l.q - l.p * l.p * k.q));
-    return difference == ZERO ? ZERO : term_k * difference;
-  }
-
   Uncertain<Sign> multiprecision_sign(const Delta_complex& complex, Edge_index e,
                                       long precision) const
   {
     internal::Mpfr_metric metric(*surface_, {precision});
     const auto corners = opposite_corners(complex, e, metric);
-    return sign_of(corners.k, corners.l);
+    return internal::sign_of_cotangents(corners.k, corners.l);
   }
 
   internal::Mpfr_interval multiprecision_squared_length(const Delta_complex& complex, Edge_index e,
@@ -533,8 +479,8 @@ private:
     }
   }
 
-  // Known to be a tie in which no opposite angle is right: the signs of the scalar products
-  // tell which.
+  // Known to be between two faces without area: the signs of the scalar products tell which of
+  // the angles are π.
   Sign sign_of_tie(const Delta_complex& complex, Edge_index e) const
   {
     for (long precision = 128; precision <= largest_precision; precision *= 2) {
@@ -542,7 +488,7 @@ private:
       const auto corners = opposite_corners(complex, e, metric);
       const Uncertain<Sign> k = corners.k.p.sign(), l = corners.l.p.sign();
       if (is_certain(k) && is_certain(l))
-        return tie(get_certain(k), get_certain(l));
+        return internal::sign_of_tie(get_certain(k), get_certain(l));
     }
     throw Undecided_error("edge " + std::to_string(e.idx()) + ": the opposite angles are too near to pi/2");
   }
