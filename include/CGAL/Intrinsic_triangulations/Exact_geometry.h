@@ -140,8 +140,8 @@ public:
   /// Where both faces have zero area, it is `NEGATIVE` if both angles are π, and `ZERO`
   /// otherwise. \pre `prepare()` was called; `e` lies between two different faces
   /// \param corners receives the two corners
-  /// \exception Undecided_error where a zero is too entangled to be proven: more than
-  ///   about a dozen independent square roots
+  /// \exception Undecided_error where a zero is too entangled to be proven: more than 192
+  ///   independent square roots, or more than four million products of their sums
   Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e,
                           std::optional<Opposite_corners>& corners)
   {
