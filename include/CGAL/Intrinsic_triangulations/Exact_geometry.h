@@ -10,9 +10,9 @@
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Stage_counts.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Coplanar_hinge.h>
 #include <CGAL/Intrinsic_triangulations/internal/Developed_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/Late_stages.h>
 #include <CGAL/Intrinsic_triangulations/internal/Straight_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
@@ -22,9 +22,7 @@
 #include <CGAL/enum.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -62,17 +60,11 @@ class Exact_geometry
     bool& is_straight; // the new edge, and the faces beside it
   };
 
-  template <class Metric>
-  struct Both_corners
-  {
-    typename Unfolding<Metric>::Corner k, l;
-  };
-
 public:
   /// a corner in double-doubles with error bounds.
   using Corner = Unfolding<internal::Double_double_metric>::Corner;
   /// the corners opposite to an edge, k to its left and l to its right.
-  using Opposite_corners = Both_corners<internal::Double_double_metric>;
+  using Opposite_corners = internal::Opposite_corners<internal::Double_double_metric>;
 
   /// constructs the geometry of a triangulation that has not been flipped yet.
   explicit Exact_geometry(Input_metric metric) : metric_(std::move(metric)) {}
@@ -164,21 +156,18 @@ public:
       return decided(Stage::RATIONAL, internal::sign_of_cotangents(
                                         internal::rational_corner(complex, metric_.points(), h),
                                         internal::rational_corner(complex, metric_.points(), g)));
-    return sign_by_late_stages(complex, e);
+    const auto decision = late_stages(complex).sign_of_cotangents(e);
+    return decided(decision.stage, decision.sign);
   }
 
   /// \brief as above, but by the unfolding alone: what is known of the flips before, as
   /// that a face is straight in space, is not used. Not counted as a test of the algorithm.
-  Sign sign_by_unfolding(const Delta_complex& complex, Edge_index e)
+  Sign sign_by_unfolding(const Delta_complex& complex, Edge_index e) const
   {
-    const Stage_counts counts = counts_;
     internal::Double_double_metric metric(*surface_);
-    const Opposite_corners corners = opposite_corners(complex, e, metric);
+    const Opposite_corners corners = internal::opposite_corners(complex, correspondence_, e, metric);
     const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
-    const Sign result =
-      is_certain(sign) ? get_certain(sign) : sign_by_late_stages(complex, e);
-    counts_ = counts;
-    return result;
+    return is_certain(sign) ? get_certain(sign) : late_stages(complex).sign_of_cotangents(e).sign;
   }
 
   /// as above, without the corners; not counted as a test of the algorithm.
@@ -196,19 +185,8 @@ public:
   Sign sign_of_area(const Delta_complex& complex, Face_index f) const
   {
     const Halfedge_index h = complex.halfedge(f);
-    Uncertain<Sign> sign = unfolded_corner(complex, h).four_areas.sign();
-    for (long precision = 128; !is_certain(sign); precision *= 4) {
-      internal::Mpfr_metric metric(*surface_, {precision});
-      sign = Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric)
-               .opposite_corner(h)
-               .four_areas.sign();
-      if (!is_certain(sign) && precision == 2048 && has_area_zero(complex, h))
-        return ZERO;
-      if (precision > largest_precision)
-        throw Undecided_error("face " + std::to_string(f.idx()) +
-                              ": the sign of its area cannot be decided");
-    }
-    return get_certain(sign);
+    const Uncertain<Sign> sign = unfolded_corner(complex, h).four_areas.sign();
+    return is_certain(sign) ? get_certain(sign) : late_stages(complex).sign_of_area(h);
   }
 
   /// returns the length of `e` in the unit of the input, within one unit in the last
@@ -222,13 +200,7 @@ public:
       const Double_double l = sqrt(s);
       return std::ldexp(l.hi() + l.lo(), metric_.unit_exponent());
     }
-    for (long precision = 128;; precision *= 2) {
-      const internal::Mpfr_interval s = multiprecision_squared_length(complex, e, precision);
-      const internal::Mpfr_interval l = sqrt(s);
-      const double low = l.lower_double(), high = l.upper_double();
-      if (high <= std::nextafter(low, high) || precision > largest_precision)
-        return std::ldexp(mpfr_get_d(l.lower(), MPFR_RNDN), metric_.unit_exponent());
-    }
+    return std::ldexp(late_stages(complex).length(e), metric_.unit_exponent());
   }
 
   /// returns an interval around the length of `e`, in the unit of the input.
@@ -246,7 +218,7 @@ public:
       while (high - l.hi() < l.lo() + 1.01 * l.error())
         high = std::nextafter(high, 2 * high);
     } else {
-      const internal::Mpfr_interval m = sqrt(multiprecision_squared_length(complex, e, 128));
+      const internal::Mpfr_interval m = sqrt(late_stages(complex).squared_length(e, 128));
       low = m.lower_double();
       high = m.upper_double();
     }
@@ -267,8 +239,8 @@ public:
     if (c.four_areas.relative_error() < 0x1p-60 &&
         c.p.error() < 0x1p-60 * (std::abs(c.p.hi()) + c.four_areas.hi()))
       return value;
-    return with_increasing_precision(
-      complex, h, [](const auto& corner) { return corner.p / corner.four_areas; },
+    return late_stages(complex).number_of_corner(
+      h, [](const auto& corner) { return corner.p / corner.four_areas; },
       [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
   }
 
@@ -304,8 +276,8 @@ public:
                            ? a.hi()
                          : sign_of_area(complex, f) == ZERO
                            ? 0
-                           : with_increasing_precision(
-                               complex, h, [](const auto& corner) { return corner.four_areas; },
+                           : late_stages(complex).number_of_corner(
+                               h, [](const auto& corner) { return corner.four_areas; },
                                [](double width, double magnitude) {
                                  return width <= 0x1p-51 * magnitude;
                                });
@@ -321,17 +293,7 @@ public:
       Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);
     if (is_certain(s.sign()))
       return s.is_zero();
-    try {
-      internal::Square_root_basis basis;
-      internal::Multiquadratic_metric field(*surface_, {basis});
-      return Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
-        .squared_length(e)
-        .is_zero();
-    } catch (const internal::Too_many_roots&) {
-      throw Undecided_error("edge " + std::to_string(e.idx()) +
-                            ": whether its length is zero cannot be proven: too many "
-                            "independent square roots");
-    }
+    return late_stages(complex).has_length_zero(e);
   }
 
   /// returns the area of `f` times four, with an error bound near `2^-50` of it and in the
@@ -354,9 +316,6 @@ public:
   }
 
 private:
-  static constexpr long largest_precision = 1l << 16;
-  static constexpr std::size_t few_roots = 4;
-
   void start_straight_faces(const Delta_complex& complex)
   {
     if (!has_straight_faces_)
@@ -389,57 +348,9 @@ private:
     return internal::straight_corner<Corner>(complex, metric_.points(), h);
   }
 
-  template <class Metric>
-  Both_corners<Metric> opposite_corners(const Delta_complex& complex, Edge_index e,
-                                        Metric& metric) const
+  internal::Late_stages late_stages(const Delta_complex& complex) const
   {
-    const Unfolding<Metric> unfolding(complex, correspondence_, metric);
-    const Halfedge_index h = complex.halfedge(e);
-    return {unfolding.opposite_corner(h), unfolding.opposite_corner(complex.opposite(h))};
-  }
-
-  // A tie is more likely than a difference below 2^-80, and its proof is cheap while there are
-  // few roots. With many it is the last resort.
-  Sign sign_by_late_stages(const Delta_complex& complex, Edge_index e)
-  {
-    if (const std::optional<Sign> tie = proven_tie(complex, e, few_roots))
-      return decided(Stage::ALGEBRAIC, *tie);
-    Uncertain<Sign> sign = Uncertain<Sign>::indeterminate();
-    for (long precision : {128l, 512l, 2048l}) {
-      sign = multiprecision_sign(complex, e, precision);
-      if (is_certain(sign))
-        return decided(Stage::MULTIPRECISION, sign);
-    }
-    if (const std::optional<Sign> tie = proven_tie(complex, e, internal::Root_mask().size()))
-      return decided(Stage::ALGEBRAIC, *tie);
-    for (long precision = 8192; precision <= largest_precision; precision *= 2) {
-      sign = multiprecision_sign(complex, e, precision);
-      if (is_certain(sign))
-        return decided(Stage::MULTIPRECISION, sign);
-    }
-    throw Undecided_error("edge " + std::to_string(e.idx()) +
-                          ": the sum of the opposite angles differs from pi by less than 2^-" +
-                          std::to_string(largest_precision) +
-                          " and cannot be proven to be pi: too many independent square roots");
-  }
-
-  // The sign if the edge is proven to be a tie; none says nothing.
-  std::optional<Sign> proven_tie(const Delta_complex& complex, Edge_index e,
-                                 std::size_t maximum_number_of_roots) const
-  {
-    try {
-      internal::Square_root_basis basis(maximum_number_of_roots);
-      internal::Multiquadratic_metric field(*surface_, {basis});
-      const auto exact = opposite_corners(complex, e, field);
-      if (!(exact.k.p * exact.l.four_areas + exact.l.p * exact.k.four_areas).is_zero())
-        return std::nullopt;
-      // Angles that sum to π, unless both areas are zero.
-      return !exact.k.four_areas.is_zero() || exact.k.p.is_zero() || exact.l.p.is_zero()
-               ? ZERO
-               : sign_of_tie(complex, e);
-    } catch (const internal::Too_many_roots&) {
-      return std::nullopt;
-    }
+    return {complex, correspondence_, *surface_};
   }
 
   Sign decided(Stage stage, Uncertain<Sign> sign)
@@ -448,69 +359,6 @@ private:
     if (get_certain(sign) == ZERO)
       ++counts_.ties;
     return get_certain(sign);
-  }
-
-  Uncertain<Sign> multiprecision_sign(const Delta_complex& complex, Edge_index e,
-                                      long precision) const
-  {
-    internal::Mpfr_metric metric(*surface_, {precision});
-    const auto corners = opposite_corners(complex, e, metric);
-    return internal::sign_of_cotangents(corners.k, corners.l);
-  }
-
-  internal::Mpfr_interval multiprecision_squared_length(const Delta_complex& complex, Edge_index e,
-                                                        long precision) const
-  {
-    internal::Mpfr_metric metric(*surface_, {precision});
-    return Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric).squared_length(e);
-  }
-
-  // A proof that the area of the face of h is zero; `false` proves nothing.
-  bool has_area_zero(const Delta_complex& complex, Halfedge_index h) const
-  {
-    try {
-      internal::Square_root_basis basis;
-      internal::Multiquadratic_metric field(*surface_, {basis});
-      return Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
-        .opposite_corner(h)
-        .four_areas.is_zero();
-    } catch (const internal::Too_many_roots&) {
-      return false;
-    }
-  }
-
-  // Known to be between two faces without area: the signs of the scalar products tell which of
-  // the angles are π.
-  Sign sign_of_tie(const Delta_complex& complex, Edge_index e) const
-  {
-    for (long precision = 128; precision <= largest_precision; precision *= 2) {
-      internal::Mpfr_metric metric(*surface_, {precision});
-      const auto corners = opposite_corners(complex, e, metric);
-      const Uncertain<Sign> k = corners.k.p.sign(), l = corners.l.p.sign();
-      if (is_certain(k) && is_certain(l))
-        return internal::sign_of_tie(get_certain(k), get_certain(l));
-    }
-    throw Undecided_error("edge " + std::to_string(e.idx()) + ": the opposite angles are too near to pi/2");
-  }
-
-  // The middle of an interval that is narrow enough, as is_narrow(width, magnitude) says. An
-  // interval around a double is two units in its last place wide, however high the precision.
-  template <class Evaluate, class IsNarrow>
-  double with_increasing_precision(const Delta_complex& complex, Halfedge_index h,
-                                   const Evaluate& evaluate, const IsNarrow& is_narrow) const
-  {
-    for (long precision = 128;; precision *= 2) {
-      internal::Mpfr_metric metric(*surface_, {precision});
-      const internal::Mpfr_interval x = evaluate(
-        Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric).opposite_corner(h));
-      const double low = x.lower_double(), high = x.upper_double();
-      const double magnitude = (std::max)(std::abs(low), std::abs(high));
-      if (magnitude < std::numeric_limits<double>::infinity() && is_narrow(high - low, magnitude))
-        return low + (high - low) / 2;
-      if (precision > largest_precision)
-        throw Undecided_error("face " + std::to_string(complex.face(h).idx()) +
-                              ": its angles cannot be computed");
-    }
   }
 
   Correspondence correspondence_;
