@@ -194,8 +194,8 @@ inline void find_stages(const IT::Exact_geometry& geometry, Outcome& outcome)
   IT::Stage_counts counts = geometry.stage_counts();
   std::uint64_t& filter = counts.decided[static_cast<std::size_t>(IT::Stage::FILTER)];
   filter = outcome.report.tests;
-  for (IT::Stage stage : {IT::Stage::UNFOLDING, IT::Stage::RATIONAL, IT::Stage::MULTIPRECISION,
-                          IT::Stage::ALGEBRAIC})
+  for (IT::Stage stage : {IT::Stage::COPLANAR, IT::Stage::UNFOLDING, IT::Stage::RATIONAL,
+                          IT::Stage::MULTIPRECISION, IT::Stage::ALGEBRAIC})
     filter -= counts[stage];
   outcome.stages = counts;
 }

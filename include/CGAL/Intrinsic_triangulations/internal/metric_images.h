@@ -192,7 +192,7 @@ struct Multiquadratic_image
 {
   using Real = Multiquadratic;
   using Vector = Planar_vector<Real>;
-  Real rational(const Rational& x) const { return Real(&basis, 0, x); }
+  Real rational(const Rational& x) const { return Real(&basis, Root_mask(), x); }
   Real root(const Rational& x) const
   {
     const Square_root_basis::Root root = basis.root(x);
