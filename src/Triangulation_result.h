@@ -45,6 +45,11 @@ nlohmann::ordered_json statistics(const Triangulation_result& result);
 // `source,target,length,cotan_weight,crossings,original`.
 void write_edges(std::ostream& os, const Triangulation_result& result);
 
+// Stiffness and lumped mass matrix of the result in the format Matrix Market.
+// \exception Invalid_surface_error if a weight is infinite, beside a face without area
+void write_laplacian(std::ostream& os, const Triangulation_result& result);
+void write_mass(std::ostream& os, const Triangulation_result& result);
+
 } // namespace idt
 
 #endif // IDT_TRIANGULATION_RESULT_H

@@ -12,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -30,6 +31,13 @@ struct Triangulate_options
   bool is_verified = false;
   std::string stats_path;
   std::string edges_path;
+  std::string laplacian_path;
+  std::string mass_path;
+
+  std::vector<std::string> output_paths() const
+  {
+    return {stats_path, edges_path, laplacian_path, mass_path};
+  }
 };
 
 Kernel_options kernel_options(const Triangulate_options& options)
@@ -41,7 +49,9 @@ Kernel_options kernel_options(const Triangulate_options& options)
   result.number_type = *number_type;
   result.precision = options.precision;
   result.maximum_number_of_flips = options.maximum_number_of_flips;
-  result.wanted.lengths = result.wanted.numbers = !options.edges_path.empty();
+  result.wanted.lengths = !options.edges_path.empty();
+  result.wanted.numbers = !options.edges_path.empty() || !options.laplacian_path.empty() ||
+                          !options.mass_path.empty();
   result.wanted.verification = options.is_verified;
   result.wanted.tessellation = !options.stats_path.empty();
   return result;
@@ -51,25 +61,34 @@ void check(const Triangulate_options& options)
 {
   if (options.mollification && !(*options.mollification >= 0 && *options.mollification <= 1e6))
     throw Usage_error("--mollify: D is between 0 and 1e6");
-  if (options.inputs.size() > 1 && !(options.stats_path.empty() && options.edges_path.empty()))
-    throw Usage_error("--stats and --edges take one input: several would go to the same file");
-  check_output_paths({options.stats_path, options.edges_path}, options.inputs);
+  const std::vector<std::string> outputs = options.output_paths();
+  if (options.inputs.size() > 1 &&
+      std::any_of(outputs.begin(), outputs.end(), [](const std::string& s) { return !s.empty(); }))
+    throw Usage_error("--stats, --edges, --laplacian and --mass take one input: several would go "
+                      "to the same file");
+  check_output_paths(outputs, options.inputs);
+}
+
+template <class Write>
+void write_file(const std::string& path, const Write& write)
+{
+  if (path.empty())
+    return;
+  Output_file file(path);
+  write(file.stream());
+  file.commit();
 }
 
 void write_files(const Triangulate_options& options, Triangulation_result& result)
 {
   const Stopwatch stopwatch;
-  if (!options.edges_path.empty()) {
-    Output_file file(options.edges_path);
-    write_edges(file.stream(), result);
-    file.commit();
+  write_file(options.edges_path, [&](std::ostream& os) { write_edges(os, result); });
+  write_file(options.laplacian_path, [&](std::ostream& os) { write_laplacian(os, result); });
+  write_file(options.mass_path, [&](std::ostream& os) { write_mass(os, result); });
+  if (result.options.wanted.numbers)
     result.write_seconds = stopwatch.seconds();
-  }
-  if (!options.stats_path.empty()) {
-    Output_file file(options.stats_path);
-    file.stream() << statistics(result).dump(2) << '\n';
-    file.commit();
-  }
+  write_file(options.stats_path,
+             [&](std::ostream& os) { os << statistics(result).dump(2) << '\n'; });
 }
 
 Exit_status run_triangulate(const Triangulate_options& options)
@@ -178,6 +197,15 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
                 "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,"
                 "original")
     ->type_name("F.csv");
+  command
+    .add_option("--laplacian", options->laplacian_path,
+                "write the Laplace-Beltrami operator as a Matrix Market file: positive "
+                "semidefinite, entries -(cot + cot)/2, natural boundary conditions")
+    ->type_name("F.mtx");
+  command
+    .add_option("--mass", options->mass_path,
+                "write the lumped mass matrix: a third of the area around each vertex")
+    ->type_name("F.mtx");
   command.callback(
     [options, &selected] { selected = [options] { return run_triangulate(*options); }; });
 }
