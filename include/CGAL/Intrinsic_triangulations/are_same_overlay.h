@@ -29,31 +29,31 @@ inline std::string difference_of_overlays(const Overlay& overlay, const Incremen
     return "they are of different surfaces";
   std::vector<Vertex> in_incremental(overlay.number_of_vertices());
   for (Edge_index e : incremental.intrinsic().edges()) {
-    const std::string edge = "intrinsic edge " + std::to_string(e.idx());
+    const auto edge = [&](const char* what) { return "intrinsic edge " + std::to_string(e.idx()) + what; };
     Halfedge part = incremental.first_part(incremental.intrinsic().halfedge(e));
     if (overlay.input_halfedge(overlay.halfedge(*overlay.intrinsic_segments(e).begin())) !=
         incremental.input_halfedge(part))
-      return edge + " does not coincide with the same input halfedge";
+      return edge(" does not coincide with the same input halfedge");
     for (Vertex x : overlay.intrinsic_crossings(e)) {
       if (!incremental.is_crossing(incremental.target(part)) ||
           overlay.crossing_input_halfedge(x) != incremental.input_halfedge(incremental.next(part)))
-        return edge + " does not cross the same input halfedges";
+        return edge(" does not cross the same input halfedges");
       in_incremental[x.idx()] = incremental.target(part);
       part = incremental.straight_on(part);
     }
     if (incremental.is_crossing(incremental.target(part)))
-      return edge + " does not cross the same number of input edges";
+      return edge(" does not cross the same number of input edges");
   }
   for (Edge_index e : incremental.input().edges()) {
-    const std::string edge = "input edge " + std::to_string(e.idx());
+    const auto edge = [&](const char* what) { return "input edge " + std::to_string(e.idx()) + what; };
     Halfedge part = incremental.first_part_in_input(incremental.input().halfedge(e));
     for (std::uint32_t i = 0; i + 1 < overlay.number_of_input_segments(e); ++i) {
       if (in_incremental[overlay.input_crossing(e, i).idx()] != incremental.target(part))
-        return edge + " does not have the same crossings";
+        return edge(" does not have the same crossings");
       part = incremental.straight_on(part);
     }
     if (incremental.is_crossing(incremental.target(part)))
-      return edge + " does not have the same number of crossings";
+      return edge(" does not have the same number of crossings");
   }
   return std::string();
 }

@@ -119,21 +119,23 @@ private:
   {
     std::size_t number_of_parts = 0, expected_number = 0;
     for (Halfedge_index h : complex.halfedges()) {
-      const std::string halfedge = std::string(which) + " halfedge " + std::to_string(h.idx());
+      const auto halfedge_fails = [&](const char* what) {
+        return fails(std::string(which) + " halfedge " + std::to_string(h.idx()), what);
+      };
       Halfedge part = first_part(h);
       if (part.idx() >= graph_.end_of_halfedges() || halfedge_of(part) != h ||
           graph_.source(part).idx() != complex.source(h).idx())
-        return fails(halfedge, "does not begin with its first part");
+        return halfedge_fails("does not begin with its first part");
       for (++number_of_parts; graph_.is_crossing(graph_.target(part)); ++number_of_parts)
         part = graph_.straight_on(part);
       if (graph_.target(part).idx() != complex.target(h).idx() ||
           part != graph_.opposite(first_part(complex.opposite(h))))
-        return fails(halfedge, "does not end with its last part");
+        return halfedge_fails("does not end with its last part");
       Halfedge after = graph_.next(part);
       while (!halfedge_of(after).is_valid())
         after = graph_.next(graph_.opposite(after));
       if (after != first_part(complex.next(h)))
-        return fails(halfedge, "is not followed by the next one");
+        return halfedge_fails("is not followed by the next one");
     }
     for_all_parts([&](Halfedge h) {
       expected_number += halfedge_of(h).is_valid();
