@@ -9,6 +9,7 @@
 #include "Decision_counter.h"
 #include "Kernel.h"
 #include "Number_collector.h"
+#include "find_overlay.h"
 
 #include "../Stopwatch.h"
 
@@ -211,6 +212,8 @@ void relate_to_input(const Triangulation& triangulation, const Wanted& wanted, O
       find_stages(triangulation.exact_geometry(), outcome);
     if (wanted.crossings) {
       find_crossings(triangulation, outcome);
+      if (wanted.overlay)
+        find_overlay(complex, triangulation.exact_geometry(), outcome);
       outcome.crossing_summary->seconds = stopwatch.seconds();
     }
     if (wanted.verification)

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -43,12 +44,17 @@ public:
   /// O(size of the overlay) arithmetic operations.
   template <class Traits>
   Overlay_positions(const Intrinsic_triangulation<Traits>& triangulation, const Overlay& overlay)
+    : Overlay_positions(triangulation.connectivity(), triangulation.exact_geometry(), overlay)
+  {}
+
+  /// \brief as above, from the current connectivity and the exact geometry of the input.
+  /// \pre `geometry.prepare()` was called
+  Overlay_positions(const Delta_complex& intrinsic, const Exact_geometry& geometry,
+                    const Overlay& overlay)
     : number_of_original_vertices_(overlay.number_of_original_vertices()),
       on_intrinsic_edge_(overlay.number_of_crossings(), internal::default_init),
       on_input_edge_(overlay.number_of_crossings(), internal::default_init)
   {
-    const Exact_geometry& geometry = triangulation.exact_geometry();
-    const Delta_complex& intrinsic = triangulation.connectivity();
     internal::Crossing_locator locate(intrinsic, geometry, overlay);
     for (Edge_index e : intrinsic.edges()) {
       if (overlay.intrinsic_crossings(e).empty())
@@ -104,7 +110,8 @@ public:
   ///
   /// \param overlay the overlay
   /// \param input the input, as `Correspondence::input()` gives it
-  /// \param points the points of the vertices of the surface, each with three coordinates
+  /// \param points a random access range of the points of the vertices of the surface, each with
+  ///   three coordinates
   /// \param v a vertex of the overlay
   /// \return the coordinates, each within a few units in the last place of the larger one at
   ///   the ends of the edge
@@ -114,14 +121,14 @@ public:
   {
     if (!overlay.is_crossing(v)) {
       const auto& p = points[v.idx()];
-      return {p[0], p[1], p[2]};
+      return {to_double(p[0]), to_double(p[1]), to_double(p[2])};
     }
     const Halfedge_index h = input.halfedge(overlay.input_edge(v));
     const auto &p = points[input.source(h).idx()], &q = points[input.target(h).idx()];
     const double t = on_input_edge(v);
     std::array<double, 3> result{};
     for (int i = 0; i < 3; ++i)
-      result[i] = (1 - t) * p[i] + t * q[i];
+      result[i] = (1 - t) * to_double(p[i]) + t * to_double(q[i]);
     return result;
   }
 

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Edge_layout.h>
+#include <CGAL/Intrinsic_triangulations/internal/Point_strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
 
 #include <CGAL/Uncertain.h>
@@ -49,15 +50,19 @@ class Crossing_locator
 public:
   Crossing_locator(const Delta_complex& intrinsic, const Exact_geometry& geometry,
                    const Overlay& overlay)
-    : intrinsic_(intrinsic), geometry_(geometry), overlay_(overlay)
+    : intrinsic_(intrinsic), geometry_(geometry), overlay_(overlay),
+      strip_(geometry.correspondence().input(), geometry.metric().points())
   {}
 
   // Calls `visit(x, on_intrinsic_edge, on_input_edge)` for each crossing of e in order.
   template <class Visit>
   void operator()(Edge_index e, const Visit& visit)
   {
-    Double_double_metric metric(geometry_.input_surface());
-    bool is_good = locate(e, metric);
+    bool is_good = !geometry_.metric().points().empty() && locate_by_points(e);
+    if (!is_good) {
+      Double_double_metric metric(geometry_.input_surface());
+      is_good = locate(e, metric);
+    }
     for (long precision : {128l, 512l, 2048l})
       if (!is_good) {
         Mpfr_metric precise_metric(geometry_.input_surface(), {precision});
@@ -76,6 +81,27 @@ private:
     double on_intrinsic_edge;
     double on_input_edge;
   };
+
+  bool locate_by_points(Edge_index e)
+  {
+    const Delta_complex& input = geometry_.correspondence().input();
+    positions_.clear();
+    for (Overlay::Vertex x : overlay_.intrinsic_crossings(e)) {
+      const Halfedge_index crossed = input.opposite(overlay_.crossing_input_halfedge(x));
+      if (positions_.empty())
+        strip_.start(crossed);
+      else
+        strip_.add(crossed);
+      positions_.push_back({0, crossed.idx() & 1 ? 1. : 0.}); // where the edge is on the left
+    }
+    auto position = positions_.begin();
+    return strip_.finish([&](const Point_strip::Crossing& crossing) {
+      position->on_intrinsic_edge = crossing.on_edge();
+      position->on_input_edge =
+        position->on_input_edge == 0 ? crossing.from_left() : crossing.from_right();
+      ++position;
+    });
+  }
 
   static double in_unit_interval(double x) { return (std::min)(1., (std::max)(0., x)); }
 
@@ -137,6 +163,7 @@ private:
   const Delta_complex& intrinsic_;
   const Exact_geometry& geometry_;
   const Overlay& overlay_;
+  Point_strip strip_;
   std::vector<Position> positions_;
 };
 

@@ -25,6 +25,9 @@ namespace internal {
 // input edge is followed once through the intrinsic triangles; at every crossing it is known
 // which four segments meet. What is left are the corners at the vertices, where input edges
 // leave between intrinsic ones, and the faces.
+//
+// Most intrinsic triangles are input triangles; they are copied with few accesses to memory,
+// which are what takes the time.
 class Overlay_builder
 {
   using size_type = Overlay_arrays::size_type;
@@ -41,13 +44,12 @@ public:
   {
     number_intrinsic_segments();
     follow_input_edges();
-    link_vertices();
-    make_faces();
+    fill_faces();
+    name_vertex_halfedges();
     return std::move(overlay_);
   }
 
 private:
-
   void number_intrinsic_segments()
   {
     overlay_.number_of_original_vertices = intrinsic_.number_of_vertices();
@@ -59,6 +61,8 @@ private:
       coinciding += coordinates_.is_original(e) ? 1 : 0;
       check_size(crossings); // each term is below 2^61: the sum cannot wrap before
     }
+    // Each chord that an input edge cuts out of an intrinsic triangle adds a face.
+    const std::uint64_t number_of_chords = crossings + input_.number_of_edges() - coinciding;
     const std::uint64_t number_of_segments = 2 * (intrinsic_.number_of_edges() + crossings) - coinciding;
     check_size(number_of_segments);
     overlay_.first_input_segment = size_type(intrinsic_.number_of_edges() + crossings);
@@ -67,6 +71,7 @@ private:
     overlay_.halfedges.resize(2 * number_of_segments, default_init);
     overlay_.parents.resize(number_of_segments, default_init);
     overlay_.vertex_halfedges.resize(intrinsic_.number_of_vertices() + crossings, default_init);
+    overlay_.faces.resize(intrinsic_.number_of_faces() + number_of_chords, default_init);
     overlay_.coinciding_halfedges.resize(intrinsic_.number_of_edges(), default_init);
     overlay_.input_edges.resize(input_.number_of_edges(), default_init);
 
@@ -77,14 +82,17 @@ private:
       for (std::int64_t i = coordinates_.number_of_crossings(e); i > 0; --i) {
         overlay_.parents[segment] = e.idx();
         overlay_.vertex_halfedges[crossing] = 2 * segment;
-        set_ends(segment++, from, crossing);
+        set_intrinsic_segment(segment++, from, crossing);
         from = crossing++;
       }
       overlay_.parents[segment] = e.idx();
-      set_ends(segment, from, intrinsic_.target(h).idx());
+      set_intrinsic_segment(segment, from, intrinsic_.target(h).idx());
       overlay_.coinciding_halfedges[e.idx()] = Overlay_arrays::null;
       if (coordinates_.is_original(e))
         note_coinciding(h, segment);
+      for (Halfedge_index side : {h, intrinsic_.opposite(h)})
+        if (intrinsic_.is_border(side)) // a border edge is one segment
+          record(first_part(side)).next = first_part(intrinsic_.next(side));
       ++segment;
     }
   }
@@ -104,18 +112,24 @@ private:
     overlay_.input_edges[input_.edge(in_input).idx()] = {2 * segment + (in_input.idx() & 1), 1};
   }
 
+  // The faces are not known yet; those of border halfedges never will be.
+  void set_intrinsic_segment(size_type segment, size_type source, size_type target)
+  {
+    record(2 * segment) = {Overlay_arrays::null, target, Overlay_arrays::null};
+    record(2 * segment + 1) = {Overlay_arrays::null, source, Overlay_arrays::null};
+  }
+
   void set_ends(size_type segment, size_type source, size_type target)
   {
     record(2 * segment).target = target;
     record(2 * segment + 1).target = source;
   }
 
-  // The input halfedges that leave a vertex within an intrinsic triangle are consecutive
-  // around it; so each is found from the triangle in which it begins.
+  // The n input halfedges that leave the corner opposite to ij. Those that leave a vertex within
+  // an intrinsic triangle are consecutive around it.
   template <class Function>
-  void for_each_start(Halfedge_index ij, const Function& function) const
+  void for_each_start(Halfedge_index ij, std::int64_t n, const Function& function) const
   {
-    const std::int64_t n = coordinates_.triangle_crossings(intrinsic_, ij).e_k;
     if (n == 0)
       return;
     const Halfedge_index ki = intrinsic_.prev(ij);
@@ -126,15 +140,18 @@ private:
       function(correspondence_.input_halfedge(k, first + i), i);
   }
 
+  // Where an input edge leaves a corner, the opposite side is crossed.
   void follow_input_edges()
   {
-    for (Face_index f : intrinsic_.faces()) {
-      Halfedge_index h = intrinsic_.halfedge(f);
-      for (int corner = 0; corner < 3; ++corner, h = intrinsic_.next(h))
-        for_each_start(h, [&](Halfedge_index input_halfedge, std::int64_t i) {
-          if (input_halfedge == input_.halfedge(input_.edge(input_halfedge)))
-            follow(input_halfedge, h, i);
-        });
+    for (Edge_index e : intrinsic_.edges()) {
+      if (coordinates_.crossings(e) <= 0)
+        continue;
+      for (Halfedge_index h : {intrinsic_.halfedge(e), intrinsic_.opposite(intrinsic_.halfedge(e))})
+        for_each_start(h, coordinates_.triangle_crossings(intrinsic_, h).e_k,
+                       [&](Halfedge_index input_halfedge, std::int64_t i) {
+                         if (input_halfedge == input_.halfedge(input_.edge(input_halfedge)))
+                           follow(input_halfedge, h, i);
+                       });
     }
   }
 
@@ -211,62 +228,59 @@ private:
                                                 : (edge.first_halfedge + 2 * (edge.count - 1)) ^ 1;
   }
 
-  void link_vertices()
+  void fill_faces()
   {
-    for (Face_index f : intrinsic_.faces()) {
-      Halfedge_index ij = intrinsic_.halfedge(f);
-      for (int corner = 0; corner < 3; ++corner, ij = intrinsic_.next(ij)) {
-        size_type out = first_part(intrinsic_.prev(ij));
-        for_each_start(ij, [&](Halfedge_index input_halfedge, std::int64_t) {
-          const size_type next_out = first_part_in_input(input_halfedge);
-          link(out, next_out);
-          out = next_out;
-        });
-        link(out, first_part(intrinsic_.opposite(intrinsic_.next(ij))));
-      }
-    }
-    for (Vertex_index v : intrinsic_.vertices()) {
-      const Halfedge_index h = intrinsic_.halfedge(v);
-      overlay_.vertex_halfedges[v.idx()] =
-        h.is_valid() ? first_part(intrinsic_.opposite(h)) ^ 1 : Overlay_arrays::null;
-    }
-    for (Halfedge_index h : intrinsic_.halfedges())
-      if (intrinsic_.is_border(h)) { // a border edge is one segment
-        record(first_part(h)).next = first_part(intrinsic_.next(h));
-        record(first_part(h)).face = Overlay_arrays::null;
-      }
-  }
-
-  // Each face has a side on an intrinsic edge, and one on an input edge. (A face bounded by
-  // input edges alone would be an input triangle with its corners at those of an intrinsic
-  // one: the same triangle, with sides of label oc.)
-  void make_faces()
-  {
-    const std::size_t number_of_faces = count_faces();
-    overlay_.faces.resize(number_of_faces, default_init);
-    for (Halfedge_index h : intrinsic_.halfedges())
-      if (!intrinsic_.is_border(h))
-        for_each_part(h, [&](size_type part) { record(part).face = Overlay_arrays::null; });
     size_type face = 0;
     for (Face_index f : intrinsic_.faces()) {
-      Halfedge_index h = intrinsic_.halfedge(f);
-      for (int side = 0; side < 3; ++side, h = intrinsic_.next(h))
+      const Halfedge_index ij = intrinsic_.halfedge(f), jk = intrinsic_.next(ij),
+                           ki = intrinsic_.prev(ij);
+      if (is_one_segment(ij) && is_one_segment(jk) && is_one_segment(ki)) {
+        copy_input_face(face++, f, first_part(ij), first_part(jk), first_part(ki));
+        continue;
+      }
+      const Triangle_crossings crossings = coordinates_.triangle_crossings(intrinsic_, ij);
+      link_corner(ij, crossings.e_k);
+      link_corner(jk, crossings.e_i);
+      link_corner(ki, crossings.e_j);
+      for (Halfedge_index h : {ij, jk, ki})
         for_each_part(h, [&](size_type part) {
           if (record(part).face == Overlay_arrays::null)
             make_face(face++, part, f);
         });
     }
-    CGAL_postcondition(face == number_of_faces);
+    CGAL_postcondition(face == overlay_.faces.size());
   }
 
-  // Each chord that an input edge cuts out of an intrinsic triangle adds a face.
-  std::size_t count_faces() const
+  bool is_one_segment(Halfedge_index h) const
   {
-    std::size_t chords = 0;
-    for (Edge_index e : input_.edges())
-      if (const size_type count = overlay_.input_edges[e.idx()].count; count > 1)
-        chords += count;
-    return intrinsic_.number_of_faces() + chords;
+    const size_type e = intrinsic_.edge(h).idx();
+    return overlay_.intrinsic_segments_end(e) - overlay_.first_segments[e] == 1;
+  }
+
+  void copy_input_face(size_type face, Face_index f, size_type ij, size_type jk, size_type ki)
+  {
+    record(ij).next = jk;
+    record(jk).next = ki;
+    record(ki).next = ij;
+    record(ij).face = record(jk).face = record(ki).face = face;
+    overlay_.faces[face] = {ij, f.idx(), input_face(overlay_.input_halfedge(ij))};
+  }
+
+  // The corner opposite to ij, where n input halfedges leave.
+  void link_corner(Halfedge_index ij, std::int64_t n)
+  {
+    size_type out = first_part(intrinsic_.prev(ij));
+    for_each_start(ij, n, [&](Halfedge_index input_halfedge, std::int64_t) {
+      const size_type next_out = first_part_in_input(input_halfedge);
+      link(out, next_out);
+      out = next_out;
+    });
+    link(out, first_part(intrinsic_.opposite(intrinsic_.next(ij))));
+  }
+
+  size_type input_face(size_type input_halfedge) const
+  {
+    return input_.face(Halfedge_index(input_halfedge)).idx();
   }
 
   template <class Function>
@@ -278,6 +292,9 @@ private:
       function(2 * s + direction);
   }
 
+  // Each face has a side on an intrinsic edge, and one on an input edge. (A face bounded by
+  // input edges alone would be an input triangle with its corners at those of an intrinsic
+  // one: the same triangle, with sides of label oc.)
   void make_face(size_type face, size_type first, Face_index intrinsic_face)
   {
     size_type input_halfedge = Overlay_arrays::null, h = first;
@@ -287,7 +304,16 @@ private:
         input_halfedge = overlay_.input_halfedge(h);
       h = record(h).next;
     } while (h != first);
-    overlay_.faces[face] = {first, intrinsic_face.idx(), input_.face(Halfedge_index(input_halfedge)).idx()};
+    overlay_.faces[face] = {first, intrinsic_face.idx(), input_face(input_halfedge)};
+  }
+
+  void name_vertex_halfedges()
+  {
+    for (Vertex_index v : intrinsic_.vertices()) {
+      const Halfedge_index h = intrinsic_.halfedge(v);
+      overlay_.vertex_halfedges[v.idx()] =
+        h.is_valid() ? first_part(intrinsic_.opposite(h)) ^ 1 : Overlay_arrays::null;
+    }
   }
 
   Overlay_arrays::Halfedge& record(size_type h) { return overlay_.halfedges[h]; }
