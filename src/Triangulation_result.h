@@ -46,6 +46,11 @@ nlohmann::ordered_json statistics(const Triangulation_result& result);
 // `source,target,length,cotan_weight,crossings,original`.
 void write_edges(std::ostream& os, const Triangulation_result& result);
 
+// Stiffness and lumped mass matrix of the result in the format Matrix Market.
+// \exception Invalid_surface_error if a weight is infinite, beside a face without area
+void write_laplacian(std::ostream& os, const Triangulation_result& result);
+void write_mass(std::ostream& os, const Triangulation_result& result);
+
 // The crossings along each intrinsic edge in order, as comma-separated values:
 // `source,target,edge,position,input_source,input_target,t,u`. \pre the overlay was found
 void write_crossings(std::ostream& os, const Triangulation_result& result);

@@ -32,12 +32,14 @@ struct Triangulate_options
   bool is_verified = false;
   std::string stats_path;
   std::string edges_path;
+  std::string laplacian_path;
+  std::string mass_path;
   std::string crossings_path;
   std::string overlay_path;
 
   std::vector<std::string> output_paths() const
   {
-    return {stats_path, edges_path, crossings_path, overlay_path};
+    return {stats_path, edges_path, laplacian_path, mass_path, crossings_path, overlay_path};
   }
 };
 
@@ -50,7 +52,9 @@ Kernel_options kernel_options(const Triangulate_options& options)
   result.number_type = *number_type;
   result.precision = options.precision;
   result.maximum_number_of_flips = options.maximum_number_of_flips;
-  result.wanted.lengths = result.wanted.numbers = !options.edges_path.empty();
+  result.wanted.lengths = !options.edges_path.empty();
+  result.wanted.numbers = !options.edges_path.empty() || !options.laplacian_path.empty() ||
+                          !options.mass_path.empty();
   result.wanted.verification = options.is_verified;
   result.wanted.tessellation = !options.stats_path.empty();
   result.wanted.overlay = !options.crossings_path.empty() || !options.overlay_path.empty();
@@ -64,8 +68,8 @@ void check(const Triangulate_options& options)
   const std::vector<std::string> outputs = options.output_paths();
   if (options.inputs.size() > 1 &&
       std::any_of(outputs.begin(), outputs.end(), [](const std::string& s) { return !s.empty(); }))
-    throw Usage_error("--stats, --edges, --crossings and --overlay take one input: several would "
-                      "go to the same file");
+    throw Usage_error("an option that names an output file takes one input: several would go to "
+                      "the same file");
   if (!options.overlay_path.empty() && !find_mesh_format(options.overlay_path))
     throw Usage_error("--overlay: " + options.overlay_path + " does not end in .ply, .off or .obj");
   check_output_paths(outputs, options.inputs);
@@ -96,6 +100,8 @@ void write_files(const Triangulate_options& options, Triangulation_result& resul
 {
   const Stopwatch stopwatch;
   write_file(options.edges_path, [&](std::ostream& os) { write_edges(os, result); });
+  write_file(options.laplacian_path, [&](std::ostream& os) { write_laplacian(os, result); });
+  write_file(options.mass_path, [&](std::ostream& os) { write_mass(os, result); });
   if (result.outcome.overlay) {
     write_file(options.crossings_path, [&](std::ostream& os) { write_crossings(os, result); });
     write_file(options.overlay_path, [&](std::ostream& os) {
@@ -222,6 +228,15 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
                 "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,"
                 "original")
     ->type_name("F.csv");
+  command
+    .add_option("--laplacian", options->laplacian_path,
+                "write the Laplace-Beltrami operator as a Matrix Market file: positive "
+                "semidefinite, entries -(cot + cot)/2, natural boundary conditions")
+    ->type_name("F.mtx");
+  command
+    .add_option("--mass", options->mass_path,
+                "write the lumped mass matrix: a third of the area around each vertex")
+    ->type_name("F.mtx");
   command
     .add_option("--crossings", options->crossings_path,
                 "write what each intrinsic edge crosses, in order, as CSV: source,target,edge,"

@@ -31,6 +31,7 @@ struct Wanted
   bool weights = true;          // their summaries, before and after
   bool lengths = true;          // of the result
   bool numbers = true;          // weights and areas of the result
+  bool input_numbers = false;   // lengths, weights and areas of the input
   bool crossings = true;        // where the input lies in the result
   bool tessellation = false;    // ties and cells, of a result that is Delaunay
   bool verification = false;    // the exact check of each edge
@@ -38,7 +39,12 @@ struct Wanted
   bool wrong_decisions = false; // compares each test with the exact one
   bool overlay = false;         // of input and result, with the positions of the crossings
 
-  static Wanted nothing() { return {false, false, false, false, false, false, false, false, false}; }
+  static Wanted nothing()
+  {
+    Wanted wanted;
+    wanted.weights = wanted.lengths = wanted.numbers = wanted.crossings = false;
+    return wanted;
+  }
   bool needs_input() const
   {
     return crossings || tessellation || verification || exact_lengths || wrong_decisions ||
@@ -96,14 +102,21 @@ struct Tessellation_summary
   std::size_t cells = 0;
 };
 
+// The numbers that belong to a triangulation.
+struct Numbers
+{
+  std::vector<double> lengths; // for each edge
+  std::vector<double> weights; // for each edge, cot + cot
+  std::vector<double> areas;   // for each face
+};
+
 // No number is NaN. A weight beside a face of zero area is infinite. What was not wanted,
 // or could not be found out, is empty.
 struct Outcome
 {
   CGAL::Intrinsic_triangulations::Delta_complex connectivity;
-  std::vector<double> lengths;          // for each edge
-  std::vector<double> weights;          // for each edge, cot + cot
-  std::vector<double> areas;            // for each face
+  Numbers numbers;                      // of the result
+  Numbers input_numbers;                // before the flips
   std::vector<std::int64_t> crossings;  // for each edge: -1 if it is an input edge
   std::vector<double> exact_lengths;    // for each edge, correctly rounded but for one unit
   std::vector<std::uint8_t> is_tie;     // for each edge

@@ -173,6 +173,11 @@ public:
       return {x.hi(), 6 * u * std::abs(x.hi()) + 1.01 * x.error() + tiny};
     }
   };
+  /// tells whether a number is known so well that an exact stage need not replace it.
+  struct Is_accurate
+  {
+    bool operator()(const Bounded_double& x) const { return x.error <= 0x1p-34 * x.value; }
+  };
   /// tells whether a face is known to have positive area.
   struct Has_positive_area
   {
@@ -207,9 +212,28 @@ public:
     }
   };
 
+  /// gives the same cotangent with a bound on its error, which is infinite where the area is
+  /// not known well enough. O(1), one division.
+  struct Compute_bounded_cotangent
+  {
+    // With p wrong by e_p <= 1.5 (e + e + e) as in the test and e_a <= a/8, the quotient is wrong
+    // by at most 8/7 (e_p + |c| e_a) / a, and its two roundings add 2.01 u |c|, which is below
+    // 0.51 |c| e_a / a by the invariant of a.
+    Bounded_double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
+                              const Edge_data& ki) const
+    {
+      if (!(ijk.value > 8 * ijk.error))
+        return {0, std::numeric_limits<double>::infinity()};
+      const double r = 1 / ijk.value;
+      const double c = twice_scalar_product(jk.value, ki.value, ij.value) * r;
+      return {c, 1.8 * (ij.error + jk.error + ki.error + std::abs(c) * ijk.error) * r};
+    }
+  };
+
   Construct_edge_data construct_edge_data_object() const { return {}; }
   Construct_face_data construct_face_data_object() const { return {}; }
   Construct_refined_data construct_refined_data_object() const { return {}; }
+  Is_accurate is_accurate_object() const { return {}; }
   Is_locally_Delaunay is_locally_Delaunay_object() const { return {}; }
   Has_positive_area has_positive_area_object() const { return {}; }
   Construct_flipped_hinge construct_flipped_hinge_object() const { return {}; }
@@ -217,6 +241,7 @@ public:
   Compute_length compute_length_object() const { return {}; }
   Compute_area compute_area_object() const { return {}; }
   Compute_cotangent compute_cotangent_object() const { return {}; }
+  Compute_bounded_cotangent compute_bounded_cotangent_object() const { return {}; }
 };
 
 } // namespace Intrinsic_triangulations

@@ -47,7 +47,7 @@ struct Corner_ratios
 ///
 /// \tparam Metric gives the images in some ring of the squared length of an input edge and
 ///   of √q of an input face (four times its area): a type `Real`, members
-///   `squared_length(Edge_index)` and `four_areas(Face_index)`, `constant(int)`; a type
+///   `squared_length(Edge_index)` and `four_areas(Face_index)`, `constant(double)`; a type
 ///   `Vector` of complex numbers over it; `remembered(Halfedge_index, compute)`, which
 ///   returns what the last call with that halfedge did, or `compute()`;
 ///   `is_flat(Halfedge_index)`, whether the two faces of an input edge are known to lie in
