@@ -107,9 +107,9 @@ std::uint64_t count_missing(const std::vector<Geodesic>& necessary, const Outcom
 double largest_length_error(const Outcome& outcome)
 {
   double result = 0;
-  for (std::size_t e = 0; e < outcome.lengths.size(); ++e)
+  for (std::size_t e = 0; e < outcome.numbers.lengths.size(); ++e)
     if (outcome.exact_lengths[e] > 0) {
-      const double error = std::abs(outcome.lengths[e] / outcome.exact_lengths[e] - 1);
+      const double error = std::abs(outcome.numbers.lengths[e] / outcome.exact_lengths[e] - 1);
       result = (std::max)(result, std::isfinite(error) ? error
                                                        : (std::numeric_limits<double>::max)());
     }

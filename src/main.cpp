@@ -27,6 +27,7 @@ int main(int argc, char** argv)
     idt::Selected_command selected;
     idt::add_triangulate_command(app, selected);
     idt::add_compare_command(app, selected);
+    idt::add_parameterize_command(app, selected);
     idt::add_table_command(app, selected);
     idt::add_sample_command(app, selected);
     try {

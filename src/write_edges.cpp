@@ -16,7 +16,7 @@ void write_edges(std::ostream& os, const Triangulation_result& result)
   for (IT::Edge_index e : outcome.connectivity.edges()) {
     const IT::Halfedge_index h = outcome.connectivity.halfedge(e);
     os << outcome.connectivity.source(h).idx() << ',' << outcome.connectivity.target(h).idx()
-       << ',' << in_full(outcome.lengths[e.idx()]) << ',' << in_full(outcome.weights[e.idx()]) << ',';
+       << ',' << in_full(outcome.numbers.lengths[e.idx()]) << ',' << in_full(outcome.numbers.weights[e.idx()]) << ',';
     if (e.idx() < outcome.crossings.size()) {
       const std::int64_t crossings = outcome.crossings[e.idx()];
       os << (crossings < 0 ? 0 : crossings) << ',' << (crossings < 0 ? '1' : '0') << '\n';

@@ -145,6 +145,10 @@ public:
   */
   typedef unspecified_type Compute_cotangent_bounds;
 
+  /// provides `bool operator()(const Face_data& f) const`: whether what is kept for a face is so
+  /// good that it need not be replaced where the points are at hand. Only for traits that use exact geometry.
+  typedef unspecified_type Is_accurate;
+
   /// provides `bool operator()(const Face_data& ijk) const`: whether the area is known to be
   /// positive. Required only if `Uses_exact_geometry` is `CGAL::Tag_true`.
   typedef unspecified_type Has_positive_area;
@@ -172,6 +176,7 @@ public:
   Is_locally_Delaunay is_locally_Delaunay_object() const;
   Construct_flipped_hinge construct_flipped_hinge_object() const;
   Construct_refined_data construct_refined_data_object() const;
+  Is_accurate is_accurate_object() const;
   Has_positive_area has_positive_area_object() const;
   Compute_squared_length compute_squared_length_object() const;
   Compute_length compute_length_object() const;

@@ -11,6 +11,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
@@ -29,16 +31,24 @@ struct Wanted
   bool weights = true;          // their summaries, before and after
   bool lengths = true;          // of the result
   bool numbers = true;          // weights and areas of the result
+  bool input_numbers = false;   // lengths, weights and areas of the input
   bool crossings = true;        // where the input lies in the result
   bool tessellation = false;    // ties and cells, of a result that is Delaunay
   bool verification = false;    // the exact check of each edge
   bool exact_lengths = false;   // of the edges of the result, whatever made it
   bool wrong_decisions = false; // compares each test with the exact one
+  bool overlay = false;         // of input and result, with the positions of the crossings
 
-  static Wanted nothing() { return {false, false, false, false, false, false, false, false}; }
+  static Wanted nothing()
+  {
+    Wanted wanted;
+    wanted.weights = wanted.lengths = wanted.numbers = wanted.crossings = false;
+    return wanted;
+  }
   bool needs_input() const
   {
-    return crossings || tessellation || verification || exact_lengths || wrong_decisions;
+    return crossings || tessellation || verification || exact_lengths || wrong_decisions ||
+           overlay;
   }
 };
 
@@ -68,6 +78,13 @@ struct Weight_summary
   std::size_t negative = 0;
 };
 
+// The graph, and where its crossings lie.
+struct Overlay_result
+{
+  CGAL::Intrinsic_triangulations::Overlay graph;
+  CGAL::Intrinsic_triangulations::Overlay_positions positions;
+};
+
 // What the normal coordinates tell.
 struct Crossing_summary
 {
@@ -75,7 +92,7 @@ struct Crossing_summary
   std::uint64_t longest = 0;   // the largest number of segments in one intrinsic edge
   std::uint64_t crossings = 0; // in all
   std::uint64_t changed = 0;   // intrinsic edges that are no input edges
-  double seconds = 0;
+  double seconds = 0;          // for these numbers, and for the overlay where it was wanted
 };
 
 // The cells that are left of a Delaunay triangulation when the ties are removed.
@@ -85,14 +102,21 @@ struct Tessellation_summary
   std::size_t cells = 0;
 };
 
+// The numbers that belong to a triangulation.
+struct Numbers
+{
+  std::vector<double> lengths; // for each edge
+  std::vector<double> weights; // for each edge, cot + cot
+  std::vector<double> areas;   // for each face
+};
+
 // No number is NaN. A weight beside a face of zero area is infinite. What was not wanted,
 // or could not be found out, is empty.
 struct Outcome
 {
   CGAL::Intrinsic_triangulations::Delta_complex connectivity;
-  std::vector<double> lengths;          // for each edge
-  std::vector<double> weights;          // for each edge, cot + cot
-  std::vector<double> areas;            // for each face
+  Numbers numbers;                      // of the result
+  Numbers input_numbers;                // before the flips
   std::vector<std::int64_t> crossings;  // for each edge: -1 if it is an input edge
   std::vector<double> exact_lengths;    // for each edge, correctly rounded but for one unit
   std::vector<std::uint8_t> is_tie;     // for each edge
@@ -103,6 +127,7 @@ struct Outcome
   std::optional<Weight_summary> weights_before;
   std::optional<Weight_summary> weights_after;
   std::optional<Crossing_summary> crossing_summary;
+  std::optional<Overlay_result> overlay;
   std::optional<Tessellation_summary> tessellation;
   std::optional<CGAL::Intrinsic_triangulations::Delaunay_verification> verification;
   std::optional<std::uint64_t> wrong_decisions;

@@ -129,18 +129,13 @@ Weight_summary summarize_weights(const Triangulation& triangulation)
         add(summary, weight(e));
   } else {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    // The cotangent opposite to h from below and from above; see the traits for the error of p.
+    // The cotangent opposite to h from below and from above.
     const auto cotangent_bounds = [&](IT::Halfedge_index h) -> std::pair<double, double> {
-      const auto &ij = triangulation.edge_data(complex.edge(h)),
-                 &jk = triangulation.edge_data(complex.edge(complex.next(h))),
-                 &ki = triangulation.edge_data(complex.edge(complex.prev(h)));
-      const auto& area = triangulation.face_data(complex.face(h));
-      if (!(area.value > 2 * area.error))
-        return {-infinity, infinity};
-      const double value = IT::twice_scalar_product(jk, ki, ij) / area.value;
-      const double error = (1 + std::abs(value)) * area.error * 1.1 / (area.value - area.error) +
-                           0x1p-50 * std::abs(value);
-      return {value - error, value + error};
+      const auto c = triangulation.traits().compute_bounded_cotangent_object()(
+        triangulation.face_data(complex.face(h)), triangulation.edge_data(complex.edge(h)),
+        triangulation.edge_data(complex.edge(complex.next(h))),
+        triangulation.edge_data(complex.edge(complex.prev(h))));
+      return {c.value - c.error, c.value + c.error};
     };
     std::vector<double> from_below(complex.number_of_edges(), infinity);
     double smallest_from_above = infinity;
@@ -166,24 +161,24 @@ Weight_summary summarize_weights(const Triangulation& triangulation)
 }
 
 template <class Triangulation>
-void collect_lengths(const Triangulation& triangulation, Outcome& outcome)
+void collect_lengths(const Triangulation& triangulation, Numbers& numbers)
 {
-  outcome.lengths.reserve(triangulation.connectivity().number_of_edges());
+  numbers.lengths.reserve(triangulation.connectivity().number_of_edges());
   for (IT::Edge_index e : triangulation.connectivity().edges())
-    outcome.lengths.push_back(CGAL::to_double(triangulation.length(e)));
+    numbers.lengths.push_back(CGAL::to_double(triangulation.length(e)));
 }
 
 template <class Triangulation>
-void collect_weights_and_areas(const Triangulation& triangulation, Outcome& outcome)
+void collect_weights_and_areas(const Triangulation& triangulation, Numbers& numbers)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
   Weight_evaluator<Triangulation> weight(triangulation);
-  outcome.weights.reserve(complex.number_of_edges());
+  numbers.weights.reserve(complex.number_of_edges());
   for (IT::Edge_index e : complex.edges())
-    outcome.weights.push_back(weight(e));
-  outcome.areas.reserve(complex.number_of_faces());
+    numbers.weights.push_back(weight(e));
+  numbers.areas.reserve(complex.number_of_faces());
   for (IT::Face_index f : complex.faces())
-    outcome.areas.push_back(CGAL::to_double(triangulation.area(f)));
+    numbers.areas.push_back(CGAL::to_double(triangulation.area(f)));
 }
 
 } // namespace idt

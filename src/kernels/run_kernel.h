@@ -9,6 +9,7 @@
 #include "Decision_counter.h"
 #include "Kernel.h"
 #include "Number_collector.h"
+#include "find_overlay.h"
 
 #include "../Stopwatch.h"
 
@@ -194,8 +195,8 @@ inline void find_stages(const IT::Exact_geometry& geometry, Outcome& outcome)
   IT::Stage_counts counts = geometry.stage_counts();
   std::uint64_t& filter = counts.decided[static_cast<std::size_t>(IT::Stage::FILTER)];
   filter = outcome.report.tests;
-  for (IT::Stage stage : {IT::Stage::UNFOLDING, IT::Stage::RATIONAL, IT::Stage::MULTIPRECISION,
-                          IT::Stage::ALGEBRAIC})
+  for (IT::Stage stage : {IT::Stage::COPLANAR, IT::Stage::UNFOLDING, IT::Stage::RATIONAL,
+                          IT::Stage::MULTIPRECISION, IT::Stage::ALGEBRAIC})
     filter -= counts[stage];
   outcome.stages = counts;
 }
@@ -211,6 +212,8 @@ void relate_to_input(const Triangulation& triangulation, const Wanted& wanted, O
       find_stages(triangulation.exact_geometry(), outcome);
     if (wanted.crossings) {
       find_crossings(triangulation, outcome);
+      if (wanted.overlay)
+        find_overlay(complex, triangulation.exact_geometry(), outcome);
       outcome.crossing_summary->seconds = stopwatch.seconds();
     }
     if (wanted.verification)
@@ -247,12 +250,20 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
 
   if (wanted.needs_input() && !triangulation.keeps_input())
     triangulation.keep_input(input_metric(job.surface));
-  if (wanted.weights) {
+  if (wanted.weights || wanted.input_numbers) {
+    const auto ask = [&](const Triangulation& input) {
+      if (wanted.weights)
+        outcome.weights_before = summarize_weights(input);
+      if (wanted.input_numbers) {
+        collect_lengths(input, outcome.input_numbers);
+        collect_weights_and_areas(input, outcome.input_numbers);
+      }
+    };
     // Questions to the exact geometry change how it follows the flips, so a copy is asked.
     if constexpr (Triangulation::uses_exact_geometry)
-      outcome.weights_before = summarize_weights(Triangulation(triangulation));
+      ask(Triangulation(triangulation));
     else
-      outcome.weights_before = summarize_weights(triangulation);
+      ask(triangulation);
   }
 
   if (wanted.wrong_decisions) {
@@ -268,9 +279,9 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
   if (wanted.weights)
     outcome.weights_after = summarize_weights(triangulation);
   if (wanted.lengths)
-    collect_lengths(triangulation, outcome);
+    collect_lengths(triangulation, outcome.numbers);
   if (wanted.numbers)
-    collect_weights_and_areas(triangulation, outcome);
+    collect_weights_and_areas(triangulation, outcome.numbers);
   outcome.connectivity = triangulation.connectivity();
   return outcome;
 }

@@ -22,6 +22,14 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
+/// \brief a double and an upper bound on its absolute error.
+struct Bounded_double
+{
+  double value;
+  double error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsTraits
 /// \brief what `Filtered_edge_length_traits` keep for a face.
 struct Bounded_area
 {
@@ -43,7 +51,7 @@ struct Bounded_area
 /// Invariants: let s be the squared lengths of the three sides of a face as they are stored, a
 /// four times its area, E its error bound, and s*, a* the true numbers. With u = 2^-53,
 ///
-///     (1)  E >= 1.5 (sum of max(|s - s*|, 2 u s))
+///     (1)  E >= 1.5 (sum of max(|s - s*|, 6 u s))
 ///     (2)  E >= 1.5 |a - a*|
 ///     (3)  E >= 12 u (sum of s).
 ///
@@ -51,7 +59,8 @@ struct Bounded_area
 /// p = s + s' - s'', takes the errors of all three. Factor and (3) let it cover rounding, too:
 /// since a* <= (sum of s*) / √3, u |a| is less than E / 20, and a computed p is wrong by less
 /// than E / 1.5 + 2 u (sum of s) <= 0.84 E. Because of the maximum in (1), a side may be replaced
-/// by a number that is right up to 2 u without a look at the face beyond it.
+/// by a number that is right up to 6 u, as it is at the beginning, without a look at the face
+/// beyond it.
 ///
 /// \cgalModels `IntrinsicTriangulationTraits`
 class Filtered_edge_length_traits
@@ -160,11 +169,11 @@ public:
       // relatively by at most 0.67 sum r + 1.01 u. `along` is wrong by at most 0.84 sum and its
       // rounding, together 0.93 sum; `across` by less. Hence s_kl is wrong by at most
       // 0.94 sum r (|along| + |across| + sum) + s_kl (0.68 sum r + 4.1 u). For (1), 1.5 times that
-      // and 3 u s_kl are added to the bounds of the two faces, of which the other two sides are;
-      // 12 u s_kl makes up for the last terms, and for (3).
+      // and 9 u s_kl are added to the bounds of the two faces, of which the other two sides are;
+      // 16 u s_kl makes up for the last terms, and for (3).
       const double of_sides =
         sum + sum * r * (1.42 * (std::abs(along) + std::abs(across) + sum) + 1.03 * s_kl) +
-        12 * u * s_kl;
+        16 * u * s_kl;
       // x_k b and x_l a together are wrong by at most 0.78 (|x_k| f + |x_l| e) +
       // 0.84 (e b + f a + 4/3 e f), rounding of product and sum included. For (2), take 1.5 times
       // that, and as much of the area as r and the last product are wrong.
@@ -207,7 +216,7 @@ public:
     using Number = internal::Bounded_double_double;
 
     Edge_data operator()(const Number& s) const { return s.hi(); }
-    /// The bound is infinite unless the squared lengths are right up to 2 u; as they are
+    /// The bound is infinite unless the squared lengths are right up to 6 u; as they are
     /// shared with other faces, they are not to be replaced then.
     Face_data operator()(const Number& four_areas, const Number& ij, const Number& jk,
                          const Number& ki) const
@@ -221,7 +230,12 @@ public:
 
   private:
     // What is cut off at hi() is at most u hi().
-    static bool is_tight(const Number& s) { return s.error() <= 0.9 * u * s.hi(); }
+    static bool is_tight(const Number& s) { return s.error() <= 4.9 * u * s.hi(); }
+  };
+  /// tells whether what is kept for a face is so good that it need not be replaced.
+  struct Is_accurate
+  {
+    bool operator()(const Face_data& f) const { return f.error <= 0x1p-34 * f.value; }
   };
   /// tells whether a face is known to have positive area.
   struct Has_positive_area
@@ -257,9 +271,28 @@ public:
     }
   };
 
+  /// gives the same cotangent with a bound on its error, which is infinite where the area is
+  /// not known well enough. O(1), one division.
+  struct Compute_bounded_cotangent
+  {
+    // With E <= a/8, the quotient c is wrong by at most (0.84 + |c| / 1.5) E / (a - E / 1.5), which
+    // is less than (0.92 + 0.73 |c|) E / a, and its two roundings add 2.01 u |c|, which is below
+    // 0.11 |c| E / a by (3).
+    Bounded_double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
+                              const Edge_data& ki) const
+    {
+      if (!(ijk.value > 8 * ijk.error))
+        return {0, std::numeric_limits<double>::infinity()};
+      const double r = 1 / ijk.value;
+      const double c = twice_scalar_product(jk, ki, ij) * r;
+      return {c, (1 + std::abs(c)) * ijk.error * r};
+    }
+  };
+
   Construct_edge_data construct_edge_data_object() const { return {}; }
   Construct_face_data construct_face_data_object() const { return {}; }
   Construct_refined_data construct_refined_data_object() const { return {}; }
+  Is_accurate is_accurate_object() const { return {}; }
   Is_locally_Delaunay is_locally_Delaunay_object() const { return {}; }
   Has_positive_area has_positive_area_object() const { return {}; }
   Construct_flipped_hinge construct_flipped_hinge_object() const { return {}; }
@@ -268,6 +301,7 @@ public:
   Compute_area compute_area_object() const { return {}; }
   Compute_cotangent compute_cotangent_object() const { return {}; }
   Compute_cotangent_bounds compute_cotangent_bounds_object() const { return {}; }
+  Compute_bounded_cotangent compute_bounded_cotangent_object() const { return {}; }
 };
 
 } // namespace Intrinsic_triangulations

@@ -305,14 +305,18 @@ public:
     if (!certainly(is_convex))
       return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
     const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
-    if (geometry_)
-      geometry_->flip(connectivity_, e);
+    const bool is_straight = geometry_ && geometry_->flip(connectivity_, e);
     connectivity_.flip(e);
     edges_[e.idx()] = flipped.kl;
     faces_[connectivity_.face(h).idx()] = flipped.ilk;
     faces_[connectivity_.face(g).idx()] = flipped.jkl;
-    bound_corners(h);
-    bound_corners(g);
+    if (uses_exact_geometry && is_straight) {
+      measure_straight_face(h);
+      measure_straight_face(g);
+    } else {
+      bound_corners(h);
+      bound_corners(g);
+    }
     if constexpr (uses_exact_geometry)
       if (!traits_.has_positive_area_object()(flipped.ilk) &&
           !traits_.has_positive_area_object()(flipped.jkl))
@@ -355,11 +359,37 @@ private:
 
   BOOST_NOINLINE bool decide_and_refine(Edge_index e)
   {
-    Exact_geometry::Opposite_corners corners;
-    const Sign sign = exact_geometry().sign_of_cotangents(connectivity_, e, corners);
-    refine(connectivity_.halfedge(e), corners.k);
-    refine(connectivity_.opposite(connectivity_.halfedge(e)), corners.l);
+    std::optional<Exact_geometry::Opposite_corners> corners;
+    Exact_geometry& geometry = exact_geometry();
+    const Sign sign = geometry.sign_of_cotangents(connectivity_, e, corners);
+    const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
+    if (corners) {
+      refine(h, corners->k);
+      refine(g, corners->l);
+    } else {
+      for (Halfedge_index side : {h, g})
+        if (!traits_.is_accurate_object()(face_data(connectivity_.face(side))))
+          measure_straight_face(side);
+    }
     return sign != NEGATIVE;
+  }
+
+  // From its points a face is known as well as on the first day, after any number of flips.
+  void measure_straight_face(Halfedge_index h)
+  {
+    if constexpr (uses_exact_geometry) {
+      const Halfedge_index next = connectivity_.next(h), prev = connectivity_.prev(h);
+      const auto& points = geometry_->metric().points();
+      const Point_data &p = points[connectivity_.source(h).idx()],
+                       &q = points[connectivity_.target(h).idx()],
+                       &r = points[connectivity_.target(next).idx()];
+      const auto construct_edge_data = traits_.construct_edge_data_object();
+      edges_[edge(h).idx()] = construct_edge_data(p, q);
+      edges_[edge(next).idx()] = construct_edge_data(q, r);
+      edges_[edge(prev).idx()] = construct_edge_data(r, p);
+      faces_[connectivity_.face(h).idx()] = traits_.construct_face_data_object()(p, q, r);
+      bound_corners(h);
+    }
   }
 
   void refine(Halfedge_index h, const Exact_geometry::Corner& c)

@@ -44,6 +44,7 @@ public:
     ZERO_LENGTH_EDGE,       ///< an edge joins coincident vertices
     TRIANGLE_INEQUALITY,    ///< three lengths that no triangle has
     DEGENERATE_FACE,        ///< a face of zero area, where the number type cannot handle it
+    WRONG_TOPOLOGY,         ///< a surface of another topological type than is asked for
     UNREADABLE              ///< the text or file is not of the expected form
   };
 
@@ -66,6 +67,14 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
+/// \brief says that a point is none of the surface: the message says why.
+class Invalid_point_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief says that an inexact number type could not decide a predicate.
 class Undecided_error : public Error
 {
@@ -76,6 +85,15 @@ public:
 /// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief says that an integer that counts crossings left the range of its type.
 class Integer_overflow_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsErrors
+/// \brief says that a computation in double came to nothing: a matrix that is positive
+/// definite is not after rounding, or an iteration does not converge.
+class Numerical_error : public Error
 {
 public:
   using Error::Error;

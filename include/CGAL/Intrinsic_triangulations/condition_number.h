@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Extreme eigenvalues and condition number of a Laplace-Beltrami operator.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONDITION_NUMBER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONDITION_NUMBER_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/Sparse_cholesky.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+#include <Spectra/MatOp/SparseSymMatProd.h>
+#include <Spectra/SymEigsSolver.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief the ends of the spectrum of a stiffness matrix, zeros left out.
+struct Extreme_eigenvalues
+{
+  double smallest = 0; ///< the smallest that is not zero
+  double largest = 0;  ///< the largest
+
+  /// returns the largest over the smallest.
+  double condition_number() const { return largest / smallest; }
+};
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// Which rows of the stiffness matrix count, and where it is singular.
+class Spectrum_domain
+{
+public:
+  explicit Spectrum_domain(const Delta_complex& complex)
+    : row_(complex.number_of_vertices(), -1), free_row_(complex.number_of_vertices(), -1)
+  {
+    const std::size_t n = complex.number_of_vertices();
+    std::vector<std::uint32_t> rank(n), parent(n);
+    boost::disjoint_sets<std::uint32_t*, std::uint32_t*> components(rank.data(), parent.data());
+    for (std::uint32_t v = 0; v < n; ++v)
+      components.make_set(v);
+    for (Edge_index e : complex.edges())
+      components.union_set(complex.source(complex.halfedge(e)).idx(),
+                           complex.target(complex.halfedge(e)).idx());
+    std::vector<bool> has_border(n, false), is_grounded(n, false);
+    for (Vertex_index v : complex.vertices())
+      if (is_on_border(complex, v))
+        has_border[components.find_set(v.idx())] = true;
+    std::vector<int> number_of_component(n, -1);
+    for (Vertex_index v : complex.vertices()) {
+      if (!complex.halfedge(v).is_valid() || is_on_border(complex, v))
+        continue;
+      row_[v.idx()] = number_of_rows_++;
+      const std::uint32_t component = components.find_set(v.idx());
+      closed_component_.push_back(-1);
+      if (!has_border[component]) {
+        int& number = number_of_component[component];
+        if (number < 0) {
+          number = int(component_sizes_.size());
+          component_sizes_.push_back(0);
+        }
+        closed_component_.back() = number;
+        ++component_sizes_[std::size_t(number)];
+        if (!is_grounded[component]) {
+          is_grounded[component] = true;
+          continue;
+        }
+      }
+      free_row_[v.idx()] = number_of_free_rows_++;
+      free_rows_.push_back(row_[v.idx()]);
+    }
+  }
+
+  int number_of_rows() const { return number_of_rows_; }
+  int number_of_closed_components() const { return int(component_sizes_.size()); }
+  int number_of_eigenvalues() const { return number_of_rows_ - number_of_closed_components(); }
+
+  // Inner vertices with a face.
+  Eigen::SparseMatrix<double> interior(const Eigen::SparseMatrix<double>& stiffness) const
+  {
+    return submatrix(stiffness, row_, row_, number_of_rows_, number_of_rows_);
+  }
+  // The same without one vertex of each closed component: positive definite.
+  Eigen::SparseMatrix<double> grounded(const Eigen::SparseMatrix<double>& stiffness) const
+  {
+    return submatrix(stiffness, free_row_, free_row_, number_of_free_rows_, number_of_free_rows_);
+  }
+  const std::vector<int>& free_rows() const { return free_rows_; }
+
+  // Makes a vector orthogonal to the kernel, which is that of the functions that are constant on
+  // closed components.
+  template <class Vector>
+  void project(Vector& x) const
+  {
+    std::vector<double> means(component_sizes_.size(), 0);
+    for (std::size_t i = 0; i < closed_component_.size(); ++i)
+      if (closed_component_[i] >= 0)
+        means[std::size_t(closed_component_[i])] += x[Eigen::Index(i)];
+    for (std::size_t c = 0; c < means.size(); ++c)
+      means[c] /= component_sizes_[c];
+    for (std::size_t i = 0; i < closed_component_.size(); ++i)
+      if (closed_component_[i] >= 0)
+        x[Eigen::Index(i)] -= means[std::size_t(closed_component_[i])];
+  }
+
+private:
+  static bool is_on_border(const Delta_complex& complex, Vertex_index v)
+  {
+    const Halfedge_index h = complex.halfedge(v);
+    return h.is_valid() && complex.is_border(h);
+  }
+
+  std::vector<int> row_, free_row_; // by vertex; -1 for none
+  std::vector<int> free_rows_;      // the rows that are not grounded
+  std::vector<int> closed_component_;
+  std::vector<int> component_sizes_;
+  int number_of_rows_ = 0;
+  int number_of_free_rows_ = 0;
+};
+
+// The pseudoinverse of the stiffness matrix, as Spectra applies it: a right side without
+// constant part has a solution that vanishes at the grounded vertices, and only the
+// constant part of that is still to be taken away.
+class Pseudoinverse
+{
+public:
+  using Scalar = double;
+
+  Pseudoinverse(const Spectrum_domain& domain, const Eigen::SparseMatrix<double>& stiffness)
+    : domain_(domain), cholesky_(domain.grounded(stiffness), "the Laplace-Beltrami operator")
+  {}
+
+  Eigen::Index rows() const { return domain_.number_of_rows(); }
+  Eigen::Index cols() const { return domain_.number_of_rows(); }
+
+  void perform_op(const double* in, double* out) const
+  {
+    Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(in, rows());
+    domain_.project(x);
+    const std::vector<int>& free_rows = domain_.free_rows();
+    Eigen::VectorXd right(Eigen::Index(free_rows.size()));
+    for (std::size_t i = 0; i < free_rows.size(); ++i)
+      right[Eigen::Index(i)] = x[free_rows[i]];
+    const Eigen::VectorXd solution = cholesky_.solve(right);
+    x.setZero();
+    for (std::size_t i = 0; i < free_rows.size(); ++i)
+      x[free_rows[i]] = solution[Eigen::Index(i)];
+    domain_.project(x);
+    Eigen::Map<Eigen::VectorXd>(out, rows()) = x;
+  }
+
+private:
+  const Spectrum_domain& domain_;
+  Sparse_cholesky cholesky_;
+};
+
+template <class Operator>
+double largest_eigenvalue(Operator& op)
+{
+  constexpr Eigen::Index dimension = 40; // of the Krylov space
+  Spectra::SymEigsSolver<Operator> solver(op, 1, (std::min)(dimension, op.rows()));
+  solver.init();
+  solver.compute(Spectra::SortRule::LargestAlge, 3000, 1e-10);
+  if (solver.info() != Spectra::CompInfo::Successful)
+    throw Numerical_error("the extreme eigenvalues do not converge");
+  return solver.eigenvalues()[0];
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief returns the smallest and the largest eigenvalue of a stiffness matrix, whose ratio is
+/// the condition number of the operator.
+///
+/// *Definition.* Vertices on the border and vertices without a face are left out, as for
+/// Dirichlet conditions. What is left has one zero eigenvalue for each closed component,
+/// which does not count; all others are positive. The mass matrix plays no part.
+///
+/// Method: Lanczos (Spectra) for the largest eigenvalue of the matrix and for that of
+/// its pseudoinverse, with one sparse Cholesky factorization. Relative error of an
+/// eigenvalue about 1e-10, or what the condition number makes of 1e-16.
+///
+/// \param complex the triangles
+/// \param stiffness the matrix that `stiffness_matrix()` returned for them
+/// \exception Invalid_surface_error if no eigenvalue is left
+/// \exception Numerical_error if an iteration does not converge, or if the matrix is not
+///   positive definite after rounding
+inline Extreme_eigenvalues extreme_eigenvalues(const Delta_complex& complex,
+                                               const Eigen::SparseMatrix<double>& stiffness)
+{
+  CGAL_precondition(stiffness.rows() == Eigen::Index(complex.number_of_vertices()));
+  const internal::Spectrum_domain domain(complex);
+  if (domain.number_of_eigenvalues() == 0)
+    throw Invalid_surface_error(Invalid_surface_error::Defect::WRONG_TOPOLOGY, 0, 1,
+                                "the surface has too few inner vertices for an operator with a "
+                                "condition number");
+  const Eigen::SparseMatrix<double> interior = domain.interior(stiffness);
+  if (interior.rows() <= 32) { // the least that leaves room for a Krylov space
+    const Eigen::VectorXd all =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(interior),
+                                                     Eigen::EigenvaluesOnly)
+        .eigenvalues();
+    return {all[domain.number_of_closed_components()], all[all.size() - 1]};
+  }
+  Spectra::SparseSymMatProd<double> product(interior);
+  internal::Pseudoinverse pseudoinverse(domain, stiffness);
+  return {1 / internal::largest_eigenvalue(pseudoinverse), internal::largest_eigenvalue(product)};
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONDITION_NUMBER_H

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Cotangent weights and areas of a whole triangulation as doubles, at the speed of the stored
+// numbers where these are good enough, and exactly where they are not.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COTANGENT_WEIGHTS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_COTANGENT_WEIGHTS_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/config.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+[[noreturn]] inline void throw_no_cotangent(Face_index f)
+{
+  throw Invalid_surface_error(Invalid_surface_error::Defect::DEGENERATE_FACE, f.idx(), 1,
+                              "face " + std::to_string(f.idx()) +
+                                " has no area, so that its cotangents are infinite: remove it, "
+                                "or mollify the lengths first");
+}
+
+// Throws unless the faces beside an edge have positive area.
+template <class Triangulation>
+void require_positive_areas(const Triangulation& triangulation, Edge_index e)
+{
+  const Delta_complex& complex = triangulation.connectivity();
+  const Halfedge_index h = complex.halfedge(e);
+  for (Halfedge_index side : {h, complex.opposite(h)}) {
+    if (complex.is_border(side))
+      continue;
+    const Face_index f = complex.face(side);
+    if constexpr (Triangulation::uses_exact_geometry) {
+      if (triangulation.exact_geometry().sign_of_area(complex, f) != POSITIVE)
+        throw_no_cotangent(f);
+    } else if (!certainly(triangulation.area(f) > typename Triangulation::FT(0)))
+      throw_no_cotangent(f);
+  }
+}
+
+template <class Triangulation>
+BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& triangulation,
+                                                      Edge_index e)
+{
+  require_positive_areas(triangulation, e);
+  const double weight = CGAL::to_double(triangulation.cotangent_weight(e));
+  if (!std::isfinite(weight))
+    throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, e.idx(), 1,
+                                "the cotangent weight of edge " + std::to_string(e.idx()) +
+                                  " is beyond the range of double");
+  // The sum of two rounded cotangents can be negative where the test of the number type,
+  // which is not made from the same sum, says that it is not.
+  if (weight < 0 && !triangulation.connectivity().is_border(e) &&
+      certainly(triangulation.is_locally_Delaunay(e)))
+    return 0;
+  return weight;
+}
+
+// Weights and areas that are accurate up to this bound are taken from what is stored.
+constexpr double stored_number_accuracy = 0x1p-32;
+
+// Gives the weight of an edge, as documented for cotangent_weights().
+template <class Traits>
+class Cotangent_weight
+{
+public:
+  explicit Cotangent_weight(const Intrinsic_triangulation<Traits>& triangulation)
+    : triangulation_(triangulation)
+  {}
+  double operator()(Edge_index e) const
+  {
+    return cotangent_weight_by_number_type(triangulation_, e);
+  }
+
+private:
+  const Intrinsic_triangulation<Traits>& triangulation_;
+};
+
+template <>
+class Cotangent_weight<Filtered_edge_length_traits>
+{
+  using Triangulation = Intrinsic_triangulation<Filtered_edge_length_traits>;
+
+public:
+  explicit Cotangent_weight(const Triangulation& triangulation)
+    : triangulation_(triangulation), complex_(triangulation.connectivity())
+  {}
+
+  double operator()(Edge_index e) const
+  {
+    const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+    const Bounded_double k = cotangent(e, h), l = cotangent(e, g);
+    const double weight = k.value + l.value;
+    // The rounding of the sum is far below the error of its terms.
+    const double error = 1.5 * (k.error + l.error);
+    if (error <= stored_number_accuracy * (1 + std::abs(k.value) + std::abs(l.value)) &&
+        error < std::abs(weight))
+      return weight;
+    return cotangent_weight_by_number_type(triangulation_, e);
+  }
+
+private:
+  // On the border there is no angle, which counts as a cotangent of zero.
+  Bounded_double cotangent(Edge_index e, Halfedge_index h) const
+  {
+    const Face_index f = complex_.face(h);
+    if (!f.is_valid())
+      return {0, 0};
+    return triangulation_.traits().compute_bounded_cotangent_object()(
+      triangulation_.face_data(f), triangulation_.edge_data(e),
+      triangulation_.edge_data(complex_.edge(complex_.next(h))),
+      triangulation_.edge_data(complex_.edge(complex_.prev(h))));
+  }
+
+  const Triangulation& triangulation_;
+  const Delta_complex& complex_;
+};
+
+// Gives the area of a face, as documented for face_areas().
+template <class Traits>
+class Face_area
+{
+public:
+  explicit Face_area(const Intrinsic_triangulation<Traits>& triangulation)
+    : triangulation_(triangulation)
+  {}
+  double operator()(Face_index f) const
+  {
+    if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
+      const auto& stored = triangulation_.face_data(f);
+      if (stored.error <= stored_number_accuracy * stored.value)
+        return std::ldexp(stored.value, 2 * triangulation_.unit_exponent() - 2);
+    }
+    return CGAL::to_double(triangulation_.area(f));
+  }
+
+private:
+  const Intrinsic_triangulation<Traits>& triangulation_;
+};
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief returns the cotangent weight of each edge, in the order of the edges: the sum of the
+/// cotangents of the one or two angles opposite to it, without a factor and without unit.
+///
+/// With `Filtered_edge_length_traits` each weight is within `2^-32 (1 + |cot k| + |cot l|)` of
+/// the exact one and has its sign, a tie is exactly zero: on an exact intrinsic Delaunay
+/// triangulation no weight of an interior edge is negative. Where the stored numbers are
+/// not good enough for that, and only there, the exact geometry is asked. With other traits
+/// the weights are those of their number type, and none is negative where its test says that
+/// the edge is Delaunay. A border edge has one angle, which may well be obtuse.
+///
+/// \exception Invalid_surface_error if a face has no area
+///
+/// O(size), but for the edges that need the exact geometry.
+/// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 3.1.
+template <class Traits>
+std::vector<double> cotangent_weights(const Intrinsic_triangulation<Traits>& triangulation)
+{
+  const internal::Cotangent_weight<Traits> weight(triangulation);
+  std::vector<double> result;
+  result.reserve(triangulation.connectivity().number_of_edges());
+  for (Edge_index e : triangulation.connectivity().edges())
+    result.push_back(weight(e));
+  return result;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief returns the area of each face, in the order of the faces and in the unit of the
+/// input.
+///
+/// With `Filtered_edge_length_traits` up to a relative error of `2^-32`, with other traits
+/// those of the number type. O(size), but for the faces that need the exact geometry.
+template <class Traits>
+std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulation)
+{
+  const internal::Face_area<Traits> area(triangulation);
+  std::vector<double> result;
+  result.reserve(triangulation.connectivity().number_of_faces());
+  for (Face_index f : triangulation.connectivity().faces())
+    result.push_back(area(f));
+  return result;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief returns the length of each edge, in the order of the edges and in the unit of the
+/// input, as `Intrinsic_triangulation::length()` gives it.
+template <class Traits>
+std::vector<double> edge_lengths(const Intrinsic_triangulation<Traits>& triangulation)
+{
+  std::vector<double> result;
+  result.reserve(triangulation.connectivity().number_of_edges());
+  for (Edge_index e : triangulation.connectivity().edges())
+    result.push_back(CGAL::to_double(triangulation.length(e)));
+  return result;
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_COTANGENT_WEIGHTS_H

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The Laplace-Beltrami operator of a triangulation as sparse matrices of Eigen: stiffness and
+// mass.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_LAPLACE_BELTRAMI_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_LAPLACE_BELTRAMI_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/assemble_symmetric_matrix.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/assertions.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief the factor of the cotangents in a stiffness matrix.
+enum class Stiffness_factor {
+  HALF, ///< `w_ij = (cot k + cot l) / 2`: that of linear finite elements, to go with a mass matrix
+  ONE   ///< `w_ij = cot k + cot l`: that of section 3.1 of the paper
+};
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+template <class Edge_weight>
+Eigen::SparseMatrix<double> stiffness_matrix(const Delta_complex& complex,
+                                             const Edge_weight& weight, Stiffness_factor factor)
+{
+  const double scale = factor == Stiffness_factor::HALF ? -0.5 : -1;
+  return assemble_symmetric_matrix(
+    complex, [&](Edge_index e) { return scale * weight(e); },
+    [](int, double sum_of_others) { return -sum_of_others; });
+}
+
+// For each vertex the sum over all corners that meet there of the area of the face times a
+// factor.
+inline std::vector<double> corner_sums(const Delta_complex& complex,
+                                       const std::vector<double>& areas, double factor)
+{
+  std::vector<double> sums(complex.number_of_vertices(), 0);
+  for (Halfedge_index h : complex.halfedges())
+    if (!complex.is_border(h))
+      sums[complex.target(h).idx()] += factor * areas[complex.face(h).idx()];
+  return sums;
+}
+
+// The areas of the faces beside an edge.
+inline double area_beside(const Delta_complex& complex, const std::vector<double>& areas,
+                          Edge_index e)
+{
+  const Halfedge_index h = complex.halfedge(e);
+  double sum = 0;
+  for (Halfedge_index side : {h, complex.opposite(h)})
+    if (!complex.is_border(side))
+      sum += areas[complex.face(side).idx()];
+  return sum;
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief returns the stiffness matrix for given cotangent weights.
+///
+/// With the weight `w_ij` of all edges that join i and j together, the entries are
+/// `L_ij = −w_ij` off the diagonal, and `L_ii` is the sum of all `w_ij`: the matrix is
+/// symmetric and positive semidefinite, the rows sum to zero, and `uᵀ L u` is the integral
+/// of `|∇u|²` with `Stiffness_factor::HALF`. Loops drop out. The boundary is that of natural
+/// (Neumann) conditions: a border edge has the one cotangent, and no row is left out. For
+/// Dirichlet conditions take the rows and columns of the inner vertices.
+///
+/// Each entry of the diagonal is stored, zeros included; the indices of a column ascend.
+///
+/// \param complex the triangles
+/// \param weights `cot k + cot l` for each edge, as `cotangent_weights()` returns them
+/// \param factor the factor
+/// \pre there is a weight for each edge. O(size).
+inline Eigen::SparseMatrix<double>
+stiffness_matrix(const Delta_complex& complex, const std::vector<double>& weights,
+                 Stiffness_factor factor = Stiffness_factor::HALF)
+{
+  CGAL_precondition(weights.size() == complex.number_of_edges());
+  return internal::stiffness_matrix(
+    complex, [&](Edge_index e) { return weights[e.idx()]; }, factor);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief returns the stiffness matrix of a triangulation.
+///
+/// As above, with the weights of `cotangent_weights()`. For an intrinsic Delaunay
+/// triangulation it is that of the intrinsic Laplace-Beltrami operator: no entry off the
+/// diagonal is positive but those of border edges. For a triangulation that was not
+/// flipped it is the usual, extrinsic one. One pass over the edges computes all weights.
+/// \exception Invalid_surface_error as `cotangent_weights()`
+/// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 3.1.
+template <class Traits>
+Eigen::SparseMatrix<double>
+stiffness_matrix(const Intrinsic_triangulation<Traits>& triangulation,
+                 Stiffness_factor factor = Stiffness_factor::HALF)
+{
+  return internal::stiffness_matrix(triangulation.connectivity(),
+                                    internal::Cotangent_weight<Traits>(triangulation), factor);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief returns the lumped mass matrix: a third of the area of its faces for each vertex,
+/// on the diagonal.
+///
+/// A vertex that several corners of a face meet in counts once for each.
+/// \param complex the triangles
+/// \param areas the area of each face. O(size).
+/// \pre there is an area for each face
+inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Delta_complex& complex,
+                                                      const std::vector<double>& areas)
+{
+  CGAL_precondition(areas.size() == complex.number_of_faces());
+  const std::vector<double> sums = internal::corner_sums(complex, areas, 1. / 3);
+  Eigen::SparseMatrix<double> mass(Eigen::Index(sums.size()), Eigen::Index(sums.size()));
+  mass.setIdentity();
+  std::copy(sums.begin(), sums.end(), mass.valuePtr());
+  return mass;
+}
+
+/// as above, with the areas of `face_areas()`.
+template <class Traits>
+Eigen::SparseMatrix<double> lumped_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)
+{
+  return lumped_mass_matrix(triangulation.connectivity(), face_areas(triangulation));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief returns the Galerkin mass matrix of linear finite elements: a face adds a sixth of
+/// its area for each corner and a twelfth for each pair of corners.
+///
+/// Corners that are the same vertex are treated as different ones whose values agree, so that
+/// `uᵀ M u` is the integral of `u²` in any case.
+/// \param complex the triangles
+/// \param areas the area of each face. O(size).
+/// \pre there is an area for each face
+inline Eigen::SparseMatrix<double> galerkin_mass_matrix(const Delta_complex& complex,
+                                                        const std::vector<double>& areas)
+{
+  CGAL_precondition(areas.size() == complex.number_of_faces());
+  std::vector<double> diagonal = internal::corner_sums(complex, areas, 1. / 6);
+  for (Edge_index e : complex.edges())
+    if (complex.is_loop(e)) // two corners of each face beside it are the same vertex
+      diagonal[complex.target(complex.halfedge(e)).idx()] +=
+        internal::area_beside(complex, areas, e) / 6;
+  return internal::assemble_symmetric_matrix(
+    complex, [&](Edge_index e) { return internal::area_beside(complex, areas, e) / 12; },
+    [&](int v, double) { return diagonal[std::size_t(v)]; });
+}
+
+/// as above, with the areas of `face_areas()`.
+template <class Traits>
+Eigen::SparseMatrix<double>
+galerkin_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)
+{
+  return galerkin_mass_matrix(triangulation.connectivity(), face_areas(triangulation));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief stiffness and lumped mass: `L u = λ M u` is the eigenvalue problem of `−Δ`.
+struct Laplace_beltrami_operator
+{
+  Eigen::SparseMatrix<double> stiffness; ///< with `Stiffness_factor::HALF`
+  Eigen::SparseMatrix<double> mass;      ///< lumped
+};
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief returns the intrinsic Laplace-Beltrami operator of a triangle mesh, in place of
+/// its cotangent matrix.
+///
+///     auto [L, M] = intrinsic_delaunay_laplacian(mesh);
+///
+/// The i-th row is that of the i-th vertex of the mesh. Conventions as for
+/// `stiffness_matrix()`, parameters and exceptions as for `intrinsic_delaunay_triangulation()`.
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+Laplace_beltrami_operator
+intrinsic_delaunay_laplacian(const TriangleMesh& mesh,
+                             const NamedParameters& np = parameters::default_values())
+{
+  const auto triangulation = intrinsic_delaunay_triangulation(mesh, np);
+  return {stiffness_matrix(triangulation), lumped_mass_matrix(triangulation)};
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief returns the extrinsic operator, from the triangles of the mesh as they are; otherwise
+/// as `intrinsic_delaunay_laplacian()`.
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+Laplace_beltrami_operator
+extrinsic_laplacian(const TriangleMesh& mesh,
+                    const NamedParameters& np = parameters::default_values())
+{
+  const auto triangulation = intrinsic_triangulation(mesh, np);
+  return {stiffness_matrix(triangulation), lumped_mass_matrix(triangulation)};
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_LAPLACE_BELTRAMI_H
