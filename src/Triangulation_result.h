@@ -12,6 +12,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -49,6 +50,19 @@ void write_edges(std::ostream& os, const Triangulation_result& result);
 // \exception Invalid_surface_error if a weight is infinite, beside a face without area
 void write_laplacian(std::ostream& os, const Triangulation_result& result);
 void write_mass(std::ostream& os, const Triangulation_result& result);
+
+// The crossings along each intrinsic edge in order, as comma-separated values:
+// `source,target,edge,position,input_source,input_target,t,u`. \pre the overlay was found
+void write_crossings(std::ostream& os, const Triangulation_result& result);
+
+// The files in which the overlay can be written as a mesh of polygons.
+enum class Mesh_format { PLY, OFF, OBJ };
+
+// The format that the end of a file name tells.
+std::optional<Mesh_format> find_mesh_format(const std::string& path);
+
+// \pre the overlay was found, and the surface has points
+void write_overlay(std::ostream& os, const Triangulation_result& result, Mesh_format format);
 
 } // namespace idt
 

@@ -36,6 +36,7 @@ Json stages(const Outcome& outcome)
     return nullptr;
   const IT::Stage_counts& counts = *outcome.stages;
   return {{"filter", counts[Stage::FILTER]},
+          {"coplanar", counts[Stage::COPLANAR]},
           {"unfolding", counts[Stage::UNFOLDING]},
           {"rational", counts[Stage::RATIONAL]},
           {"multiprecision", counts[Stage::MULTIPRECISION]},

@@ -16,6 +16,7 @@
 #include <iostream>
 #include <memory>
 #include <sstream>
+#include <utility>
 
 namespace idt {
 namespace {
@@ -33,10 +34,12 @@ struct Triangulate_options
   std::string edges_path;
   std::string laplacian_path;
   std::string mass_path;
+  std::string crossings_path;
+  std::string overlay_path;
 
   std::vector<std::string> output_paths() const
   {
-    return {stats_path, edges_path, laplacian_path, mass_path};
+    return {stats_path, edges_path, laplacian_path, mass_path, crossings_path, overlay_path};
   }
 };
 
@@ -54,6 +57,7 @@ Kernel_options kernel_options(const Triangulate_options& options)
                           !options.mass_path.empty();
   result.wanted.verification = options.is_verified;
   result.wanted.tessellation = !options.stats_path.empty();
+  result.wanted.overlay = !options.crossings_path.empty() || !options.overlay_path.empty();
   return result;
 }
 
@@ -64,9 +68,22 @@ void check(const Triangulate_options& options)
   const std::vector<std::string> outputs = options.output_paths();
   if (options.inputs.size() > 1 &&
       std::any_of(outputs.begin(), outputs.end(), [](const std::string& s) { return !s.empty(); }))
-    throw Usage_error("--stats, --edges, --laplacian and --mass take one input: several would go "
-                      "to the same file");
+    throw Usage_error("an option that names an output file takes one input: several would go to "
+                      "the same file");
+  if (!options.overlay_path.empty() && !find_mesh_format(options.overlay_path))
+    throw Usage_error("--overlay: " + options.overlay_path + " does not end in .ply, .off or .obj");
   check_output_paths(outputs, options.inputs);
+}
+
+// \exception Invalid_surface_error if the overlay of the surface has no place in space
+void check_points(const Surface& surface)
+{
+  using CGAL::Intrinsic_triangulations::Invalid_surface_error;
+  if (!surface.has_points())
+    throw Invalid_surface_error(
+      Invalid_surface_error::Defect::UNREADABLE, 0, 1,
+      surface.path + ": --overlay needs a surface in space, and this one has edge lengths alone" +
+        (surface.mollification ? ", since --mollify has changed them" : ""));
 }
 
 template <class Write>
@@ -85,7 +102,13 @@ void write_files(const Triangulate_options& options, Triangulation_result& resul
   write_file(options.edges_path, [&](std::ostream& os) { write_edges(os, result); });
   write_file(options.laplacian_path, [&](std::ostream& os) { write_laplacian(os, result); });
   write_file(options.mass_path, [&](std::ostream& os) { write_mass(os, result); });
-  if (result.options.wanted.numbers)
+  if (result.outcome.overlay) {
+    write_file(options.crossings_path, [&](std::ostream& os) { write_crossings(os, result); });
+    write_file(options.overlay_path, [&](std::ostream& os) {
+      write_overlay(os, result, *find_mesh_format(options.overlay_path));
+    });
+  }
+  if (result.options.wanted.numbers || result.outcome.overlay)
     result.write_seconds = stopwatch.seconds();
   write_file(options.stats_path,
              [&](std::ostream& os) { os << statistics(result).dump(2) << '\n'; });
@@ -101,7 +124,10 @@ Exit_status run_triangulate(const Triangulate_options& options)
 
   bool is_first = true;
   return for_each_input(options.inputs, [&](const std::string& path) {
-    Triangulation_result result = triangulate(path, kernel, mollification);
+    Surface surface = load_surface(path, mollification);
+    if (!options.overlay_path.empty())
+      check_points(surface);
+    Triangulation_result result = triangulate(std::move(surface), kernel);
     write_files(options, result);
     if (!is_first)
       std::cout << '\n';
@@ -132,11 +158,16 @@ std::string number_type_help()
 Triangulation_result triangulate(const std::string& path, const Kernel_options& options,
                                  const std::optional<Mollification_options>& mollification)
 {
+  return triangulate(load_surface(path, mollification), options);
+}
+
+Triangulation_result triangulate(Surface surface, const Kernel_options& options)
+{
   Triangulation_result result;
   result.options = options;
-  result.surface = load_surface(path, mollification);
+  result.surface = std::move(surface);
   {
-    Progress progress(path);
+    Progress progress(result.surface.path);
     result.outcome =
       run({result.surface, options, [&](std::uint64_t tests, std::uint64_t flips) {
              progress.update(tests, flips);
@@ -206,6 +237,15 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
     .add_option("--mass", options->mass_path,
                 "write the lumped mass matrix: a third of the area around each vertex")
     ->type_name("F.mtx");
+  command
+    .add_option("--crossings", options->crossings_path,
+                "write what each intrinsic edge crosses, in order, as CSV: source,target,edge,"
+                "position,input_source,input_target,t,u")
+    ->type_name("F.csv");
+  command
+    .add_option("--overlay", options->overlay_path,
+                "write the overlay of input and result as a mesh of polygons")
+    ->type_name("F.(ply|off|obj)");
   command.callback(
     [options, &selected] { selected = [options] { return run_triangulate(*options); }; });
 }

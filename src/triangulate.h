@@ -15,6 +15,9 @@ namespace idt {
 Triangulation_result triangulate(const std::string& path, const Kernel_options& options,
                                  const std::optional<Mollification_options>& mollification);
 
+// The same for a surface that was read.
+Triangulation_result triangulate(Surface surface, const Kernel_options& options);
+
 } // namespace idt
 
 #endif // IDT_TRIANGULATE_H

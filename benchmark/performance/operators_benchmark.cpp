@@ -11,18 +11,13 @@
 // method once; what is printed is the median of the rounds in nanoseconds an edge, and its
 // ratio to Heat_method_3, which counts where the machine is busy.
 
+#include "benchmark_meshes.h"
+
 #include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Heat_method_3/internal/Intrinsic_Delaunay_triangulation_3.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include <algorithm>
 #include <chrono>
@@ -30,6 +25,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,8 +33,6 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 constexpr std::size_t rounds = 11;
 
@@ -91,42 +85,16 @@ void measure(const std::string& name, const Mesh& mesh)
   }
 }
 
-Mesh read_mesh(const std::string& path)
-{
-  Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(path, mesh) || mesh.is_empty() || !CGAL::is_triangle_mesh(mesh)) {
-    std::fprintf(stderr, "%s: not a triangle mesh that can be read\n", path.c_str());
-    std::exit(2);
-  }
-  return mesh;
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
-#ifdef __GLIBC__
-  // As in idt_benchmark.cpp: what the system takes to hand out fresh memory is not measured.
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, -1);
-#endif
-  std::vector<std::string> paths(argv + 1, argv + argc);
-  if (paths.empty()) {
-    const char* const variable = std::getenv("IDT_DATA_DIR");
-    const std::filesystem::path data =
-      variable ? std::filesystem::path(variable)
-               : std::filesystem::path(__FILE__).parent_path() / ".." / ".." / ".." / "shared" / "data";
-    const std::filesystem::path horse = data / "table1" / "horse.off";
-    if (std::filesystem::exists(horse))
-      paths.push_back(horse.string());
-    const IT::Indexed_triangles sample = IT::bumpy_sphere(700, 351);
-    Mesh mesh;
-    for (const std::array<double, 3>& p : sample.points)
-      mesh.add_vertex({p[0], p[1], p[2]});
-    for (const std::array<std::uint32_t, 3>& t : sample.triangles)
-      mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
-    measure("bumpy_sphere_700x351", mesh);
-  }
-  for (const std::string& path : paths)
-    measure(std::filesystem::path(path).stem().string(), read_mesh(path));
+  keep_freed_memory();
+  for (int i = 1; i < argc; ++i)
+    measure(std::filesystem::path(argv[i]).stem().string(), read_mesh(argv[i]));
+  if (argc > 1)
+    return EXIT_SUCCESS;
+  if (const std::optional<Mesh> horse = read_horse())
+    measure("horse", *horse);
+  measure("bumpy_sphere_700x351", mesh_of(IT::bumpy_sphere(700, 351)));
 }

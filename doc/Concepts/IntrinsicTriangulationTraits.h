@@ -127,6 +127,10 @@ public:
   */
   typedef unspecified_type Construct_refined_data;
 
+  /// provides `bool operator()(const Face_data& f) const`: whether an exact stage that decided
+  /// without computing the area need not replace the datum. Only for traits that use exact geometry.
+  typedef unspecified_type Is_accurate;
+
   /// provides `bool operator()(const Face_data& ijk) const`: whether the area is known to be
   /// positive. Required only if `Uses_exact_geometry` is `CGAL::Tag_true`.
   typedef unspecified_type Has_positive_area;
@@ -154,6 +158,7 @@ public:
   Is_locally_Delaunay is_locally_Delaunay_object() const;
   Construct_flipped_hinge construct_flipped_hinge_object() const;
   Construct_refined_data construct_refined_data_object() const;
+  Is_accurate is_accurate_object() const;
   Has_positive_area has_positive_area_object() const;
   Compute_squared_length compute_squared_length_object() const;
   Compute_length compute_length_object() const;

@@ -13,15 +13,24 @@
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
+#include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Mpfr_float.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/are_same_overlay.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/graph_traits_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
+#include <CGAL/Intrinsic_triangulations/overlay_areas.h>
+#include <CGAL/Intrinsic_triangulations/overlay_triangulations.h>
+#include <CGAL/Intrinsic_triangulations/point_location.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+#include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 

@@ -11,6 +11,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
@@ -35,14 +37,18 @@ struct Wanted
   bool verification = false;    // the exact check of each edge
   bool exact_lengths = false;   // of the edges of the result, whatever made it
   bool wrong_decisions = false; // compares each test with the exact one
+  bool overlay = false;         // of input and result, with the positions of the crossings
 
   static Wanted nothing()
   {
-    return {false, false, false, false, false, false, false, false, false};
+    Wanted wanted;
+    wanted.weights = wanted.lengths = wanted.numbers = wanted.crossings = false;
+    return wanted;
   }
   bool needs_input() const
   {
-    return crossings || tessellation || verification || exact_lengths || wrong_decisions;
+    return crossings || tessellation || verification || exact_lengths || wrong_decisions ||
+           overlay;
   }
 };
 
@@ -72,6 +78,13 @@ struct Weight_summary
   std::size_t negative = 0;
 };
 
+// The graph, and where its crossings lie.
+struct Overlay_result
+{
+  CGAL::Intrinsic_triangulations::Overlay graph;
+  CGAL::Intrinsic_triangulations::Overlay_positions positions;
+};
+
 // What the normal coordinates tell.
 struct Crossing_summary
 {
@@ -79,7 +92,7 @@ struct Crossing_summary
   std::uint64_t longest = 0;   // the largest number of segments in one intrinsic edge
   std::uint64_t crossings = 0; // in all
   std::uint64_t changed = 0;   // intrinsic edges that are no input edges
-  double seconds = 0;
+  double seconds = 0;          // for these numbers, and for the overlay where it was wanted
 };
 
 // The cells that are left of a Delaunay triangulation when the ties are removed.
@@ -114,6 +127,7 @@ struct Outcome
   std::optional<Weight_summary> weights_before;
   std::optional<Weight_summary> weights_after;
   std::optional<Crossing_summary> crossing_summary;
+  std::optional<Overlay_result> overlay;
   std::optional<Tessellation_summary> tessellation;
   std::optional<CGAL::Intrinsic_triangulations::Delaunay_verification> verification;
   std::optional<std::uint64_t> wrong_decisions;

@@ -9,6 +9,7 @@
 #include "Decision_counter.h"
 #include "Kernel.h"
 #include "Number_collector.h"
+#include "find_overlay.h"
 
 #include "../Stopwatch.h"
 
@@ -194,8 +195,8 @@ inline void find_stages(const IT::Exact_geometry& geometry, Outcome& outcome)
   IT::Stage_counts counts = geometry.stage_counts();
   std::uint64_t& filter = counts.decided[static_cast<std::size_t>(IT::Stage::FILTER)];
   filter = outcome.report.tests;
-  for (IT::Stage stage : {IT::Stage::UNFOLDING, IT::Stage::RATIONAL, IT::Stage::MULTIPRECISION,
-                          IT::Stage::ALGEBRAIC})
+  for (IT::Stage stage : {IT::Stage::COPLANAR, IT::Stage::UNFOLDING, IT::Stage::RATIONAL,
+                          IT::Stage::MULTIPRECISION, IT::Stage::ALGEBRAIC})
     filter -= counts[stage];
   outcome.stages = counts;
 }
@@ -211,6 +212,8 @@ void relate_to_input(const Triangulation& triangulation, const Wanted& wanted, O
       find_stages(triangulation.exact_geometry(), outcome);
     if (wanted.crossings) {
       find_crossings(triangulation, outcome);
+      if (wanted.overlay)
+        find_overlay(complex, triangulation.exact_geometry(), outcome);
       outcome.crossing_summary->seconds = stopwatch.seconds();
     }
     if (wanted.verification)

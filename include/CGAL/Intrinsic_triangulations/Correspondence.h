@@ -85,8 +85,11 @@ public:
   {
     const std::uint32_t begin = around_begin_[v.idx()];
     const std::int64_t degree = around_begin_[v.idx() + 1] - begin;
-    const std::int64_t wrapped = index < 0 ? index + degree : index % degree;
-    return around_[begin + wrapped];
+    if (index < 0)
+      index += degree;
+    else if (index >= degree) // a division is slow, and rarely needed
+      index %= degree;
+    return around_[begin + index];
   }
 
 private:

@@ -8,9 +8,13 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/Stage_counts.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/Coplanar_hinge.h>
+#include <CGAL/Intrinsic_triangulations/internal/Developed_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/Late_stages.h>
 #include <CGAL/Intrinsic_triangulations/internal/Straight_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
 
 #include <CGAL/Interval_nt.h>
@@ -18,40 +22,15 @@
 #include <CGAL/enum.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
-
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// \brief the stages of an exact Delaunay test, each taken when those before cannot decide.
-enum class Stage {
-  FILTER,         ///< the stored squared lengths and areas with their error bounds
-  UNFOLDING,      ///< the unfolding over the input triangles, in double-doubles with error bounds
-  RATIONAL,       ///< both faces are straight triangles in space: rational arithmetic
-  MULTIPRECISION, ///< the unfolding in MPFR intervals
-  ALGEBRAIC       ///< the unfolding in a multiquadratic field: a proof of zero
-};
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// \brief the number of stages.
-constexpr std::size_t number_of_stages = 5;
-
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// \brief how many Delaunay tests each stage decided, and how many were ties.
-struct Stage_counts
-{
-  std::array<std::uint64_t, number_of_stages> decided{}; ///< by `Stage`
-  std::uint64_t ties = 0; ///< tests whose opposite angles sum to exactly π
-
-  /// returns the number of tests that `stage` decided.
-  std::uint64_t operator[](Stage stage) const { return decided[std::size_t(stage)]; }
-};
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 ///
@@ -70,22 +49,22 @@ class Exact_geometry
     void operator()(const Delta_complex& complex, Edge_index e) const
     {
       geometry.start_straight_faces(complex);
-      geometry.straight_faces_.flip(complex, geometry.metric_.points(), e);
+      geometry.developed_faces_.flip(complex, e, e == geometry.close_call_, [&](Halfedge_index h) {
+        return geometry.straight_faces_(complex.face(h))
+                 ? std::make_optional(geometry.straight_corner(complex, h))
+                 : std::nullopt;
+      });
+      is_straight = geometry.straight_faces_.flip(complex, geometry.metric_.points(), e);
     }
     Exact_geometry& geometry;
-  };
-
-  template <class Metric>
-  struct Both_corners
-  {
-    typename Unfolding<Metric>::Corner k, l;
+    bool& is_straight; // the new edge, and the faces beside it
   };
 
 public:
   /// a corner in double-doubles with error bounds.
   using Corner = Unfolding<internal::Double_double_metric>::Corner;
   /// the corners opposite to an edge, k to its left and l to its right.
-  using Opposite_corners = Both_corners<internal::Double_double_metric>;
+  using Opposite_corners = internal::Opposite_corners<internal::Double_double_metric>;
 
   /// constructs the geometry of a triangulation that has not been flipped yet.
   explicit Exact_geometry(Input_metric metric) : metric_(std::move(metric)) {}
@@ -109,6 +88,7 @@ public:
     counts_ = other.counts_;
     straight_faces_ = std::move(other.straight_faces_);
     has_straight_faces_ = other.has_straight_faces_;
+    developed_faces_ = {};
     surface_.reset();
     return *this;
   }
@@ -121,61 +101,80 @@ public:
   /// returns how the tests that reached the exact stages were decided.
   const Stage_counts& stage_counts() const { return counts_; }
 
-  /// updates the integers, before the flip of the connectivity.
+  /// \brief updates the integers, before the flip of the connectivity.
+  ///
+  /// \return whether the new edge is known to be a straight line between two of the points
   /// \exception Integer_overflow_error as `Normal_coordinates::flip()`
-  void flip(const Delta_complex& complex, Edge_index e)
+  bool flip(const Delta_complex& complex, Edge_index e)
   {
-    correspondence_.flip(complex, e, Follower{*this});
+    bool is_straight = false;
+    correspondence_.flip(complex, e, Follower{*this, is_straight});
+    return is_straight;
   }
   /// makes the queries below possible; as `Correspondence::prepare()`.
   void prepare(const Delta_complex& complex)
   {
     if (surface_)
       return;
-    correspondence_.prepare(complex, Follower{*this});
+    bool is_straight;
+    correspondence_.prepare(complex, Follower{*this, is_straight});
     start_straight_faces(complex);
     surface_ = std::make_unique<internal::Input_surface>(correspondence_.input(), metric_);
   }
+
+  /// \cond SKIP_IN_MANUAL
+  // The input as the images of its metric see it. \pre `prepare()` was called
+  internal::Input_surface& input_surface() const { return *surface_; }
+  /// \endcond
 
   /// \brief returns the sign of `cot k + cot l` for the angles opposite to `e`, exactly.
   ///
   /// Where both faces have zero area, it is `NEGATIVE` if both angles are π, and `ZERO`
   /// otherwise. \pre `prepare()` was called; `e` lies between two different faces
   /// \param corners receives the two corners
-  /// \exception Undecided_error where a zero is too entangled to be proven: more than
-  ///   about a dozen independent square roots
-  Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e, Opposite_corners& corners)
+  /// \exception Undecided_error where a zero is too entangled to be proven: more than 192
+  ///   independent square roots, or more than four million products of their sums
+  Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e,
+                          std::optional<Opposite_corners>& corners)
   {
     const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-    corners = {corner(complex, h), corner(complex, g)};
-    Uncertain<Sign> sign = sign_of(corners.k, corners.l);
+    if (straight_faces_.are_coplanar(complex, metric_.points(), h))
+      return decided(Stage::COPLANAR,
+                     internal::Coplanar_hinge(complex, metric_.points(), h).sign_of_cotangents());
+    close_call_ = e;
+    corners = Opposite_corners{developed_corner(complex, h), developed_corner(complex, g)};
+    Uncertain<Sign> sign = internal::sign_of_cotangents(corners->k, corners->l);
+    if (!is_certain(sign)) { // layouts that were carried along are not the best
+      developed_faces_.erase(complex.face(h));
+      developed_faces_.erase(complex.face(g));
+      corners = Opposite_corners{corner(complex, h), corner(complex, g)};
+      sign = internal::sign_of_cotangents(corners->k, corners->l);
+    }
     if (is_certain(sign))
       return decided(Stage::UNFOLDING, sign);
     if (straight_faces_(complex.face(h)) && straight_faces_(complex.face(g)))
-      return decided(Stage::RATIONAL,
-                     sign_of(rational_corner(complex, h), rational_corner(complex, g)));
-    return sign_by_late_stages(complex, e);
+      return decided(Stage::RATIONAL, internal::sign_of_cotangents(
+                                        internal::rational_corner(complex, metric_.points(), h),
+                                        internal::rational_corner(complex, metric_.points(), g)));
+    const auto decision = late_stages(complex).sign_of_cotangents(e);
+    return decided(decision.stage, decision.sign);
   }
 
   /// \brief as above, but by the unfolding alone: what is known of the flips before, as
   /// that a face is straight in space, is not used. Not counted as a test of the algorithm.
-  Sign sign_by_unfolding(const Delta_complex& complex, Edge_index e)
+  Sign sign_by_unfolding(const Delta_complex& complex, Edge_index e) const
   {
-    const Stage_counts counts = counts_;
     internal::Double_double_metric metric(*surface_);
-    const Opposite_corners corners = opposite_corners(complex, e, metric);
-    const Uncertain<Sign> sign = sign_of(corners.k, corners.l);
-    const Sign result =
-      is_certain(sign) ? get_certain(sign) : sign_by_late_stages(complex, e);
-    counts_ = counts;
-    return result;
+    const Opposite_corners corners = internal::opposite_corners(complex, correspondence_, e, metric);
+    const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
+    return is_certain(sign) ? get_certain(sign) : late_stages(complex).sign_of_cotangents(e).sign;
   }
 
   /// as above, without the corners; not counted as a test of the algorithm.
   Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e)
   {
     const Stage_counts counts = counts_;
-    Opposite_corners corners;
+    std::optional<Opposite_corners> corners;
     const Sign sign = sign_of_cotangents(complex, e, corners);
     counts_ = counts;
     return sign;
@@ -186,19 +185,8 @@ public:
   Sign sign_of_area(const Delta_complex& complex, Face_index f) const
   {
     const Halfedge_index h = complex.halfedge(f);
-    Uncertain<Sign> sign = unfolded_corner(complex, h).four_areas.sign();
-    for (long precision = 128; !is_certain(sign); precision *= 4) {
-      internal::Mpfr_metric metric(*surface_, {precision});
-      sign = Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric)
-               .opposite_corner(h)
-               .four_areas.sign();
-      if (!is_certain(sign) && precision == 2048 && has_area_zero(complex, h))
-        return ZERO;
-      if (precision > largest_precision)
-        throw Undecided_error("face " + std::to_string(f.idx()) +
-                              ": the sign of its area cannot be decided");
-    }
-    return get_certain(sign);
+    const Uncertain<Sign> sign = unfolded_corner(complex, h).four_areas.sign();
+    return is_certain(sign) ? get_certain(sign) : late_stages(complex).sign_of_area(h);
   }
 
   /// returns the length of `e` in the unit of the input, within one unit in the last
@@ -212,23 +200,31 @@ public:
       const Double_double l = sqrt(s);
       return std::ldexp(l.hi() + l.lo(), metric_.unit_exponent());
     }
-    for (long precision = 128;; precision *= 2) {
-      const internal::Mpfr_interval s = multiprecision_squared_length(complex, e, precision);
-      const internal::Mpfr_interval l = sqrt(s);
-      const double low = l.lower_double(), high = l.upper_double();
-      if (high <= std::nextafter(low, high) || precision > largest_precision)
-        return std::ldexp(mpfr_get_d(l.lower(), MPFR_RNDN), metric_.unit_exponent());
-    }
+    return std::ldexp(late_stages(complex).length(e), metric_.unit_exponent());
   }
 
   /// returns an interval around the length of `e`, in the unit of the input.
   /// \pre `prepare()` was called
   Interval_nt<> length_interval(const Delta_complex& complex, Edge_index e) const
   {
-    const internal::Mpfr_interval l = sqrt(multiprecision_squared_length(complex, e, 128));
+    internal::Double_double_metric metric(*surface_);
+    const Double_double l = sqrt(
+      Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e));
+    double low, high;
+    if (l.error() < 0x1p-60 * l.hi()) {
+      low = high = l.hi();
+      while (low - l.hi() > l.lo() - 1.01 * l.error())
+        low = std::nextafter(low, 0.);
+      while (high - l.hi() < l.lo() + 1.01 * l.error())
+        high = std::nextafter(high, 2 * high);
+    } else {
+      const internal::Mpfr_interval m = sqrt(late_stages(complex).squared_length(e, 128));
+      low = m.lower_double();
+      high = m.upper_double();
+    }
     // Where the scaling is not exact, it is wrong by less than the next double.
-    const double low = std::ldexp(l.lower_double(), metric_.unit_exponent()),
-                 high = std::ldexp(l.upper_double(), metric_.unit_exponent());
+    low = std::ldexp(low, metric_.unit_exponent());
+    high = std::ldexp(high, metric_.unit_exponent());
     if (low >= (std::numeric_limits<double>::min)())
       return Interval_nt<>(low, high);
     return Interval_nt<>((std::max)(0., std::nextafter(low, 0.)), std::nextafter(high, 1.));
@@ -243,8 +239,8 @@ public:
     if (c.four_areas.relative_error() < 0x1p-60 &&
         c.p.error() < 0x1p-60 * (std::abs(c.p.hi()) + c.four_areas.hi()))
       return value;
-    return with_increasing_precision(
-      complex, h, [](const auto& corner) { return corner.p / corner.four_areas; },
+    return late_stages(complex).number_of_corner(
+      h, [](const auto& corner) { return corner.p / corner.four_areas; },
       [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
   }
 
@@ -280,8 +276,8 @@ public:
                            ? a.hi()
                          : sign_of_area(complex, f) == ZERO
                            ? 0
-                           : with_increasing_precision(
-                               complex, h, [](const auto& corner) { return corner.four_areas; },
+                           : late_stages(complex).number_of_corner(
+                               h, [](const auto& corner) { return corner.four_areas; },
                                [](double width, double magnitude) {
                                  return width <= 0x1p-51 * magnitude;
                                });
@@ -297,17 +293,17 @@ public:
       Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);
     if (is_certain(s.sign()))
       return s.is_zero();
-    try {
-      internal::Square_root_basis basis;
-      internal::Multiquadratic_metric field(*surface_, {basis});
-      return Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
-        .squared_length(e)
-        .is_zero();
-    } catch (const internal::Too_many_roots&) {
-      throw Undecided_error("edge " + std::to_string(e.idx()) +
-                            ": whether its length is zero cannot be proven: too many "
-                            "independent square roots");
-    }
+    return late_stages(complex).has_length_zero(e);
+  }
+
+  /// returns the area of `f` times four, with an error bound near `2^-50` of it and in the
+  /// unit of the metric. \pre `prepare()` was called; `f` is known to be a triangle in space
+  internal::Bounded_double_double four_areas_of_straight_face(const Delta_complex& complex,
+                                                              Face_index f) const
+  {
+    const Halfedge_index h = complex.halfedge(f);
+    return internal::four_areas_of_points(metric_.points(), complex.source(h), complex.target(h),
+                                          complex.target(complex.next(h)));
   }
 
   /// returns the corner opposite to `h`, in double-doubles with error bounds and in the
@@ -320,13 +316,24 @@ public:
   }
 
 private:
-  static constexpr long largest_precision = 1l << 16;
-
   void start_straight_faces(const Delta_complex& complex)
   {
     if (!has_straight_faces_)
       straight_faces_ = internal::Straight_faces(complex.number_of_faces(), metric_.points().size());
     has_straight_faces_ = true;
+  }
+
+  // As corner(), from what is kept of tests before.
+  Corner developed_corner(const Delta_complex& complex, Halfedge_index h)
+  {
+    const Face_index f = complex.face(h);
+    if (straight_faces_(f))
+      return straight_corner(complex, h);
+    if (developed_faces_.contains(f))
+      return developed_faces_.corner(complex, h);
+    const Corner c = unfolded_corner(complex, h);
+    developed_faces_.insert(complex, h, c);
+    return c;
   }
 
   Corner unfolded_corner(const Delta_complex& complex, Halfedge_index h) const
@@ -336,76 +343,14 @@ private:
       .opposite_corner(h);
   }
 
-  Corner straight_corner(const Delta_complex& complex, Halfedge_index ij) const
+  Corner straight_corner(const Delta_complex& complex, Halfedge_index h) const
   {
-    const Vertex_index i = complex.source(ij), j = complex.target(ij),
-                       k = complex.target(complex.next(ij));
-    const auto ki = internal::difference<Double_double>(metric_.points(), k, i),
-               kj = internal::difference<Double_double>(metric_.points(), k, j),
-               side = internal::difference<Double_double>(metric_.points(), i, j);
-    const auto normal = internal::cross_product(ki, kj);
-    return {internal::scalar_product(ki, kj).scaled(2),
-            sqrt(internal::scalar_product(normal, normal)).scaled(2),
-            internal::scalar_product(ki, ki), internal::scalar_product(kj, kj),
-            internal::scalar_product(side, side)};
+    return internal::straight_corner<Corner>(complex, metric_.points(), h);
   }
 
-  template <class Metric>
-  Both_corners<Metric> opposite_corners(const Delta_complex& complex, Edge_index e,
-                                        Metric& metric) const
+  internal::Late_stages late_stages(const Delta_complex& complex) const
   {
-    const Unfolding<Metric> unfolding(complex, correspondence_, metric);
-    const Halfedge_index h = complex.halfedge(e);
-    return {unfolding.opposite_corner(h), unfolding.opposite_corner(complex.opposite(h))};
-  }
-
-  Sign sign_by_late_stages(const Delta_complex& complex, Edge_index e)
-  {
-    Uncertain<Sign> sign = Uncertain<Sign>::indeterminate();
-    for (long precision : {128l, 512l, 2048l}) {
-      sign = multiprecision_sign(complex, e, precision);
-      if (is_certain(sign))
-        return decided(Stage::MULTIPRECISION, sign);
-    }
-    try {
-      internal::Square_root_basis basis;
-      internal::Multiquadratic_metric field(*surface_, {basis});
-      const auto exact = opposite_corners(complex, e, field);
-      if ((exact.k.p * exact.l.four_areas + exact.l.p * exact.k.four_areas).is_zero())
-        return decided(Stage::ALGEBRAIC, exact.k.p.is_zero() || exact.l.p.is_zero()
-                                           ? ZERO
-                                           : sign_of_tie(complex, e));
-    } catch (const internal::Too_many_roots&) {
-    }
-    for (long precision = 8192; precision <= largest_precision; precision *= 2) {
-      sign = multiprecision_sign(complex, e, precision);
-      if (is_certain(sign))
-        return decided(Stage::MULTIPRECISION, sign);
-    }
-    throw Undecided_error("edge " + std::to_string(e.idx()) +
-                          ": the sum of the opposite angles differs from pi by less than 2^-" +
-                          std::to_string(largest_precision) +
-                          " and cannot be proven to be pi: too many independent square roots");
-  }
-
-  // The sign of cot k + cot l; a zero is only certain with both areas positive, or with
-  // the signs of both scalar products known.
-  template <class Corner_>
-  static Uncertain<Sign> sign_of(const Corner_& k, const Corner_& l)
-  {
-    const Uncertain<Sign> sign = (k.p * l.four_areas + l.p * k.four_areas).sign();
-    if (!is_certain(sign) || get_certain(sign) != ZERO)
-      return sign;
-    const Uncertain<Sign> sign_k = k.p.sign(), sign_l = l.p.sign();
-    if (!is_certain(sign_k) || !is_certain(sign_l))
-      return Uncertain<Sign>::indeterminate();
-    return tie(get_certain(sign_k), get_certain(sign_l));
-  }
-
-  // The angles sum to 0, π or 2π; only in the last case are both obtuse.
-  static Sign tie(Sign sign_k, Sign sign_l)
-  {
-    return sign_k == NEGATIVE && sign_l == NEGATIVE ? NEGATIVE : ZERO;
+    return {complex, correspondence_, *surface_};
   }
 
   Sign decided(Stage stage, Uncertain<Sign> sign)
@@ -416,107 +361,14 @@ private:
     return get_certain(sign);
   }
 
-  // Twice the scalar product and the square of four times the area, of a straight face.
-  struct Rational_corner
-  {
-    internal::Exact_ring p;
-    internal::Exact_ring q;
-  };
-
-  Rational_corner rational_corner(const Delta_complex& complex, Halfedge_index ij) const
-  {
-    using Rational = internal::Exact_ring;
-    const Vertex_index i = complex.source(ij), j = complex.target(ij),
-                       k = complex.target(complex.next(ij));
-    const auto ki = internal::difference<Rational>(metric_.points(), k, i),
-               kj = internal::difference<Rational>(metric_.points(), k, j);
-    const auto normal = internal::cross_product(ki, kj);
-    return {Rational(2) * internal::scalar_product(ki, kj),
-            Rational(4) * internal::scalar_product(normal, normal)};
-  }
-
-  // The sign of p_k √q_l + p_l √q_k.
-  static Sign sign_of(const Rational_corner& k, const Rational_corner& l)
-  {
-    const Sign p_k = CGAL::sign(k.p), p_l = CGAL::sign(l.p);
-    const Sign term_k = CGAL::is_zero(l.q) ? ZERO : p_k, term_l = CGAL::is_zero(k.q) ? ZERO : p_l;
-    if (term_k == ZERO || term_l == ZERO || term_k == term_l) {
-      const Sign sum = term_k == ZERO ? term_l : term_k;
-      return sum == ZERO ? tie(p_k, p_l) : sum;
-    }
-    const Sign difference =
-      CGAL::sign(internal::Exact_ring(k.p * k.p * l.q - l.p * l.p * k.q));
-    return difference == ZERO ? ZERO : term_k * difference;
-  }
-
-  Uncertain<Sign> multiprecision_sign(const Delta_complex& complex, Edge_index e,
-                                      long precision) const
-  {
-    internal::Mpfr_metric metric(*surface_, {precision});
-    const auto corners = opposite_corners(complex, e, metric);
-    return sign_of(corners.k, corners.l);
-  }
-
-  internal::Mpfr_interval multiprecision_squared_length(const Delta_complex& complex, Edge_index e,
-                                                        long precision) const
-  {
-    internal::Mpfr_metric metric(*surface_, {precision});
-    return Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric).squared_length(e);
-  }
-
-  // A proof that the area of the face of h is zero; `false` proves nothing.
-  bool has_area_zero(const Delta_complex& complex, Halfedge_index h) const
-  {
-    try {
-      internal::Square_root_basis basis;
-      internal::Multiquadratic_metric field(*surface_, {basis});
-      return Unfolding<internal::Multiquadratic_metric>(complex, correspondence_, field)
-        .opposite_corner(h)
-        .four_areas.is_zero();
-    } catch (const internal::Too_many_roots&) {
-      return false;
-    }
-  }
-
-  // Known to be a tie in which no opposite angle is right: the signs of the scalar products
-  // tell which.
-  Sign sign_of_tie(const Delta_complex& complex, Edge_index e) const
-  {
-    for (long precision = 128; precision <= largest_precision; precision *= 2) {
-      internal::Mpfr_metric metric(*surface_, {precision});
-      const auto corners = opposite_corners(complex, e, metric);
-      const Uncertain<Sign> k = corners.k.p.sign(), l = corners.l.p.sign();
-      if (is_certain(k) && is_certain(l))
-        return tie(get_certain(k), get_certain(l));
-    }
-    throw Undecided_error("edge " + std::to_string(e.idx()) + ": the opposite angles are too near to pi/2");
-  }
-
-  // The middle of an interval that is narrow enough, as is_narrow(width, magnitude) says. An
-  // interval around a double is two units in its last place wide, however high the precision.
-  template <class Evaluate, class IsNarrow>
-  double with_increasing_precision(const Delta_complex& complex, Halfedge_index h,
-                                   const Evaluate& evaluate, const IsNarrow& is_narrow) const
-  {
-    for (long precision = 128;; precision *= 2) {
-      internal::Mpfr_metric metric(*surface_, {precision});
-      const internal::Mpfr_interval x = evaluate(
-        Unfolding<internal::Mpfr_metric>(complex, correspondence_, metric).opposite_corner(h));
-      const double low = x.lower_double(), high = x.upper_double();
-      const double magnitude = (std::max)(std::abs(low), std::abs(high));
-      if (magnitude < std::numeric_limits<double>::infinity() && is_narrow(high - low, magnitude))
-        return low + (high - low) / 2;
-      if (precision > largest_precision)
-        throw Undecided_error("face " + std::to_string(complex.face(h).idx()) +
-                              ": its angles cannot be computed");
-    }
-  }
-
   Correspondence correspondence_;
   Input_metric metric_;
   Stage_counts counts_;
   internal::Straight_faces straight_faces_;
   bool has_straight_faces_ = false;
+  internal::Developed_faces<internal::Bounded_double_double, internal::Double_double_disk, Corner>
+    developed_faces_;
+  Edge_index close_call_; // the last edge whose test took more than double
   std::unique_ptr<internal::Input_surface> surface_; // refers to the members above
 };
 

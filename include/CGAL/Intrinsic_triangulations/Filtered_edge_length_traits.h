@@ -173,6 +173,11 @@ public:
       return {x.hi(), 6 * u * std::abs(x.hi()) + 1.01 * x.error() + tiny};
     }
   };
+  /// tells whether a number is known so well that an exact stage need not replace it.
+  struct Is_accurate
+  {
+    bool operator()(const Bounded_double& x) const { return x.error <= 0x1p-34 * x.value; }
+  };
   /// tells whether a face is known to have positive area.
   struct Has_positive_area
   {
@@ -228,6 +233,7 @@ public:
   Construct_edge_data construct_edge_data_object() const { return {}; }
   Construct_face_data construct_face_data_object() const { return {}; }
   Construct_refined_data construct_refined_data_object() const { return {}; }
+  Is_accurate is_accurate_object() const { return {}; }
   Is_locally_Delaunay is_locally_Delaunay_object() const { return {}; }
   Has_positive_area has_positive_area_object() const { return {}; }
   Construct_flipped_hinge construct_flipped_hinge_object() const { return {}; }

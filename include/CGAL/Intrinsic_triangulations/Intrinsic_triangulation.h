@@ -284,10 +284,9 @@ public:
     const Halfedge_index h = connectivity_.halfedge(e);
     const Face_index f = connectivity_.face(h),
                      g = connectivity_.face(connectivity_.opposite(h));
-    if (geometry_)
-      geometry_->flip(connectivity_, e);
+    const bool is_straight = geometry_ && geometry_->flip(connectivity_, e);
     connectivity_.flip(e);
-    edges_[e.idx()] = flipped.kl;
+    edges_[e.idx()] = is_straight ? data_of_straight_edge(e, flipped.kl) : flipped.kl;
     faces_[f.idx()] = flipped.ilk;
     faces_[g.idx()] = flipped.jkl;
     if constexpr (uses_exact_geometry)
@@ -327,11 +326,33 @@ private:
 
   BOOST_NOINLINE bool decide_and_refine(Edge_index e)
   {
-    Exact_geometry::Opposite_corners corners;
-    const Sign sign = exact_geometry().sign_of_cotangents(connectivity_, e, corners);
-    refine(connectivity_.halfedge(e), corners.k);
-    refine(connectivity_.opposite(connectivity_.halfedge(e)), corners.l);
+    std::optional<Exact_geometry::Opposite_corners> corners;
+    Exact_geometry& geometry = exact_geometry();
+    const Sign sign = geometry.sign_of_cotangents(connectivity_, e, corners);
+    const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
+    if (corners) {
+      refine(h, corners->k);
+      refine(g, corners->l);
+    } else {
+      for (Face_index f : {connectivity_.face(h), connectivity_.face(g)})
+        if (!traits_.is_accurate_object()(face_data(f)))
+          faces_[f.idx()] =
+            traits_.construct_refined_data_object()(
+              geometry.four_areas_of_straight_face(connectivity_, f));
+    }
     return sign != NEGATIVE;
+  }
+
+  // From two points a squared length is as good as on the first day, after any number of flips.
+  Edge_data data_of_straight_edge(Edge_index e, const Edge_data& otherwise) const
+  {
+    if constexpr (uses_exact_geometry) {
+      const auto& points = geometry_->metric().points();
+      const Halfedge_index h = connectivity_.halfedge(e);
+      return traits_.construct_edge_data_object()(points[connectivity_.source(h).idx()],
+                                                  points[connectivity_.target(h).idx()]);
+    }
+    return otherwise;
   }
 
   void refine(Halfedge_index h, const Exact_geometry::Corner& c)

@@ -47,7 +47,7 @@ struct Corner_ratios
 ///
 /// \tparam Metric gives the images in some ring of the squared length of an input edge and
 ///   of √q of an input face (four times its area): a type `Real`, members
-///   `squared_length(Edge_index)` and `four_areas(Face_index)`, `constant(int)`; a type
+///   `squared_length(Edge_index)` and `four_areas(Face_index)`, `constant(double)`; a type
 ///   `Vector` of complex numbers over it; `remembered(Halfedge_index, compute)`, which
 ///   returns what the last call with that halfedge did, or `compute()`;
 ///   `is_flat(Halfedge_index)`, whether the two faces of an input edge are known to lie in
@@ -147,6 +147,16 @@ public:
             s * squared_norm(w - u.vector)};
   }
 
+  /// \cond SKIP_IN_MANUAL
+  using Corner_ratios = internal::Corner_ratios<Vector>;
+
+  // The shape of the input face to the left of ij.
+  Corner_ratios corner_ratios(Halfedge_index ij) const
+  {
+    return metric_.remembered(ij, [&] { return computed_corner_ratios(ij); });
+  }
+  /// \endcond
+
 private:
   // A face whose three edges coincide with input edges is an input face.
   bool is_input_face(Halfedge_index h) const
@@ -220,13 +230,6 @@ private:
     i += length;
     return length == 1 ? corner_ratios(base).at_source
                        : metric_.ratio_in_plane(base, v, input_.target(last));
-  }
-
-  using Corner_ratios = internal::Corner_ratios<Vector>;
-
-  Corner_ratios corner_ratios(Halfedge_index ij) const
-  {
-    return metric_.remembered(ij, [&] { return computed_corner_ratios(ij); });
   }
 
   Corner_ratios computed_corner_ratios(Halfedge_index ij) const

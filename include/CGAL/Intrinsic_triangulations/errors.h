@@ -67,6 +67,14 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
+/// \brief says that a point is none of the surface: the message says why.
+class Invalid_point_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief says that an inexact number type could not decide a predicate.
 class Undecided_error : public Error
 {

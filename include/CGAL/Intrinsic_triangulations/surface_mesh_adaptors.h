@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Intrinsic triangulations as CGAL::Surface_mesh. The only header of the package that
-// includes Surface_mesh, which is under the GPL.
+// Intrinsic triangulations as CGAL::Surface_mesh. This header and overlay_surface_mesh.h are
+// the only ones of the package that include Surface_mesh, which is under the GPL.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_ADAPTORS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_ADAPTORS_H
@@ -27,6 +27,61 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// Gives a mesh that has vertices alone the edges and faces of a complex or an overlay, by
+// their links.
+template <class Graph, class Mesh>
+void copy_links(const Graph& graph, Mesh& mesh)
+{
+  using Vertex = typename Mesh::Vertex_index;
+  using Halfedge = typename Mesh::Halfedge_index;
+  using Face = typename Mesh::Face_index;
+  const auto to_mesh = [](auto h) { return Halfedge(h.idx()); };
+  for (std::size_t e = 0; e < graph.number_of_halfedges() / 2; ++e)
+    mesh.add_edge();
+  for (std::size_t f = 0; f < graph.number_of_faces(); ++f)
+    mesh.add_face();
+  for (auto h : graph.halfedges()) {
+    mesh.set_next(to_mesh(h), to_mesh(graph.next(h)));
+    mesh.set_target(to_mesh(h), Vertex(graph.target(h).idx()));
+    if (!graph.is_border(h))
+      mesh.set_face(to_mesh(h), Face(graph.face(h).idx()));
+  }
+  for (auto f : graph.faces())
+    mesh.set_halfedge(Face(f.idx()), to_mesh(graph.halfedge(f)));
+  for (auto v : graph.vertices())
+    if (graph.halfedge(v).is_valid())
+      mesh.set_halfedge(Vertex(v.idx()), to_mesh(graph.halfedge(v)));
+}
+
+inline void check_number_of_points(std::size_t number_of_points, std::size_t number_of_vertices)
+{
+  if (number_of_points != number_of_vertices)
+    throw Invalid_surface_error(Invalid_surface_error::Defect::BAD_INDEX, number_of_points, 1,
+                                "there are " + std::to_string(number_of_points) + " points for " +
+                                  std::to_string(number_of_vertices) + " vertices");
+}
+
+// The points of the vertices of a mesh, in their order.
+template <class TriangleMesh, class NamedParameters>
+auto points_of(const TriangleMesh& mesh, const NamedParameters& np)
+{
+  const auto point_map =
+    parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                 get_const_property_map(vertex_point, mesh));
+  using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
+  std::vector<Point> points;
+  points.reserve(num_vertices(mesh));
+  for (typename boost::graph_traits<TriangleMesh>::vertex_descriptor v : vertices(mesh))
+    points.push_back(get(point_map, v));
+  return points;
+}
+
+} // namespace internal
+/// \endcond
+
 /// \ingroup PkgIntrinsicTriangulationsAdaptors
 /// \brief copies a complex into a `Surface_mesh`, with the same positions of all elements.
 ///
@@ -51,39 +106,12 @@ template <class PointRange,
 auto to_surface_mesh(const Delta_complex& complex, const PointRange& points)
 {
   using Point = std::decay_t<decltype(*std::begin(points))>;
-  using Mesh = CGAL::Surface_mesh<Point>;
-  using Vertex = typename Mesh::Vertex_index;
-  using Halfedge = typename Mesh::Halfedge_index;
-  using Face = typename Mesh::Face_index;
-  const auto to_mesh = [](Halfedge_index h) { return Halfedge(h.idx()); };
-
-  Mesh mesh;
+  CGAL::Surface_mesh<Point> mesh;
   mesh.reserve(complex.number_of_vertices(), complex.number_of_edges(), complex.number_of_faces());
-  std::size_t number_of_points = 0;
-  for (const Point& p : points) {
+  for (const Point& p : points)
     mesh.add_vertex(p);
-    ++number_of_points;
-  }
-  if (number_of_points != complex.number_of_vertices())
-    throw Invalid_surface_error(Invalid_surface_error::Defect::BAD_INDEX, number_of_points, 1,
-                                "there are " + std::to_string(number_of_points) +
-                                  " points for " + std::to_string(complex.number_of_vertices()) +
-                                  " vertices");
-  for (std::size_t e = 0; e < complex.number_of_edges(); ++e)
-    mesh.add_edge();
-  for (std::size_t f = 0; f < complex.number_of_faces(); ++f)
-    mesh.add_face();
-  for (Halfedge_index h : complex.halfedges()) {
-    mesh.set_next(to_mesh(h), to_mesh(complex.next(h)));
-    mesh.set_target(to_mesh(h), Vertex(complex.target(h).idx()));
-    if (!complex.is_border(h))
-      mesh.set_face(to_mesh(h), Face(complex.face(h).idx()));
-  }
-  for (Face_index f : complex.faces())
-    mesh.set_halfedge(Face(f.idx()), to_mesh(complex.halfedge(f)));
-  for (Vertex_index v : complex.vertices())
-    if (complex.halfedge(v).is_valid())
-      mesh.set_halfedge(Vertex(v.idx()), to_mesh(complex.halfedge(v)));
+  internal::check_number_of_points(mesh.number_of_vertices(), complex.number_of_vertices());
+  internal::copy_links(complex, mesh);
   return mesh;
 }
 
@@ -142,15 +170,7 @@ template <class Traits, class TriangleMesh, class NamedParameters = parameters::
 auto to_surface_mesh(const Intrinsic_triangulation<Traits>& triangulation, const TriangleMesh& mesh,
                      const NamedParameters& np = parameters::default_values())
 {
-  const auto point_map =
-    parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                 get_const_property_map(vertex_point, mesh));
-  using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
-  std::vector<Point> points;
-  points.reserve(num_vertices(mesh));
-  for (typename boost::graph_traits<TriangleMesh>::vertex_descriptor v : vertices(mesh))
-    points.push_back(get(point_map, v));
-  return to_surface_mesh(triangulation, points);
+  return to_surface_mesh(triangulation, internal::points_of(mesh, np));
 }
 
 } // namespace Intrinsic_triangulations

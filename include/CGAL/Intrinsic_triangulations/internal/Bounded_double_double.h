@@ -5,6 +5,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_BOUNDED_DOUBLE_DOUBLE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_BOUNDED_DOUBLE_DOUBLE_H
 
+#include <CGAL/Intrinsic_triangulations/internal/Double_double.h>
+
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
@@ -14,32 +16,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
-
-// s + e is exactly a + b (Knuth).
-inline void two_sum(double a, double b, double& s, double& e)
-{
-  s = a + b;
-  const double bb = s - a;
-  e = (a - (s - bb)) + (b - bb);
-}
-
-// As two_sum, for |a| >= |b| or a == 0 (Dekker).
-inline void fast_two_sum(double a, double b, double& s, double& e)
-{
-  s = a + b;
-  e = b - (s - a);
-}
-
-// p + e is exactly a * b (Dekker, Veltkamp), unless something over- or underflows.
-inline void two_product(double a, double b, double& p, double& e)
-{
-  constexpr double splitter = 134217729.0; // 2^27 + 1
-  const double ca = splitter * a, cb = splitter * b;
-  const double ah = ca - (ca - a), al = a - ah;
-  const double bh = cb - (cb - b), bl = b - bh;
-  p = a * b;
-  e = ((ah * bh - p) + ah * bl + al * bh) + al * bl;
-}
 
 // A real number known to lie within error() of hi + lo. The bound is a running error
 // analysis in the style of Wilkinson: each operation adds its own rounding error, at most

@@ -12,6 +12,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -28,14 +29,15 @@ namespace internal {
 //
 // All neighbouring pairs are followed at once, as blocks that are split only where the
 // segments go different ways, and to both sides in turn, since a pair is decided by the
-// side on which it ends sooner.
+// side on which it ends sooner. Two segments that come back to the edge are another pair of
+// its crossings there: the two pairs are linked, so that the way on is followed once.
 class Crossing_sequence
 {
 public:
   // The pairs of neighbouring crossings of h, in order from its source.
   Crossing_sequence(const Delta_complex& complex, const Normal_coordinates& coordinates,
                     Halfedge_index h)
-    : complex_(complex), coordinates_(coordinates)
+    : complex_(complex), coordinates_(coordinates), start_(h)
   {
     const std::int64_t n = coordinates.number_of_crossings(complex.edge(h));
     if (n > largest_number)
@@ -58,9 +60,18 @@ public:
   bool turns_left(std::size_t pair) const { return turns_[pair] == LEFT; }
 
 private:
-  static constexpr std::int64_t largest_number = std::int64_t(1) << 31;
+  // Far more than meshes need. With so many a decision takes seconds in multiprecision.
+  static constexpr std::int64_t largest_number = std::int64_t(1) << 18;
 
   enum Turn : std::uint8_t { UNKNOWN, LEFT, RIGHT };
+  static Turn reversed(Turn turn) { return turn == LEFT ? RIGHT : LEFT; }
+
+  // Another pair of the same two segments; it turns the other way if they run the other way there.
+  struct Link
+  {
+    std::int64_t pair = -1;
+    bool is_reversed = false;
+  };
 
   // Pairs of neighbouring segments that cross `halfedge` into its face: those at positions
   // lower and lower + 1 and so on from its source are the pairs first, ..., first + count - 1
@@ -76,12 +87,63 @@ private:
   template <class Number_of>
   void decide(std::int64_t first, std::int64_t count, Turn turn, const Number_of& number_of)
   {
-    for (std::int64_t pair = first; pair < first + count; ++pair) {
-      std::uint8_t& known = turns_[std::size_t(number_of(pair))];
-      if (known == UNKNOWN) {
-        known = turn;
-        --number_of_unknown_;
-      }
+    for (std::int64_t pair = first; pair < first + count; ++pair)
+      decide(number_of(pair), turn);
+  }
+
+  void decide(std::int64_t pair, Turn turn)
+  {
+    note(pair, turn);
+    while (!to_pass_on_.empty()) {
+      const std::size_t known = std::size_t(to_pass_on_.back());
+      to_pass_on_.pop_back();
+      for (const Link& link : links_[known])
+        if (link.pair >= 0)
+          note(link.pair, link.is_reversed ? reversed(turns_[known]) : turns_[known]);
+    }
+  }
+
+  void note(std::int64_t pair, Turn turn)
+  {
+    if (turns_[std::size_t(pair)] != UNKNOWN)
+      return;
+    turns_[std::size_t(pair)] = turn;
+    --number_of_unknown_;
+    if (!links_.empty())
+      to_pass_on_.push_back(pair);
+  }
+
+  // The strip that leaves `pair` to the side `side` comes to `other` from the side `other_side`.
+  void link(std::int64_t pair, Turn side, std::int64_t other, Turn other_side)
+  {
+    if (links_.empty())
+      links_.resize(turns_.size());
+    const bool is_reversed = side == other_side;
+    links_[std::size_t(pair)][side - LEFT] = {other, is_reversed};
+    links_[std::size_t(other)][other_side - LEFT] = {pair, is_reversed};
+    const auto pass_on = [&](std::int64_t from, std::int64_t to) {
+      const Turn turn = turns_[std::size_t(from)];
+      if (turn != UNKNOWN)
+        decide(to, is_reversed ? reversed(turn) : turn);
+    };
+    pass_on(pair, other);
+    pass_on(other, pair);
+  }
+
+  // Lets a block cross its halfedge later, or links its pairs if that belongs to the edge itself.
+  template <class Number_of>
+  void put(std::deque<Block>& queue, const Block& block, Turn here, const Number_of& number_of)
+  {
+    if (complex_.edge(block.halfedge) != complex_.edge(start_)) {
+      queue.push_back(block);
+      return;
+    }
+    const bool comes_from_right = block.halfedge == start_;
+    const std::int64_t last = std::int64_t(turns_.size()) - 1;
+    for (std::int64_t i = 0; i < block.count; ++i) {
+      const std::int64_t position = block.lower + i;
+      link(number_of(block.first + i), here, comes_from_right ? position : last - position,
+           comes_from_right ? RIGHT : LEFT);
     }
   }
 
@@ -110,7 +172,7 @@ private:
     const Triangle_crossings t = coordinates_.triangle_crossings(complex_, block.halfedge);
     const std::int64_t to_k = t.c_i, to_j = t.c_i + t.e_k;
     const std::int64_t end = block.lower + block.count + 1; // behind the last position
-    const Turn there = here == LEFT ? RIGHT : LEFT;
+    const Turn there = reversed(here);
     const auto part = [&](std::int64_t begin_of_next) { // the pair across a boundary parts
       if (begin_of_next > block.lower && begin_of_next < end)
         decide(block.first + begin_of_next - 1 - block.lower, 1, there, number_of);
@@ -128,7 +190,7 @@ private:
     Block around_i = piece(block.lower, to_k);
     if (around_i.count > 0) {
       around_i.halfedge = complex_.opposite(complex_.prev(block.halfedge));
-      queue.push_back(around_i);
+      put(queue, around_i, here, number_of);
     }
     Block around_j = piece(to_j, end);
     if (around_j.count > 0) {
@@ -137,13 +199,16 @@ private:
       around_j.lower += coordinates_.number_of_crossings(complex_.edge(jk)) -
                         coordinates_.number_of_crossings(complex_.edge(block.halfedge));
       around_j.halfedge = complex_.opposite(jk);
-      queue.push_back(around_j);
+      put(queue, around_j, here, number_of);
     }
   }
 
   const Delta_complex& complex_;
   const Normal_coordinates& coordinates_;
-  std::vector<std::uint8_t> turns_;
+  Halfedge_index start_;
+  std::vector<Turn> turns_;
+  std::vector<std::array<Link, 2>> links_; // to the left and to the right; empty until needed
+  std::vector<std::int64_t> to_pass_on_;
   std::int64_t number_of_unknown_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DOUBLE_DOUBLE_DISK_H
 
 #include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/Double_double.h>
 
 #include <cmath>
 
@@ -28,6 +29,13 @@ public:
       radius_(x.error() + y.error() == 0 ? 0 : std::hypot(x.error(), y.error()) * slightly_more)
   {}
 
+  double radius() const { return radius_; }
+  // An upper bound. Where squares underflow it is far too large, which is safe.
+  double modulus() const
+  {
+    return std::sqrt(x_.hi * x_.hi + y_.hi * y_.hi) * slightly_more + 1e-150;
+  }
+
   Real x() const { return Real(x_.hi, x_.lo, radius_); }
   Real y() const { return Real(y_.hi, y_.lo, radius_); }
 
@@ -42,8 +50,8 @@ public:
   friend Double_double_disk operator-(const Double_double_disk& a, const Double_double_disk& b)
   {
     Double_double_disk minus_b(b);
-    minus_b.x_ = {-b.x_.hi, -b.x_.lo};
-    minus_b.y_ = {-b.y_.hi, -b.y_.lo};
+    minus_b.x_ = -b.x_;
+    minus_b.y_ = -b.y_;
     return a + minus_b;
   }
   friend Double_double_disk operator*(const Double_double_disk& a, const Double_double_disk& b)
@@ -65,48 +73,16 @@ public:
   }
   friend Real squared_norm(const Double_double_disk& a)
   {
-    const Number s = a.x_ * a.x_ + a.y_ * a.y_;
+    const Double_double s = a.x_ * a.x_ + a.y_ * a.y_;
     const double m = a.modulus();
     return Real(s.hi, s.lo, ((2 * m + a.radius_) * a.radius_ + unit * m * m) * slightly_more + tiny);
   }
 
 private:
-  // Additions and multiplications of such numbers are good to 2^-103 of the result, and a
-  // sum of two products to 2^-102 of the sum of their absolute values.
+  // A sum of two products is good to 2^-102 of the sum of their absolute values.
   static constexpr double unit = 0x1p-100;
   static constexpr double slightly_more = 1 + 0x1p-45;
   static constexpr double tiny = 1e-300;
-
-  struct Number
-  {
-    double hi = 0, lo = 0;
-
-    friend Number operator+(const Number& a, const Number& b)
-    {
-      double s, e, t, f;
-      two_sum(a.hi, b.hi, s, e);
-      two_sum(a.lo, b.lo, t, f);
-      Number r;
-      fast_two_sum(s, e + t, r.hi, r.lo);
-      fast_two_sum(r.hi, r.lo + f, r.hi, r.lo);
-      return r;
-    }
-    friend Number operator-(const Number& a, const Number& b) { return a + Number{-b.hi, -b.lo}; }
-    friend Number operator*(const Number& a, const Number& b)
-    {
-      double p, e;
-      two_product(a.hi, b.hi, p, e);
-      Number r;
-      fast_two_sum(p, e + (a.hi * b.lo + a.lo * b.hi), r.hi, r.lo);
-      return r;
-    }
-  };
-
-  // An upper bound. Where squares underflow it is far too large, which is safe.
-  double modulus() const
-  {
-    return std::sqrt(x_.hi * x_.hi + y_.hi * y_.hi) * slightly_more + 1e-150;
-  }
 
   void set_radius_of_product(const Double_double_disk& a, const Double_double_disk& b)
   {
@@ -115,7 +91,7 @@ private:
       (m * b.radius_ + (n + b.radius_) * a.radius_ + unit * m * n) * slightly_more + tiny;
   }
 
-  Number x_, y_;
+  Double_double x_, y_;
   double radius_ = 0;
 };
 

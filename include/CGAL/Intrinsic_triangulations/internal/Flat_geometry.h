@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/Rational.h>
 
@@ -34,6 +35,11 @@ template <class FT>
 struct Difference
 {
   FT operator()(double a, double b) const { return FT(a) - FT(b); }
+};
+template <>
+struct Difference<Double_double>
+{
+  Double_double operator()(double a, double b) const { return Double_double::difference(a, b); }
 };
 template <>
 struct Difference<Bounded_double_double>
@@ -64,6 +70,27 @@ Vector_3<FT> cross_product(const Vector_3<FT>& a, const Vector_3<FT>& b)
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+inline double sum_of_absolute_values(const Vector_3<double>& v)
+{
+  return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
+}
+
+// Four times the area of a triangle in space. A component of the cross product is wrong by at
+// most 2^-99 of the sum of the absolute values of its terms, the rest adds 4 units of 2^-53.
+inline Bounded_double_double four_areas_of_points(const Points& points, Vertex_index i,
+                                                  Vertex_index j, Vertex_index k)
+{
+  const auto u = difference<Double_double>(points, k, i), v = difference<Double_double>(points, k, j);
+  const auto normal = cross_product(u, v);
+  double squares = 0, magnitude = 0;
+  for (int c = 0; c < 3; ++c) {
+    squares += normal[c].hi * normal[c].hi;
+    magnitude += std::abs(u[c].hi * v[(c + 1) % 3].hi) + std::abs(u[(c + 1) % 3].hi * v[c].hi);
+  }
+  const double area = 2 * std::sqrt(squares);
+  return {area, 0, 0x1p-50 * area + 0x1p-97 * magnitude + 1e-200};
+}
+
 // A volume far above its rounding errors, which are less than 2^-48 of the product of the
 // sums of the absolute values.
 inline bool is_clearly_bent(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k,
@@ -71,11 +98,27 @@ inline bool is_clearly_bent(const Points& points, Vertex_index i, Vertex_index j
 {
   const auto a = difference<double>(points, i, j), b = difference<double>(points, i, k),
              c = difference<double>(points, i, l);
-  const auto sum = [](const Vector_3<double>& v) {
-    return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
-  };
   return std::abs(scalar_product(cross_product(a, b), c)) >
-         0x1p-48 * sum(a) * sum(b) * sum(c) + 1e-290;
+         0x1p-48 * sum_of_absolute_values(a) * sum_of_absolute_values(b) *
+             sum_of_absolute_values(c) + 1e-290;
+}
+
+// Whether four points are seen to lie in one plane without any product, as most that do:
+// in a plane parallel to two axes, or as corners k, i, l, j of a parallelogram.
+inline bool is_clearly_coplanar(const Points& points, Vertex_index i, Vertex_index j,
+                                Vertex_index k, Vertex_index l)
+{
+  const auto &p = points[i.idx()], &q = points[j.idx()], &r = points[k.idx()], &s = points[l.idx()];
+  for (int c = 0; c < 3; ++c)
+    if (p[c] == q[c] && p[c] == r[c] && p[c] == s[c])
+      return true;
+  for (int c = 0; c < 3; ++c) {
+    const Double_double one = Double_double::difference(r[c], p[c]),
+                        other = Double_double::difference(q[c], s[c]);
+    if (one.hi != other.hi || one.lo != other.lo)
+      return false;
+  }
+  return true;
 }
 
 // The sign of scalar_product(a × b, c × d) for vectors from one vertex to another.
@@ -83,11 +126,19 @@ using Vertex_pair = std::pair<Vertex_index, Vertex_index>;
 inline Sign sign_of_normals(const Points& points, Vertex_pair a, Vertex_pair b, Vertex_pair c,
                             Vertex_pair d)
 {
+  // In double the error is less than 2^-48 of the product of the sums of the absolute values.
+  const auto length = [&](Vertex_pair v) {
+    return sum_of_absolute_values(difference<double>(points, v.first, v.second));
+  };
+  const double bound = 0x1p-48 * length(a) * length(b) * length(c) * length(d) + 1e-290;
   const auto evaluate = [&](auto zero) {
     using FT = decltype(zero);
     const auto vector = [&](Vertex_pair v) { return difference<FT>(points, v.first, v.second); };
     return scalar_product(cross_product(vector(a), vector(b)), cross_product(vector(c), vector(d)));
   };
+  const double value = evaluate(0.);
+  if (std::abs(value) > bound)
+    return value > 0 ? POSITIVE : NEGATIVE;
   const Uncertain<Sign> sign = evaluate(Bounded_double_double()).sign();
   return is_certain(sign) ? get_certain(sign) : CGAL::sign(evaluate(Exact_ring()));
 }
@@ -107,9 +158,11 @@ inline bool is_flat(const Delta_complex& complex, const Points& points, Halfedge
       cross_product(difference<FT>(points, i, j), difference<FT>(points, i, k)),
       difference<FT>(points, i, l));
   };
-  const Uncertain<Sign> sign = volume(Bounded_double_double()).sign();
-  if (is_certain(sign) ? get_certain(sign) != ZERO : CGAL::sign(volume(Exact_ring())) != ZERO)
-    return false;
+  if (!is_clearly_coplanar(points, i, j, k, l)) {
+    const Uncertain<Sign> sign = volume(Bounded_double_double()).sign();
+    if (is_certain(sign) ? get_certain(sign) != ZERO : CGAL::sign(volume(Exact_ring())) != ZERO)
+      return false;
+  }
   return sign_of_normals(points, {i, j}, {i, k}, {i, l}, {i, j}) == POSITIVE;
 }
 

@@ -8,9 +8,9 @@
 #include <CGAL/Intrinsic_triangulations/internal/Rational.h>
 
 #include <bitset>
-#include <cstdint>
+#include <cstddef>
 #include <exception>
-#include <map>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -24,6 +24,9 @@ class Too_many_roots : public std::exception
 public:
   const char* what() const noexcept override { return "too many independent square roots"; }
 };
+
+// A set of roots.
+using Root_mask = std::bitset<192>;
 
 // Positive integers b_1, …, b_m such that no product of a non-empty subset is a square;
 // then the 2^m products of their roots are linearly independent over Q (Besicovitch).
@@ -39,26 +42,40 @@ public:
   // √q = coefficient · Π √b over the bits of mask.
   struct Root
   {
-    std::uint32_t mask;
+    Root_mask mask;
     Rational coefficient;
   };
+
+  // \param maximum_size the number of roots from which on Too_many_roots is thrown
+  explicit Square_root_basis(std::size_t maximum_size = Root_mask().size())
+    : maximum_size_(maximum_size)
+  {}
 
   Root root(const Rational& q)
   {
     const Integer denominator = boost::multiprecision::denominator(q);
     const Integer n = boost::multiprecision::numerator(q) * denominator;
     if (n == 0)
-      return {0, Rational(0)};
+      return {Root_mask(), Rational(0)};
+    // Most are rational multiples of one root that is known. Squares are found fast.
+    if (mpz_perfect_square_p(data(n)))
+      return {Root_mask(), Rational(boost::multiprecision::sqrt(n), denominator)};
+    for (std::size_t i = 0; i < generators_.size(); ++i) {
+      const Integer with_generator = n * generators_[i];
+      if (mpz_perfect_square_p(data(with_generator)))
+        return {Root_mask().set(i), Rational(boost::multiprecision::sqrt(with_generator),
+                                             Integer(generators_[i] * denominator))};
+    }
     Integer product = n, product_of_generators = 1;
     Characters vector = characters(n);
-    std::uint32_t mask = 0;
+    Root_mask mask;
     for (const Row& row : rows_)
       if (vector[row.pivot]) {
         vector ^= row.vector;
         mask ^= row.mask;
       }
     for (std::size_t i = 0; i < generators_.size(); ++i)
-      if (mask >> i & 1) {
+      if (mask[i]) {
         product *= generators_[i];
         product_of_generators *= generators_[i];
       }
@@ -69,9 +86,9 @@ public:
         throw Too_many_roots(); // the primes see a dependence that is none
       return {mask, Rational(r, Integer(product_of_generators * denominator))};
     }
-    if (generators_.size() == maximum_size)
+    if (generators_.size() == maximum_size_)
       throw Too_many_roots();
-    const std::uint32_t own = std::uint32_t(1) << generators_.size();
+    const Root_mask own = Root_mask().set(generators_.size());
     generators_.push_back(n);
     std::size_t pivot = 0;
     while (!vector[pivot])
@@ -85,18 +102,19 @@ public:
     return {own, Rational(Integer(1), denominator)};
   }
 
+  std::size_t size() const { return generators_.size(); }
   const Integer& generator(std::size_t i) const { return generators_[i]; }
 
 private:
-  static constexpr std::size_t maximum_size = 31; // bits of a mask
-  static constexpr std::size_t number_of_primes = 128;
+  // More than roots, so that those which are independent have independent symbols.
+  static constexpr std::size_t number_of_primes = Root_mask().size() + 64;
   using Characters = std::bitset<number_of_primes>;
 
   // A reduced vector of symbols and the generators that it combines.
   struct Row
   {
     Characters vector;
-    std::uint32_t mask;
+    Root_mask mask;
     std::size_t pivot;
   };
 
@@ -128,6 +146,7 @@ private:
     return result;
   }
 
+  std::size_t maximum_size_;
   std::vector<Integer> generators_;
   std::vector<Row> rows_;
 };
@@ -138,7 +157,7 @@ class Multiquadratic
 {
 public:
   explicit Multiquadratic(const Square_root_basis* basis = nullptr) : basis_(basis) {}
-  Multiquadratic(const Square_root_basis* basis, std::uint32_t mask, const Rational& coefficient)
+  Multiquadratic(const Square_root_basis* basis, const Root_mask& mask, const Rational& coefficient)
     : basis_(basis)
   {
     if (coefficient != 0)
@@ -173,9 +192,9 @@ public:
     for (const auto& x : a.terms_)
       for (const auto& y : b.terms_) {
         Rational coefficient = x.second * y.second;
-        std::uint32_t common = x.first & y.first;
-        for (std::size_t i = 0; common != 0; ++i, common >>= 1)
-          if (common & 1)
+        const Root_mask common = x.first & y.first;
+        for (std::size_t i = 0; i < r.basis_->size() && common.any(); ++i)
+          if (common[i])
             coefficient *= r.basis_->generator(i);
         r.add(x.first ^ y.first, coefficient);
       }
@@ -191,9 +210,9 @@ public:
   }
 
 private:
-  static constexpr std::size_t maximum_number_of_products = 1 << 19;
+  static constexpr std::size_t maximum_number_of_products = 1 << 22;
 
-  void add(std::uint32_t mask, const Rational& coefficient)
+  void add(const Root_mask& mask, const Rational& coefficient)
   {
     const auto position = terms_.emplace(mask, Rational(0)).first;
     position->second += coefficient;
@@ -202,7 +221,7 @@ private:
   }
 
   const Square_root_basis* basis_;
-  std::map<std::uint32_t, Rational> terms_;
+  std::unordered_map<Root_mask, Rational> terms_;
 };
 
 } // namespace internal

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Which faces of the current triangulation are triangles in space.
+// Which faces of the current triangulation are triangles in space, and which of these lie in
+// one plane.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_FACES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_FACES_H
@@ -11,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -21,29 +23,64 @@ namespace internal {
 // plane, one beyond the other. Then lengths and angles come from three points, however
 // many input edges are crossed. In the flat parts of a model, where ties are, this is what
 // keeps the exact stages cheap.
+//
+// What was once found to lie in one plane is remembered: a straight face has the number of a
+// plane, and numbers of the same plane are united. All faces with united numbers have one
+// oriented normal, so that two of them that share an edge lie on different sides of it.
 class Straight_faces
 {
 public:
   Straight_faces() = default;
   Straight_faces(std::size_t number_of_faces, std::size_t number_of_points)
-    : is_straight_(number_of_faces, number_of_points != 0)
-  {}
-
-  bool operator()(Face_index f) const { return is_straight_[f.idx()] != 0; }
-
-  // To be called before the flip of the connectivity.
-  void flip(const Delta_complex& complex, const Points& points, Edge_index e)
+    : plane_(number_of_points != 0 ? number_of_faces : 0, default_init),
+      united_with_(plane_.size(), default_init)
   {
-    const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-    std::uint8_t &first = is_straight_[complex.face(h).idx()],
-                 &second = is_straight_[complex.face(g).idx()];
-    if (first && second && is_flat(complex, points, h))
-      return;
-    first = second = 0;
+    for (std::size_t f = 0; f < plane_.size(); ++f)
+      plane_[f] = united_with_[f] = std::uint32_t(f);
+  }
+
+  bool operator()(Face_index f) const { return !plane_.empty() && plane_[f.idx()] != none; }
+
+  // Whether the faces of h are straight, lie in one plane, and on different sides of h.
+  // \pre h lies between two different faces
+  bool are_coplanar(const Delta_complex& complex, const Points& points, Halfedge_index h)
+  {
+    const Face_index f = complex.face(h), g = complex.face(complex.opposite(h));
+    if (!(*this)(f) || !(*this)(g))
+      return false;
+    const std::uint32_t p = united(plane_[f.idx()]), q = united(plane_[g.idx()]);
+    if (p == q)
+      return true;
+    if (!is_flat(complex, points, h))
+      return false;
+    united_with_[q] = p;
+    return true;
+  }
+
+  // To be called before the flip of the connectivity. Returns whether the new faces are straight.
+  bool flip(const Delta_complex& complex, const Points& points, Edge_index e)
+  {
+    if (plane_.empty())
+      return false;
+    const Halfedge_index h = complex.halfedge(e);
+    if (are_coplanar(complex, points, h))
+      return true;
+    plane_[complex.face(h).idx()] = plane_[complex.face(complex.opposite(h)).idx()] = none;
+    return false;
   }
 
 private:
-  Large_vector<std::uint8_t> is_straight_;
+  static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+
+  std::uint32_t united(std::uint32_t p)
+  {
+    while (united_with_[p] != p)
+      p = united_with_[p] = united_with_[united_with_[p]];
+    return p;
+  }
+
+  Large_vector<std::uint32_t> plane_;       // of each straight face, or none
+  Large_vector<std::uint32_t> united_with_; // for each plane another, or itself
 };
 
 } // namespace internal

@@ -100,7 +100,7 @@ public:
 
   explicit Double_double_metric(Input_surface& surface) : surface_(surface) {}
 
-  Real constant(int x) const { return Real(x); }
+  Real constant(double x) const { return Real(x); }
   Real squared_length(Edge_index e) const
   {
     return surface_.metric().squared_length_double_double(surface_.connectivity(), e);
@@ -142,7 +142,7 @@ public:
 
   Rational_metric(Input_surface& surface, Image image) : surface_(surface), image_(image) {}
 
-  Real constant(int x) { return image_.rational(Rational(x)); }
+  Real constant(double x) { return image_.rational(Rational(x)); }
   Real squared_length(Edge_index e)
   {
     return image_.rational(surface_.metric().squared_length(surface_.connectivity(), e));
@@ -192,7 +192,7 @@ struct Multiquadratic_image
 {
   using Real = Multiquadratic;
   using Vector = Planar_vector<Real>;
-  Real rational(const Rational& x) const { return Real(&basis, 0, x); }
+  Real rational(const Rational& x) const { return Real(&basis, Root_mask(), x); }
   Real root(const Rational& x) const
   {
     const Square_root_basis::Root root = basis.root(x);

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Heat is spread on the intrinsic Delaunay triangulation of a bad mesh, and the result brought
+// back: onto the overlay, to single points of the mesh, and to its vertices.
+
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/point_location.h>
+#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+#include <CGAL/Intrinsic_triangulations/transfer.h>
+#include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
+
+#include <Eigen/SparseCholesky>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+
+int main()
+{
+  const IT::Indexed_triangles mesh = IT::bumpy_sphere(40, 21);
+  Triangulation idt(IT::make_Delta_complex_from_triangles(mesh.points.size(), mesh.triangles), mesh.points);
+  IT::flip_to_Delaunay(idt);
+
+  const IT::Overlay overlay(idt);
+  const IT::Overlay_positions positions(idt, overlay);
+  const IT::Transfer_mass_matrices mass = IT::transfer_mass_matrices(idt, overlay, positions);
+
+  // One implicit step of (M + t L) u = M u_0, with the heat in vertex 0.
+  const IT::Delta_complex& complex = idt.connectivity();
+  std::vector<Eigen::Triplet<double>> entries;
+  for (IT::Edge_index e : complex.edges()) {
+    const double weight = idt.cotangent_weight(e) / 2;
+    const int i = int(complex.source(complex.halfedge(e)).idx()), j = int(complex.target(complex.halfedge(e)).idx());
+    for (const auto& [row, column, sign] : {std::array{i, i, 1}, {j, j, 1}, {i, j, -1}, {j, i, -1}})
+      entries.emplace_back(row, column, sign * weight);
+  }
+  Eigen::SparseMatrix<double> stiffness(mass.intrinsic.rows(), mass.intrinsic.cols());
+  stiffness.setFromTriplets(entries.begin(), entries.end());
+  Eigen::VectorXd start = Eigen::VectorXd::Zero(stiffness.rows());
+  start[0] = 1;
+  const Eigen::SparseMatrix<double> matrix = mass.intrinsic + 0.1 * stiffness;
+  const Eigen::VectorXd heat =
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(mass.intrinsic * start);
+
+  // On the overlay the solution is linear on each face: nothing is lost.
+  const std::vector<double> on_overlay = IT::interpolate_intrinsic_values(overlay, positions, complex, heat);
+  std::cout << on_overlay.size() << " values represent the solution, " << overlay.number_of_crossings()
+            << " of them at crossings\n";
+
+  // At a point of the mesh, here the middle of the input edge with the first crossing.
+  const IT::Overlay::Vertex x = *overlay.crossings().begin();
+  const IT::Halfedge_index h(2 * overlay.input_edge(x).idx());
+  const IT::Point_location location(idt, overlay, positions);
+  const double t = positions.on_input_edge(x);
+  const IT::Surface_point at_crossing = location.input_to_intrinsic({h, {1 - t, t, 0}}),
+                          middle = location.input_to_intrinsic({h, {1, 1, 0}});
+  std::cout << "in the middle of input edge " << h.idx() / 2 << ": "
+            << IT::interpolate(complex, heat, middle) << '\n';
+
+  // For the vertices of the mesh, the function on its triangles that is nearest in the mean square.
+  const Eigen::VectorXd on_mesh = IT::L2_projection_to_input(mass)(heat);
+  const double before = (mass.intrinsic * heat).sum(), after = (mass.input * on_mesh).sum();
+  std::cout << "heat " << before << " on the intrinsic triangulation, " << after << " on the mesh\n";
+
+  const bool is_fine =
+    std::abs(after - before) < 1e-12 * before &&
+    std::abs(IT::interpolate(complex, heat, at_crossing) - on_overlay[x.idx()]) < 1e-12 * heat.maxCoeff();
+  return is_fine ? EXIT_SUCCESS : EXIT_FAILURE;
+}

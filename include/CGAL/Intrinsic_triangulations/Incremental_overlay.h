@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The overlay graph updated with each flip, by the order along the quadrilateral's sides alone.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INCREMENTAL_OVERLAY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INCREMENTAL_OVERLAY_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/internal/Dynamic_overlay_graph.h>
+#include <CGAL/Intrinsic_triangulations/internal/Incremental_overlay_check.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstdint>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
+///
+/// \brief the overlay of an input triangulation and an intrinsic one, updated flip by flip.
+///
+/// It is the graph that `Overlay` is, kept in the way of the paper: a flip takes the edge out,
+/// joins the input segments at its crossings, and decides by the cyclic order along the sides of
+/// the quadrilateral alone which segments the other diagonal crosses. Neither lengths nor
+/// `Normal_coordinates` are used: the two ways to the overlay are independent of each other.
+/// `Overlay` is cheaper, since most crossings on the way are not there in the end; this
+/// class is for those who need the overlay after every flip.
+///
+/// Memory: 32 bytes a segment, and that of two `Delta_complex`.
+///
+/// \cgalModels `IntrinsicFlipVisitor`, to be passed as `std::ref(overlay)`
+///
+/// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.3 and figure 5.
+class Incremental_overlay
+{
+  using Graph = internal::Dynamic_overlay_graph;
+
+public:
+  using size_type = std::uint32_t;
+  using Vertex = Overlay::Vertex;
+  using Halfedge = Overlay::Halfedge;
+
+  /// constructs the overlay of a triangulation and itself: every segment has the label `BOTH`.
+  explicit Incremental_overlay(const Delta_complex& input)
+    : input_(input), intrinsic_(input), graph_(input)
+  {}
+
+  /// \brief flips intrinsic edge `e`, as `Delta_complex::flip()` does.
+  ///
+  /// O(number of crossings that go and come, plus number of input segments that the flip
+  /// changes). Segments and crossings that are not touched keep their descriptors; those of
+  /// removed ones are used again.
+  /// \pre `intrinsic().is_flippable(e)`
+  /// \exception Integer_overflow_error if there are 2^31 segments or more; the overlay is lost then
+  void flip(Edge_index e)
+  {
+    CGAL_precondition(intrinsic_.is_flippable(e));
+    take_out(intrinsic_.halfedge(e));
+    put_diagonal(intrinsic_.halfedge(e));
+    intrinsic_.flip(e);
+  }
+
+  /// \name Visitor
+  /// @{
+  bool go_further(std::uint64_t /* tests */, std::uint64_t /* flips */) const { return true; }
+  void after_flip(Edge_index e) { flip(e); }
+  /// @}
+
+  /// returns the input triangulation.
+  const Delta_complex& input() const { return input_; }
+  /// returns the intrinsic triangulation as it is now.
+  const Delta_complex& intrinsic() const { return intrinsic_; }
+  size_type number_of_crossings() const { return graph_.number_of_crossings(); }
+  size_type number_of_segments() const { return graph_.number_of_segments(); }
+
+  /// \name Along an edge
+  /// @{
+
+  /// returns the first part of a halfedge of the intrinsic triangulation, out of its source.
+  Halfedge first_part(Halfedge_index h) const { return graph_.first_part(h); }
+  /// returns the first part of a halfedge of the input.
+  Halfedge first_part_in_input(Halfedge_index h) const { return graph_.first_part_in_input(h); }
+  Halfedge opposite(Halfedge h) const { return graph_.opposite(h); }
+  /// returns the halfedge after `h` around its face; at a crossing it leads to the left.
+  Halfedge next(Halfedge h) const { return graph_.next(h); }
+  /// returns the vertex or crossing that `h` points to; the vertices of the surface come before
+  /// the crossings.
+  Vertex target(Halfedge h) const { return graph_.target(h); }
+  bool is_crossing(Vertex v) const { return graph_.is_crossing(v); }
+  /// returns the part that follows `h` in the same edge. \pre `is_crossing(target(h))`
+  Halfedge straight_on(Halfedge h) const { return graph_.straight_on(h); }
+  /// returns which of the triangulations `h` is part of.
+  Segment_label label(Halfedge h) const
+  {
+    if (!intrinsic_halfedge(h).is_valid())
+      return Segment_label::INPUT;
+    return input_halfedge(h).is_valid() ? Segment_label::BOTH : Segment_label::INTRINSIC;
+  }
+  /// returns the halfedge of the intrinsic triangulation that `h` is part of and whose direction
+  /// it has; the null descriptor if the label is `INPUT`.
+  Halfedge_index intrinsic_halfedge(Halfedge h) const { return graph_.intrinsic_halfedge(h); }
+  /// returns the halfedge of the input that `h` is part of and whose direction it has; the null
+  /// descriptor if the label is `INTRINSIC`.
+  Halfedge_index input_halfedge(Halfedge h) const { return graph_.input_halfedge(h); }
+
+  /// returns the input halfedges that cross intrinsic halfedge `h` from right to left, in order.
+  std::vector<Halfedge_index> crossing_input_halfedges(Halfedge_index h) const
+  {
+    std::vector<Halfedge_index> result;
+    for (Halfedge part = first_part(h); is_crossing(target(part)); part = straight_on(part))
+      result.push_back(input_halfedge(next(part)));
+    return result;
+  }
+  /// returns the intrinsic halfedges that cross input halfedge `h` from right to left, in order.
+  std::vector<Halfedge_index> crossing_intrinsic_halfedges(Halfedge_index h) const
+  {
+    std::vector<Halfedge_index> result;
+    for (Halfedge part = first_part_in_input(h); is_crossing(target(part)); part = straight_on(part))
+      result.push_back(intrinsic_halfedge(next(part)));
+    return result;
+  }
+  /// @}
+
+  /// \brief returns whether the graph is an overlay of `input()` and `intrinsic()`.
+  ///
+  /// Segments join up to the edges of both, cross each other alternately, leave each vertex in the
+  /// right order, and bound faces that each lie in one input and one intrinsic face and have three
+  /// sides or more: straight lines meet once. O(size).
+  /// \param verbose whether the first defect is described on `std::cerr`
+  bool is_valid(bool verbose = false) const
+  {
+    const std::string defect = internal::Incremental_overlay_check(graph_, input_, intrinsic_).defect();
+    if (verbose && !defect.empty())
+      std::cerr << "Incremental_overlay: " << defect << std::endl;
+    return defect.empty();
+  }
+
+private:
+  enum class Side : std::uint8_t { NONE, LEFT, RIGHT };
+
+  // Removes intrinsic edge ij. What it crossed is left in one piece.
+  void take_out(Halfedge_index ij)
+  {
+    const Halfedge first = graph_.first_part(ij);
+    if (input_halfedge(first).is_valid()) { // only the label changes, from oc to o
+      graph_.set_intrinsic_halfedge(first, Halfedge_index());
+      return;
+    }
+    parts_.assign(1, first);
+    crossed_.clear(); // the segments that arrive from the right
+    while (is_crossing(target(parts_.back()))) {
+      crossed_.push_back(graph_.prev(opposite(parts_.back())));
+      parts_.push_back(straight_on(parts_.back()));
+    }
+    for (Halfedge part : parts_)
+      graph_.remove(part);
+    for (Halfedge h : crossed_)
+      graph_.join(h);
+  }
+
+  // Makes ij, which was taken out, the other diagonal of its quadrilateral i, l, j, k, from l to k.
+  // Within it there are only parts of input edges now, called chords: straight lines that do not
+  // meet.
+  void put_diagonal(Halfedge_index ij)
+  {
+    const Halfedge_index ji = intrinsic_.opposite(ij);
+    const Halfedge_index jk = intrinsic_.next(ij), ki = intrinsic_.prev(ij);
+    const Halfedge_index il = intrinsic_.next(ji), lj = intrinsic_.prev(ji);
+
+    // The diagonal separates its ends. A chord is crossed exactly if it has one end on the right,
+    // between l and k by way of j, and the other on the left, by way of i. Since chords do not
+    // meet, the order of their ends is that of the crossings.
+    sides_.resize(graph_.end_of_halfedges(), Side::NONE);
+    note_chords(right_chords_, lj, jk, Side::RIGHT);
+    note_chords(left_chords_, ki, il, Side::LEFT);
+    crossed_.clear(); // from right to left
+    for (Halfedge h : right_chords_)
+      if (sides_[opposite(h).idx()] == Side::LEFT)
+        crossed_.push_back(h);
+
+    const Halfedge before_l = before_diagonal(il, Side::LEFT), chord = graph_.next(before_l);
+    const Halfedge before_k = before_diagonal(jk, Side::RIGHT);
+    if (is_chord(chord) && sides_[opposite(chord).idx()] == Side::NONE) {
+      // It leads from l to k, and the diagonal coincides with it: the label becomes oc.
+      CGAL_assertion(crossed_.empty() && graph_.next(before_k) == opposite(chord));
+      graph_.set_intrinsic_halfedge(chord, ij);
+      graph_.set_first_part(ij, chord);
+      graph_.set_first_part(ji, opposite(chord));
+    } else {
+      cross_chords(ij, before_l, before_k);
+    }
+    for (const std::vector<Halfedge>* chords : {&right_chords_, &left_chords_})
+      for (Halfedge h : *chords)
+        sides_[h.idx()] = Side::NONE;
+  }
+
+  // Draws the diagonal from l to k through the chords that it crosses.
+  void cross_chords(Halfedge_index ij, Halfedge before_l, Halfedge before_k)
+  {
+    Halfedge before = before_l;
+    for (Halfedge chord : crossed_) {
+      graph_.split(chord);
+      const Halfedge part = graph_.add_intrinsic_part(ij, before, chord);
+      if (before == before_l)
+        graph_.set_first_part(ij, part);
+      before = opposite(graph_.next(part)); // the rest of the chord, towards the crossing
+    }
+    const Halfedge last = graph_.add_intrinsic_part(ij, before, before_k);
+    if (before == before_l)
+      graph_.set_first_part(ij, last);
+    graph_.set_first_part(intrinsic_.opposite(ij), opposite(last));
+  }
+
+  bool is_chord(Halfedge h) const { return label(h) == Segment_label::INPUT; }
+
+  // Collects the chords that leave two consecutive sides of the quadrilateral, their common corner
+  // included and the two other ends not.
+  void note_chords(std::vector<Halfedge>& chords, Halfedge_index first, Halfedge_index second, Side side)
+  {
+    chords.clear();
+    const Halfedge last = graph_.last_part(second);
+    for (Halfedge h = graph_.first_part(first); h != last;) {
+      h = graph_.next(h);
+      for (; is_chord(h); h = graph_.next(opposite(h))) { // clockwise
+        chords.push_back(h);
+        sides_[h.idx()] = side;
+      }
+    }
+  }
+
+  // Of the halfedges that point to the corner in which a side ends, the one whose next is behind
+  // the diagonal: chords to that side come before it.
+  Halfedge before_diagonal(Halfedge_index arriving, Side side) const
+  {
+    Halfedge h = graph_.last_part(arriving);
+    while (is_chord(graph_.next(h)) && sides_[opposite(graph_.next(h)).idx()] == side)
+      h = opposite(graph_.next(h));
+    return h;
+  }
+
+  Delta_complex input_;
+  Delta_complex intrinsic_;
+  Graph graph_;
+
+  // Of use during a flip only.
+  std::vector<Halfedge> parts_, crossed_, right_chords_, left_chords_;
+  std::vector<Side> sides_; // of the sources of chords
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INCREMENTAL_OVERLAY_H

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The overlay of the input triangulation and the intrinsic one: the graph of section 2.3
+// of the paper.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_H
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/Overlay_arrays.h>
+#include <CGAL/Intrinsic_triangulations/internal/Overlay_builder.h>
+
+#include <CGAL/Iterator_range.h>
+#include <CGAL/assertions.h>
+
+#include <cstdint>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+struct Overlay_vertex_tag { static constexpr char letter = 'v'; };
+struct Overlay_halfedge_tag { static constexpr char letter = 'h'; };
+struct Segment_tag { static constexpr char letter = 's'; };
+struct Overlay_face_tag { static constexpr char letter = 'f'; };
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
+/// \brief which of the two triangulations a segment of the overlay is part of: the labels o,
+/// c and oc of the paper. The values are those of the files that are written.
+enum class Segment_label : std::uint8_t {
+  INPUT = 0,     ///< part of an input edge (o)
+  INTRINSIC = 1, ///< part of an intrinsic edge (c)
+  BOTH = 2       ///< an edge of both triangulations (oc)
+};
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
+///
+/// \brief the overlay of the input triangulation and the intrinsic triangulation.
+///
+/// Its vertices are those of the surface and, after them, the crossings of input and
+/// intrinsic edges; its edges are the segments into which crossings cut the edges; each of
+/// its faces is the convex intersection of one input face and one intrinsic face. At a
+/// crossing four segments meet, alternately of an input and of an intrinsic edge. There are
+/// no coordinates and no lengths in it; see `Overlay_positions`.
+///
+/// The overlay is built from the integers of `Normal_coordinates` and does not change with
+/// later flips. It is a halfedge graph like `Delta_complex`, with faces of any degree:
+/// halfedges `2s` and `2s + 1` belong to segment `s`. Halfedge `2s` runs in the direction of
+/// halfedge `2e` of the intrinsic edge that `s` is part of, or of the input edge where the
+/// label is `INPUT`. The segments of an edge have consecutive numbers, and so have the
+/// crossings along an intrinsic edge and the faces within an intrinsic face.
+///
+/// Memory: 28 bytes a segment, 4 a vertex, 12 a face, 8 an intrinsic and 8 an input edge.
+///
+/// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.3.
+class Overlay
+{
+public:
+  using size_type = std::uint32_t;
+  using Vertex = Index<internal::Overlay_vertex_tag>;
+  using Halfedge = Index<internal::Overlay_halfedge_tag>;
+  using Segment = Index<internal::Segment_tag>;
+  using Face = Index<internal::Overlay_face_tag>;
+  template <class Descriptor>
+  using Range = Iterator_range<internal::Descriptor_iterator<Descriptor>>;
+
+  /// \brief builds the overlay of a triangulation and the input that it was flipped from.
+  ///
+  /// O(size of the overlay), which is that of the surface plus the number of crossings.
+  /// \pre `triangulation.keeps_input()`
+  /// \exception Integer_overflow_error if there are 2^31 segments or more
+  template <class Traits>
+  explicit Overlay(const Intrinsic_triangulation<Traits>& triangulation)
+    : Overlay(triangulation.connectivity(), triangulation.exact_geometry().correspondence())
+  {}
+
+  /// \brief builds the overlay from the current connectivity and where the input lies in it.
+  /// \pre `correspondence.is_prepared()`
+  /// \exception Integer_overflow_error as above
+  Overlay(const Delta_complex& intrinsic, const Correspondence& correspondence)
+    : arrays_(internal::Overlay_builder(intrinsic, correspondence).build())
+  {}
+
+  /// \name Size
+  /// @{
+  size_type number_of_vertices() const { return size_type(arrays_.vertex_halfedges.size()); }
+  /// returns the number of vertices of the surface, which come before the crossings.
+  size_type number_of_original_vertices() const { return arrays_.number_of_original_vertices; }
+  size_type number_of_crossings() const { return number_of_vertices() - arrays_.number_of_original_vertices; }
+  size_type number_of_segments() const { return size_type(arrays_.parents.size()); }
+  size_type number_of_halfedges() const { return size_type(arrays_.halfedges.size()); }
+  size_type number_of_faces() const { return size_type(arrays_.faces.size()); }
+  size_type number_of_intrinsic_edges() const { return size_type(arrays_.coinciding_halfedges.size()); }
+  size_type number_of_input_edges() const { return size_type(arrays_.input_edges.size()); }
+  /// @}
+
+  /// \name Ranges
+  /// @{
+  Range<Vertex> vertices() const { return range<Vertex>(0, number_of_vertices()); }
+  /// returns the vertices that are crossings.
+  Range<Vertex> crossings() const { return range<Vertex>(arrays_.number_of_original_vertices, number_of_vertices()); }
+  Range<Halfedge> halfedges() const { return range<Halfedge>(0, number_of_halfedges()); }
+  Range<Segment> segments() const { return range<Segment>(0, number_of_segments()); }
+  Range<Face> faces() const { return range<Face>(0, number_of_faces()); }
+  /// @}
+
+  /// \name Navigation
+  /// @{
+  Halfedge opposite(Halfedge h) const { return Halfedge(h.idx() ^ 1); }
+  Segment segment(Halfedge h) const { return Segment(h.idx() >> 1); }
+  Halfedge halfedge(Segment s) const { return Halfedge(s.idx() << 1); }
+  /// returns the halfedge after `h` around its face, or along the border.
+  Halfedge next(Halfedge h) const { return Halfedge(arrays_.halfedges[h.idx()].next); }
+  Vertex target(Halfedge h) const { return Vertex(arrays_.halfedges[h.idx()].target); }
+  Vertex source(Halfedge h) const { return target(opposite(h)); }
+  /// returns the face to the left of `h`, or the null descriptor.
+  Face face(Halfedge h) const { return Face(arrays_.halfedges[h.idx()].face); }
+  bool is_border(Halfedge h) const { return !face(h).is_valid(); }
+  /// returns a halfedge that points to `v`; the null descriptor if `v` is isolated. If `v` is
+  /// a crossing, it is part of an intrinsic edge and runs in the direction of its halfedge `2e`.
+  Halfedge halfedge(Vertex v) const { return Halfedge(arrays_.vertex_halfedges[v.idx()]); }
+  /// returns a halfedge of `f`.
+  Halfedge halfedge(Face f) const { return Halfedge(arrays_.faces[f.idx()].halfedge); }
+  /// @}
+
+  /// \name Where things come from
+  /// @{
+  bool is_crossing(Vertex v) const { return v.idx() >= arrays_.number_of_original_vertices; }
+  /// returns the vertex of the surface that `v` is. \pre `!is_crossing(v)`
+  Vertex_index original_vertex(Vertex v) const
+  {
+    CGAL_precondition(!is_crossing(v));
+    return Vertex_index(v.idx());
+  }
+  Segment_label label(Segment s) const
+  {
+    if (s.idx() >= arrays_.first_input_segment)
+      return Segment_label::INPUT;
+    return arrays_.coinciding_halfedges[arrays_.parents[s.idx()]] == arrays_.null ? Segment_label::INTRINSIC
+                                                            : Segment_label::BOTH;
+  }
+  /// returns the halfedge of the intrinsic triangulation that `h` is part of and whose
+  /// direction it has; the null descriptor if the label is `INPUT`.
+  Halfedge_index intrinsic_halfedge(Halfedge h) const
+  {
+    if (segment(h).idx() >= arrays_.first_input_segment)
+      return Halfedge_index();
+    return Halfedge_index((arrays_.parents[segment(h).idx()] << 1) | (h.idx() & 1));
+  }
+  /// returns the halfedge of the input that `h` is part of and whose direction it has; the
+  /// null descriptor if the label is `INTRINSIC`.
+  Halfedge_index input_halfedge(Halfedge h) const
+  {
+    return Halfedge_index(arrays_.input_halfedge(h.idx()));
+  }
+  /// \brief returns a side of the input face that contains `face(h)`, on which `target(h)` lies.
+  ///
+  /// Where `target(h)` is a vertex of the surface, the side is the one that begins there,
+  /// in the corner to the left of `h`. \pre `!is_border(h)`
+  Halfedge_index input_side(Halfedge h) const
+  {
+    return side(h, [this](Halfedge g) { return input_halfedge(g); });
+  }
+  /// \brief returns a side of the intrinsic face that contains `face(h)`, on which `target(h)`
+  /// lies; as `input_side()`.
+  Halfedge_index intrinsic_side(Halfedge h) const
+  {
+    return side(h, [this](Halfedge g) { return intrinsic_halfedge(g); });
+  }
+  /// returns the input face that contains `f`.
+  Face_index input_face(Face f) const { return Face_index(arrays_.faces[f.idx()].input); }
+  /// returns the intrinsic face that contains `f`.
+  Face_index intrinsic_face(Face f) const { return Face_index(arrays_.faces[f.idx()].intrinsic); }
+  /// @}
+
+  /// \name Along an edge
+  /// The crossings of an edge are numbered from zero in the direction of its halfedge `2e`.
+  /// @{
+
+  /// returns the segments of intrinsic edge `e`, in order.
+  Range<Segment> intrinsic_segments(Edge_index e) const
+  {
+    const size_type first = arrays_.first_segments[e.idx()];
+    return range<Segment>(first, arrays_.intrinsic_segments_end(e.idx()));
+  }
+  /// returns the crossings of intrinsic edge `e`, in order.
+  Range<Vertex> intrinsic_crossings(Edge_index e) const
+  {
+    const Range<Segment> segments = intrinsic_segments(e);
+    const size_type first = arrays_.number_of_original_vertices + (*segments.begin()).idx() - e.idx();
+    return range<Vertex>(first, first + size_type(segments.size()) - 1);
+  }
+  /// returns the number of segments of input edge `e`.
+  size_type number_of_input_segments(Edge_index e) const { return arrays_.input_edges[e.idx()].count; }
+  /// returns the part of input edge `e` with the given position, in the direction of `2e`.
+  Halfedge input_part(Edge_index e, size_type position) const
+  {
+    const internal::Overlay_arrays::Input_edge& edge = arrays_.input_edges[e.idx()];
+    CGAL_precondition(position < edge.count);
+    return Halfedge(edge.first_halfedge + 2 * position);
+  }
+  /// returns the crossing of input edge `e` with the given position.
+  Vertex input_crossing(Edge_index e, size_type position) const
+  {
+    CGAL_precondition(position + 1 < number_of_input_segments(e));
+    return target(input_part(e, position));
+  }
+  /// @}
+
+  /// \name At a crossing
+  /// \pre `is_crossing(x)`
+  /// @{
+
+  /// returns the intrinsic edge that crosses at `x`.
+  Edge_index intrinsic_edge(Vertex x) const { return Edge_index(arrays_.parents[segment(halfedge(x)).idx()]); }
+  /// returns the position of `x` among the crossings of `intrinsic_edge(x)`.
+  size_type intrinsic_position(Vertex x) const
+  {
+    return segment(halfedge(x)).idx() - arrays_.first_segments[intrinsic_edge(x).idx()];
+  }
+  /// returns the input halfedge that crosses, at `x`, halfedge `2e` of the intrinsic edge from
+  /// its right to its left.
+  Halfedge_index crossing_input_halfedge(Vertex x) const { return input_halfedge(next(halfedge(x))); }
+  /// returns the input edge that crosses at `x`.
+  Edge_index input_edge(Vertex x) const { return Edge_index(crossing_input_halfedge(x).idx() >> 1); }
+  /// returns the position of `x` among the crossings of `input_edge(x)`.
+  size_type input_position(Vertex x) const
+  {
+    const Halfedge out = next(halfedge(x));
+    const size_type s = segment(out).idx(); // begins at x, or ends there
+    return s - (arrays_.input_edges[arrays_.parents[s]].first_halfedge >> 1) - ((out.idx() & 1) ? 0 : 1);
+  }
+  /// @}
+
+private:
+  template <class HalfedgeOf>
+  Halfedge_index side(Halfedge h, const HalfedgeOf& halfedge_of) const
+  {
+    if (is_crossing(target(h)))
+      return halfedge_of(h).is_valid() ? halfedge_of(h) : halfedge_of(next(h));
+    Halfedge out = next(h);
+    while (!halfedge_of(out).is_valid()) // clockwise
+      out = next(opposite(out));
+    return halfedge_of(out);
+  }
+
+  template <class Descriptor>
+  static Range<Descriptor> range(size_type begin, size_type end)
+  {
+    using Iterator = internal::Descriptor_iterator<Descriptor>;
+    return make_range(Iterator(begin), Iterator(end));
+  }
+
+  internal::Overlay_arrays arrays_;
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_H

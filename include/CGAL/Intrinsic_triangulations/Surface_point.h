@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// A point of a triangulated surface, and the value that vertex data take there.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_POINT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_POINT_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
+
+#include <array>
+#include <type_traits>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+///
+/// \brief a point of a triangulated surface: three barycentric coordinates in a face.
+///
+/// The coordinates belong, in this order, to the source of `halfedge`, to its target and to the
+/// third corner of the face to its left. A halfedge says which corner is which even where corners
+/// are the same vertex, and it does not depend on which halfedge a face names. Coordinates are
+/// not negative; they need not sum to 1, but those that the package returns do, up to rounding.
+///
+/// What a point lies on shows in its coordinates: a point with one zero lies on an edge, one
+/// with two zeros at a vertex.
+struct Surface_point
+{
+  Halfedge_index halfedge;           ///< a halfedge of the face; not a border halfedge
+  std::array<double, 3> coordinates; ///< of source, target and third corner
+
+  /// returns 0 for a point at a vertex, 1 for a point on an edge, 2 for one inside of a face.
+  int dimension() const
+  {
+    int positive = 0;
+    for (double x : coordinates)
+      positive += x > 0 ? 1 : 0;
+    return positive - 1;
+  }
+};
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// \brief returns the value at a point of the piecewise linear function with given values at the
+/// vertices.
+///
+/// \param complex the triangulation that the point is a point of
+/// \param values a random access range with a value for each vertex; values can be added and
+///   multiplied by a `double` from the left
+/// \param point the point; its coordinates sum to 1
+template <class VertexValues>
+auto interpolate(const Delta_complex& complex, const VertexValues& values,
+                 const Surface_point& point)
+{
+  const Halfedge_index h = point.halfedge;
+  const auto& [a, b, c] = point.coordinates;
+  using Value = std::decay_t<decltype(values[0])>;
+  return Value(a * values[complex.source(h).idx()] + b * values[complex.target(h).idx()] +
+               c * values[complex.target(complex.next(h)).idx()]);
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_POINT_H

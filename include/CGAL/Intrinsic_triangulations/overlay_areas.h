@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The areas of the faces of an overlay.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_AREAS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_AREAS_H
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/internal/affine_image.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay_layers.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// The fraction that the triangle of three points takes of the face in whose coordinates they are.
+inline double area_fraction(const Coordinates& a, const Coordinates& b, const Coordinates& c)
+{
+  return determinant(b[1] - a[1], b[2] - a[2], c[1] - a[1], c[2] - a[2]);
+}
+
+// A face of the overlay, as a fan of triangles around its first corner.
+struct Overlay_fan
+{
+  // The coordinates `from` are those in the input face, relative to the halfedge that it names,
+  // `to` those in the intrinsic face.
+  Corners_in_both corners;
+  double input_area;
+  double intrinsic_area;
+
+  std::size_t size() const { return corners.size() - 2; }
+
+  // The area of triangle i. Rounding errors are relative to the smaller of the two faces, so
+  // that small areas in large faces keep their digits.
+  double area(std::size_t i) const
+  {
+    const Corner_in_both &a = corners[0], &b = corners[i + 1], &c = corners[i + 2];
+    return input_area < intrinsic_area ? input_area * area_fraction(a.from, b.from, c.from)
+                                       : intrinsic_area * area_fraction(a.to, b.to, c.to);
+  }
+};
+
+// Calls `visit(f, fan)` for each face f of the overlay.
+template <class Traits, class Visit>
+void for_each_overlay_fan(const Intrinsic_triangulation<Traits>& triangulation,
+                          const Overlay& overlay, const Overlay_positions& positions,
+                          const Visit& visit)
+{
+  const Exact_geometry& geometry = triangulation.exact_geometry();
+  const Input_layer input{geometry.correspondence().input(), overlay, positions};
+  const Intrinsic_layer intrinsic{triangulation.connectivity(), overlay, positions};
+  std::vector<double> input_areas, intrinsic_areas;
+  for (Face_index f : input.complex.faces())
+    input_areas.push_back(
+      std::ldexp(geometry.metric().four_areas_double_double(input.complex, f).hi(),
+                 2 * geometry.metric().unit_exponent() - 2));
+  for (Face_index f : intrinsic.complex.faces())
+    intrinsic_areas.push_back(geometry.area(intrinsic.complex, f));
+  for (Overlay::Face f : overlay.faces()) {
+    const Face_index in_input = input.face(f), in_intrinsic = intrinsic.face(f);
+    visit(f, Overlay_fan{corners_in_both(input, input.complex.halfedge(in_input), intrinsic,
+                                         intrinsic.complex.halfedge(in_intrinsic), f),
+                         input_areas[in_input.idx()], intrinsic_areas[in_intrinsic.idx()]});
+  }
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
+/// \brief returns the area of each face of the overlay, in the unit of the input.
+///
+/// It is the fraction that the face takes of its input face or of its intrinsic face, times the
+/// area of that: no place in space is needed. The error is a few units in the last place of the
+/// area of the smaller of the two.
+/// \param triangulation a triangulation that keeps its input
+/// \param overlay its overlay
+/// \param positions the positions of the crossings. O(size of the overlay).
+template <class Traits>
+std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulation,
+                               const Overlay& overlay, const Overlay_positions& positions)
+{
+  std::vector<double> areas(overlay.number_of_faces());
+  internal::for_each_overlay_fan(triangulation, overlay, positions,
+                                 [&](Overlay::Face f, const internal::Overlay_fan& fan) {
+                                   double area = 0;
+                                   for (std::size_t i = 0; i < fan.size(); ++i)
+                                     area += fan.area(i);
+                                   areas[f.idx()] = area;
+                                 });
+  return areas;
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_AREAS_H

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The overlay of an input mesh and its intrinsic triangulation as a CGAL::Surface_mesh.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_SURFACE_MESH_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_SURFACE_MESH_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/convex_polygon_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/range/has_range_iterator.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsAdaptors
+/// \brief the label of an edge that is in neither triangulation: a diagonal of a face of the
+/// overlay, put in by `triangulate_overlay_faces()`.
+constexpr std::uint8_t diagonal_label = 3;
+
+/// \ingroup PkgIntrinsicTriangulationsAdaptors
+/// \brief copies an overlay into a `Surface_mesh` whose faces are convex polygons in space.
+///
+/// Vertex, halfedge, segment and face i of the overlay are vertex, halfedge, edge and face i
+/// of the mesh. Vertices of the surface keep their points; crossings lie on the input edges.
+/// The mesh has loops or multiple edges only where the input has them. Its property maps:
+///
+/// | name | value type | |
+/// | --- | --- | --- |
+/// | `"v:kind"` | `std::uint8_t` | 0 for a vertex of the surface, 1 for a crossing |
+/// | `"e:label"` | `std::uint8_t` | a `Segment_label`: 0 for o, 1 for c, 2 for oc |
+/// | `"f:input_face"` | `std::uint32_t` | the input face that contains the face |
+/// | `"f:intrinsic_face"` | `std::uint32_t` | the intrinsic face that does |
+/// | `"h:input_point"` | `Surface_point` | the corner of the face of h at its target, in the input face |
+/// | `"h:intrinsic_point"` | `Surface_point` | the same corner in the intrinsic face |
+///
+/// A corner lies on the edge of the halfedge of its `Surface_point`, so that its third
+/// barycentric coordinate is 0. Border halfedges have no corner: their points have the null
+/// halfedge. `CGAL::IO::write_PLY()` writes the maps of numbers with the mesh.
+///
+/// \param overlay the overlay
+/// \param positions the positions of its crossings
+/// \param input the input, as `Correspondence::input()` gives it
+/// \param points a point for each vertex of the surface, in their order
+/// \exception Invalid_surface_error if there are fewer or more points than vertices. O(size).
+template <class PointRange>
+auto overlay_to_surface_mesh(const Overlay& overlay, const Overlay_positions& positions,
+                             const Delta_complex& input, const PointRange& points)
+{
+  using Point = std::decay_t<decltype(*std::begin(points))>;
+  using Mesh = CGAL::Surface_mesh<Point>;
+  using Vertex = typename Mesh::Vertex_index;
+  using Halfedge = typename Mesh::Halfedge_index;
+  using Edge = typename Mesh::Edge_index;
+  using Face = typename Mesh::Face_index;
+  const std::vector<Point> original_points(std::begin(points), std::end(points));
+  internal::check_number_of_points(original_points.size(), overlay.number_of_original_vertices());
+
+  Mesh mesh;
+  mesh.reserve(overlay.number_of_vertices(), overlay.number_of_segments(), overlay.number_of_faces());
+  for (const Point& p : original_points)
+    mesh.add_vertex(p);
+  for (Overlay::Vertex x : overlay.crossings()) {
+    const auto [a, b, c] = positions.point(overlay, input, original_points, x);
+    mesh.add_vertex(Point{a, b, c});
+  }
+  internal::copy_links(overlay, mesh);
+
+  auto kind = mesh.template add_property_map<Vertex, std::uint8_t>("v:kind", 0).first;
+  for (Overlay::Vertex x : overlay.crossings())
+    kind[Vertex(x.idx())] = 1;
+  auto label = mesh.template add_property_map<Edge, std::uint8_t>("e:label").first;
+  for (Overlay::Segment s : overlay.segments())
+    label[Edge(s.idx())] = std::uint8_t(overlay.label(s));
+  auto input_face = mesh.template add_property_map<Face, std::uint32_t>("f:input_face").first;
+  auto intrinsic_face = mesh.template add_property_map<Face, std::uint32_t>("f:intrinsic_face").first;
+  for (Overlay::Face f : overlay.faces()) {
+    input_face[Face(f.idx())] = overlay.input_face(f).idx();
+    intrinsic_face[Face(f.idx())] = overlay.intrinsic_face(f).idx();
+  }
+  const Surface_point none{Halfedge_index(), {0, 0, 0}};
+  auto input_point =
+    mesh.template add_property_map<Halfedge, Surface_point>("h:input_point", none).first;
+  auto intrinsic_point =
+    mesh.template add_property_map<Halfedge, Surface_point>("h:intrinsic_point", none).first;
+  const auto on_side = [](Halfedge_index side, double t) {
+    return Surface_point{side, {1 - t, t, 0}};
+  };
+  for (Overlay::Halfedge h : overlay.halfedges())
+    if (!overlay.is_border(h)) {
+      input_point[Halfedge(h.idx())] =
+        on_side(overlay.input_side(h), positions.on_input_side(overlay, h));
+      intrinsic_point[Halfedge(h.idx())] =
+        on_side(overlay.intrinsic_side(h), positions.on_intrinsic_side(overlay, h));
+    }
+  return mesh;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsAdaptors
+/// \brief builds the overlay of a mesh and its intrinsic triangulation as a `Surface_mesh`.
+///
+/// As above, with overlay and positions made on the way.
+///
+/// \tparam TriangleMesh a model of `VertexListGraph`
+/// \param triangulation a triangulation that keeps its input
+/// \param mesh the input
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`}
+///     \cgalParamDefault{`get_const_property_map(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \exception Invalid_surface_error if the numbers of vertices differ
+/// \exception Undecided_error as `Overlay_positions::Overlay_positions()`
+/// \exception Integer_overflow_error as `Overlay::Overlay()`
+template <class Traits, class TriangleMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+auto overlay_to_surface_mesh(const Intrinsic_triangulation<Traits>& triangulation,
+                             const TriangleMesh& mesh,
+                             const NamedParameters& np = parameters::default_values())
+{
+  const Overlay overlay(triangulation);
+  return overlay_to_surface_mesh(overlay, Overlay_positions(triangulation, overlay),
+                                 triangulation.exact_geometry().correspondence().input(),
+                                 internal::points_of(mesh, np));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsAdaptors
+/// \brief splits the faces of an overlay mesh into triangles.
+///
+/// Of all ways to do so the one is taken whose smallest triangle in space is largest. So a
+/// triangle of zero area arises only where the points leave no choice. New edges have the
+/// label `diagonal_label`; new faces and corners have the properties of those that were split.
+/// O(size).
+///
+/// \param mesh what `overlay_to_surface_mesh()` returns
+template <class Point>
+void triangulate_overlay_faces(CGAL::Surface_mesh<Point>& mesh)
+{
+  using Mesh = CGAL::Surface_mesh<Point>;
+  using Halfedge = typename Mesh::Halfedge_index;
+  using Edge = typename Mesh::Edge_index;
+  using Face = typename Mesh::Face_index;
+  auto label = mesh.template property_map<Edge, std::uint8_t>("e:label").first;
+  auto input_face = mesh.template property_map<Face, std::uint32_t>("f:input_face").first;
+  auto intrinsic_face = mesh.template property_map<Face, std::uint32_t>("f:intrinsic_face").first;
+  auto input_point = mesh.template property_map<Halfedge, Surface_point>("h:input_point").first;
+  auto intrinsic_point = mesh.template property_map<Halfedge, Surface_point>("h:intrinsic_point").first;
+  CGAL_precondition_msg(label && input_face && intrinsic_face && input_point && intrinsic_point,
+                        "not an overlay mesh");
+
+  std::vector<Halfedge> sides; // of a face
+  std::vector<std::array<double, 3>> corners;
+  const std::size_t number_of_faces = mesh.number_of_faces();
+  for (std::size_t i = 0; i < number_of_faces; ++i) {
+    sides.clear();
+    corners.clear();
+    const Face f(static_cast<typename Mesh::size_type>(i));
+    for (Halfedge h : halfedges_around_face(mesh.halfedge(f), mesh)) {
+      const Point& p = mesh.point(mesh.target(h));
+      sides.push_back(h);
+      corners.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
+    }
+    internal::for_each_diagonal(corners, [&](std::size_t a, std::size_t b) {
+      // The corners from a to b are cut off; links alone are used, since edges may be loops.
+      const Halfedge at_a = mesh.prev(sides[a + 1]), at_b = sides[b];
+      CGAL::Euler::split_face(at_a, at_b, mesh);
+      const Halfedge to_a = mesh.prev(sides[a + 1]), to_b = mesh.opposite(to_a);
+      label[mesh.edge(to_a)] = diagonal_label;
+      input_point[to_a] = input_point[at_a];
+      input_point[to_b] = input_point[at_b];
+      intrinsic_point[to_a] = intrinsic_point[at_a];
+      intrinsic_point[to_b] = intrinsic_point[at_b];
+      for (Halfedge h : {to_a, to_b}) {
+        input_face[mesh.face(h)] = std::uint32_t(input_face[f]);
+        intrinsic_face[mesh.face(h)] = std::uint32_t(intrinsic_face[f]);
+      }
+    });
+  }
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_SURFACE_MESH_H

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Points of the input mapped to the intrinsic triangulation, and back.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_POINT_LOCATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_POINT_LOCATION_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/Chord_search.h>
+#include <CGAL/Intrinsic_triangulations/internal/affine_image.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact_side.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay_layers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+///
+/// \brief maps points of the input to the intrinsic triangulation, and back.
+///
+/// What a point lies on is decided exactly: the coordinates of the query are taken as the
+/// rational numbers that they are, divided by their sum, and the sides on which the point lies of
+/// the edges that cross its face are signs of real arithmetic without rounding, in stages as
+/// for the Delaunay test. So a result has a zero coordinate exactly if the point lies on an edge,
+/// and two exactly if it is a vertex. In and beside faces of zero area, where several points of the
+/// faces are one point of the surface, it may also be given as a point inside of a face beside that
+/// edge. Coordinates of results that are not zero are rounded: the result lies within a few units
+/// in the last place of the longest edge of either face from the point that was asked for.
+///
+/// A query searches the edges that cross a face by bisection. It costs O(log n) if n edges do,
+/// unless the point is so near to one that `double` does not tell on which side it lies; that
+/// lays out the strip of input triangles which the edge crosses.
+///
+/// No array is built: the overlay knows the edges that cross a face in order.
+class Point_location
+{
+public:
+  /// \brief constructs the map. O(1).
+  ///
+  /// The arguments have to outlive it, and the triangulation must not be flipped meanwhile.
+  /// \param triangulation a triangulation that keeps its input
+  /// \param overlay its overlay
+  /// \param positions the positions of the crossings
+  template <class Traits>
+  Point_location(const Intrinsic_triangulation<Traits>& triangulation, const Overlay& overlay,
+                 const Overlay_positions& positions)
+    : input_{triangulation.exact_geometry().correspondence().input(), overlay, positions},
+      intrinsic_{triangulation.connectivity(), overlay, positions},
+      exact_side_(triangulation.connectivity(), triangulation.exact_geometry(), overlay)
+  {}
+
+  /// \brief returns where in the intrinsic triangulation a point of the input lies.
+  ///
+  /// \param point a point of the input: a halfedge of `Correspondence::input()`, which is the
+  ///   halfedge with that number in what the triangulation was made of, and coordinates
+  /// \return a vertex as `halfedge` out of it and coordinates (1, 0, 0); a point of an edge with
+  ///   the third coordinate zero; a point of a face with three positive coordinates
+  /// \exception Invalid_point_error if the halfedge is a border halfedge or out of range, or the
+  ///   coordinates are not finite, not positive or zero, or all zero
+  /// \exception Undecided_error as `Exact_geometry::sign_of_cotangents()`
+  Surface_point input_to_intrinsic(const Surface_point& point) const
+  {
+    return map(input_, intrinsic_, point,
+               [this](Overlay::Halfedge chord, Halfedge_index, const Surface_point& p) {
+                 return exact_side_.of_intrinsic_chord(chord, p);
+               });
+  }
+
+  /// \brief returns where in the input a point of the intrinsic triangulation lies; as
+  /// `input_to_intrinsic()`, the other way round.
+  Surface_point intrinsic_to_input(const Surface_point& point) const
+  {
+    return map(intrinsic_, input_, point,
+               [this](Overlay::Halfedge chord, Halfedge_index side, const Surface_point& p) {
+                 return exact_side_.of_input_chord(chord, side, p);
+               });
+  }
+
+private:
+  using Coordinates = internal::Coordinates;
+
+  template <class From, class To, class ExactSide>
+  Surface_point map(const From& from, const To& to, const Surface_point& query,
+                    const ExactSide& exact_side) const
+  {
+    const Surface_point point = checked(from.complex, query);
+    if (point.dimension() == 0)
+      return at_vertex(from, to, point);
+    if (point.dimension() == 1) {
+      const Overlay::Halfedge part = from.part(side_of(from.complex, point), 0);
+      if (from.overlay.label(from.overlay.segment(part)) == Segment_label::BOTH)
+        return on_common_edge(to, part, point);
+    }
+    const auto found = internal::Chord_search<From, ExactSide>(from, exact_side, point)();
+    return found.is_on_chord ? on_chord(from, to, found.part, point)
+                             : in_face(from, to, from.overlay.face(found.part), point);
+  }
+
+  // The point with coordinates whose sum does not overflow.
+  static Surface_point checked(const Delta_complex& complex, const Surface_point& point)
+  {
+    if (point.halfedge.idx() >= complex.number_of_halfedges() || complex.is_border(point.halfedge))
+      throw Invalid_point_error("a point has to be given in a face: halfedge " +
+                                std::to_string(point.halfedge.idx()) + " has none");
+    double largest = 0;
+    for (double x : point.coordinates) {
+      if (!(x >= 0 && x <= (std::numeric_limits<double>::max)()))
+        throw Invalid_point_error("a barycentric coordinate of a point in the face of halfedge " +
+                                  std::to_string(point.halfedge.idx()) +
+                                  " is negative or not finite");
+      largest = (std::max)(largest, x);
+    }
+    if (largest == 0)
+      throw Invalid_point_error("the barycentric coordinates of a point in the face of halfedge " +
+                                std::to_string(point.halfedge.idx()) + " are all zero");
+    Surface_point result = point;
+    if (largest > 0x1p200 || largest < 0x1p-200)
+      for (double& x : result.coordinates)
+        x = std::ldexp(x, -std::ilogb(largest));
+    return result;
+  }
+
+  // The side of its face that a point lies on.
+  static Halfedge_index side_of(const Delta_complex& complex, const Surface_point& point)
+  {
+    const Coordinates& b = point.coordinates;
+    return b[2] == 0   ? point.halfedge
+           : b[0] == 0 ? complex.next(point.halfedge)
+                       : complex.prev(point.halfedge);
+  }
+
+  template <class From, class To>
+  static Surface_point at_vertex(const From& from, const To& to, const Surface_point& point)
+  {
+    const Coordinates& b = point.coordinates;
+    const Delta_complex& c = from.complex;
+    const Vertex_index v = b[0] > 0   ? c.source(point.halfedge)
+                           : b[1] > 0 ? c.target(point.halfedge)
+                                      : c.target(c.next(point.halfedge));
+    // A vertex on the border names a border halfedge that points to it.
+    return {to.complex.opposite(to.complex.halfedge(v)), {1, 0, 0}};
+  }
+
+  // The part is that of the side that the point lies on.
+  template <class To>
+  static Surface_point on_common_edge(const To& to, Overlay::Halfedge part, const Surface_point& point)
+  {
+    const Coordinates& b = point.coordinates;
+    const std::size_t zero = b[0] == 0 ? 0 : b[1] == 0 ? 1 : 2;
+    const double source = b[(zero + 1) % 3], target = b[(zero + 2) % 3];
+    return on_edge(to.complex, to.halfedge(part), source / (source + target),
+                   target / (source + target));
+  }
+
+  // The chord begins where `part` ends, at a crossing.
+  template <class From, class To>
+  static Surface_point on_chord(const From& from, const To& to, Overlay::Halfedge part,
+                                const Surface_point& point)
+  {
+    const Overlay::Halfedge chord = from.overlay.next(part);
+    const Halfedge_index h = to.halfedge(chord);
+    const double t = internal::fraction_between(
+      internal::corner_coordinates(from, part, point.halfedge),
+      internal::corner_coordinates(from, chord, point.halfedge), normalized(point.coordinates));
+    const double behind = to.on_side(from.overlay.opposite(chord)); // on the opposite of h
+    const Coordinates result = internal::between({behind, 1 - behind, 0},
+                                                 internal::corner_coordinates(to, chord, h), t);
+    return on_edge(to.complex, h, result[0], result[1]);
+  }
+
+  template <class From, class To>
+  static Surface_point in_face(const From& from, const To& to, Overlay::Face f,
+                               const Surface_point& point)
+  {
+    const Halfedge_index h = to.complex.halfedge(to.face(f));
+    Coordinates result =
+      internal::affine_image(internal::corners_in_both(from, point.halfedge, to, h, f),
+                             normalized(point.coordinates));
+    for (double& x : result)
+      x = positive(x);
+    return {h, result};
+  }
+
+  static Surface_point on_edge(const Delta_complex& complex, Halfedge_index h, double source,
+                               double target)
+  {
+    if (complex.is_border(h))
+      return {complex.opposite(h), {positive(target), positive(source), 0}};
+    return {h, {positive(source), positive(target), 0}};
+  }
+
+  // A coordinate that is known to be positive: rounding may have lost it.
+  static double positive(double x) { return x > 0 ? x : 0x1p-60; }
+
+  static Coordinates normalized(const Coordinates& b)
+  {
+    const double sum = b[0] + b[1] + b[2];
+    return {b[0] / sum, b[1] / sum, b[2] / sum};
+  }
+
+  internal::Input_layer input_;
+  internal::Intrinsic_layer intrinsic_;
+  internal::Exact_side exact_side_;
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_POINT_LOCATION_H

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Data at the vertices and corners of the two triangulations, carried onto their overlay.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+
+#include <CGAL/assertions.h>
+
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+template <class Range>
+using Value_of = std::decay_t<decltype(std::declval<const Range&>()[0])>;
+
+// `edge_of` and `position_of` say where a crossing lies in `complex`.
+template <class VertexValues, class EdgeOf, class PositionOf>
+auto interpolate_at_crossings(const Overlay& overlay, const Delta_complex& complex,
+                              const VertexValues& values, const EdgeOf& edge_of,
+                              const PositionOf& position_of)
+{
+  CGAL_precondition(values.size() == complex.number_of_vertices());
+  using Value = Value_of<VertexValues>;
+  std::vector<Value> result;
+  result.reserve(overlay.number_of_vertices());
+  for (Vertex_index v : complex.vertices())
+    result.push_back(values[v.idx()]);
+  for (Overlay::Vertex x : overlay.crossings()) {
+    const Halfedge_index h = complex.halfedge(edge_of(x));
+    const double t = position_of(x);
+    result.push_back(Value((1 - t) * values[complex.source(h).idx()] +
+                           t * values[complex.target(h).idx()]));
+  }
+  return result;
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// \brief returns at each vertex of the overlay the piecewise linear function with given values at
+/// the vertices of the input.
+///
+/// The function is linear on each face of the overlay: the values represent it everywhere. They
+/// are interpolated along the input edge of each crossing, never between vertices that it is
+/// found by, so that loops and several edges between the same vertices are right. O(size of the
+/// overlay).
+///
+/// \tparam VertexValues a random access range with `size()`; values can be added and multiplied by
+///   a `double` from the left
+/// \param overlay the overlay
+/// \param positions the positions of the crossings
+/// \param input the input, as `Correspondence::input()` gives it
+/// \param values the value of each vertex
+/// \return a vector with the value at each vertex of the overlay
+template <class VertexValues>
+auto interpolate_input_values(const Overlay& overlay, const Overlay_positions& positions,
+                              const Delta_complex& input, const VertexValues& values)
+{
+  return internal::interpolate_at_crossings(
+    overlay, input, values, [&](Overlay::Vertex x) { return overlay.input_edge(x); },
+    [&](Overlay::Vertex x) { return positions.on_input_edge(x); });
+}
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// \brief returns at each vertex of the overlay the piecewise linear function with given values at
+/// the vertices of the intrinsic triangulation; as `interpolate_input_values()`.
+///
+/// This brings a solution that was computed on the intrinsic triangulation back to the surface.
+/// \param overlay the overlay
+/// \param positions the positions of the crossings
+/// \param intrinsic the intrinsic triangulation
+/// \param values the value of each vertex
+template <class VertexValues>
+auto interpolate_intrinsic_values(const Overlay& overlay, const Overlay_positions& positions,
+                                  const Delta_complex& intrinsic, const VertexValues& values)
+{
+  return internal::interpolate_at_crossings(
+    overlay, intrinsic, values, [&](Overlay::Vertex x) { return overlay.intrinsic_edge(x); },
+    [&](Overlay::Vertex x) { return positions.on_intrinsic_edge(x); });
+}
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// \brief returns at each corner of each face of the overlay the function that is linear on each
+/// input face, with given values at its corners, as texture coordinates are.
+///
+/// Where the values at two sides of an input edge differ, which is a seam, they differ in the
+/// same way along the segments of that edge, and nowhere else. O(size of the overlay), plus the
+/// degrees of the vertices.
+///
+/// \tparam CornerValues a random access range with `size()`; values can be added, multiplied by a
+///   `double` from the left, and default constructed
+/// \param overlay the overlay
+/// \param positions the positions of the crossings
+/// \param input the input, as `Correspondence::input()` gives it
+/// \param values for each halfedge of the input the value in the corner of its face at its target;
+///   for border halfedges it is not used
+/// \return a vector with the value, for each halfedge of the overlay, in the corner of its face at
+///   its target; that of border halfedges is default constructed
+template <class CornerValues>
+auto interpolate_input_corner_values(const Overlay& overlay, const Overlay_positions& positions,
+                                     const Delta_complex& input, const CornerValues& values)
+{
+  CGAL_precondition(values.size() == input.number_of_halfedges());
+  using Value = internal::Value_of<CornerValues>;
+  std::vector<Value> result(overlay.number_of_halfedges());
+  for (Overlay::Halfedge h : overlay.halfedges()) {
+    if (overlay.is_border(h))
+      continue;
+    const Halfedge_index side = overlay.input_side(h);
+    const double t = positions.on_input_side(overlay, h);
+    result[h.idx()] =
+      Value((1 - t) * values[input.prev(side).idx()] + t * values[side.idx()]);
+  }
+  return result;
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_H

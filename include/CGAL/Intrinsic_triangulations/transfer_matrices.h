@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Transfer of vertex data as sparse matrices of Eigen: interpolation, and L2-optimal projection.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_MATRICES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_MATRICES_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/overlay_areas.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+template <class EdgeOf, class PositionOf>
+Eigen::SparseMatrix<double> interpolation_matrix(const Overlay& overlay,
+                                                 const Delta_complex& complex,
+                                                 const EdgeOf& edge_of,
+                                                 const PositionOf& position_of)
+{
+  Triplets entries;
+  entries.reserve(overlay.number_of_vertices() + overlay.number_of_crossings());
+  for (Vertex_index v : complex.vertices())
+    entries.emplace_back(int(v.idx()), int(v.idx()), 1.);
+  for (Overlay::Vertex x : overlay.crossings()) {
+    const Halfedge_index h = complex.halfedge(edge_of(x));
+    const double t = position_of(x);
+    entries.emplace_back(int(x.idx()), int(complex.source(h).idx()), 1 - t);
+    entries.emplace_back(int(x.idx()), int(complex.target(h).idx()), t);
+  }
+  Eigen::SparseMatrix<double> matrix(overlay.number_of_vertices(), complex.number_of_vertices());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+inline std::array<int, 3> corner_vertices(const Delta_complex& complex, Face_index f)
+{
+  const Halfedge_index h = complex.halfedge(f);
+  return {int(complex.source(h).idx()), int(complex.target(h).idx()),
+          int(complex.target(complex.next(h)).idx())};
+}
+
+// Adds the integrals over a triangle of the products of hat functions whose values at its
+// corners are the rows of `a` and of `b`: with linear functions, a twelfth of the area times the
+// sum of the products at the corners and of the product of the sums over the corners.
+inline void add_integrals(double area, const Eigen::Matrix3d& a, const Eigen::Matrix3d& b,
+                          Eigen::Matrix3d& integrals)
+{
+  integrals += area / 12 * (a.transpose() * b +
+                            a.colwise().sum().transpose() * b.colwise().sum());
+}
+
+inline void add_entries(const std::array<int, 3>& rows, const std::array<int, 3>& columns,
+                        const Eigen::Matrix3d& integrals, Triplets& entries)
+{
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c)
+      entries.emplace_back(rows[r], columns[c], integrals(r, c));
+}
+
+inline Eigen::SparseMatrix<double> square_matrix(Eigen::Index size, const Triplets& entries)
+{
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// \brief returns `interpolate_input_values()` as a matrix: a row for each vertex of the overlay, a
+/// column for each vertex of the surface.
+inline Eigen::SparseMatrix<double> input_interpolation_matrix(const Overlay& overlay,
+                                                              const Overlay_positions& positions,
+                                                              const Delta_complex& input)
+{
+  return internal::interpolation_matrix(
+    overlay, input, [&](Overlay::Vertex x) { return overlay.input_edge(x); },
+    [&](Overlay::Vertex x) { return positions.on_input_edge(x); });
+}
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// \brief returns `interpolate_intrinsic_values()` as a matrix.
+inline Eigen::SparseMatrix<double>
+intrinsic_interpolation_matrix(const Overlay& overlay, const Overlay_positions& positions,
+                               const Delta_complex& intrinsic)
+{
+  return internal::interpolation_matrix(
+    overlay, intrinsic, [&](Overlay::Vertex x) { return overlay.intrinsic_edge(x); },
+    [&](Overlay::Vertex x) { return positions.on_intrinsic_edge(x); });
+}
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// \brief the integrals of products of the hat functions of the two triangulations.
+struct Transfer_mass_matrices
+{
+  Eigen::SparseMatrix<double> input;     ///< both on the input: its Galerkin mass matrix
+  Eigen::SparseMatrix<double> intrinsic; ///< both on the intrinsic triangulation
+  Eigen::SparseMatrix<double> mixed;     ///< rows: intrinsic, columns: input
+};
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// \brief integrates the products of the hat functions of the two triangulations exactly.
+///
+/// All hat functions are linear on a face of the overlay, their products quadratic. The hat
+/// function of a vertex that several corners of a face meet in is the sum of those of the
+/// corners. Integrals are in the squared unit of the input, up to rounding. O(size of the overlay).
+/// \param triangulation a triangulation that keeps its input
+/// \param overlay its overlay
+/// \param positions the positions of the crossings
+template <class Traits>
+Transfer_mass_matrices transfer_mass_matrices(const Intrinsic_triangulation<Traits>& triangulation,
+                                              const Overlay& overlay,
+                                              const Overlay_positions& positions)
+{
+  const Delta_complex &input_complex = triangulation.exact_geometry().correspondence().input(),
+                      &intrinsic_complex = triangulation.connectivity();
+  internal::Triplets input, intrinsic, mixed;
+  for (internal::Triplets* entries : {&input, &intrinsic, &mixed})
+    entries->reserve(9 * std::size_t(overlay.number_of_faces()));
+  internal::for_each_overlay_fan(
+    triangulation, overlay, positions, [&](Overlay::Face f, const internal::Overlay_fan& fan) {
+      Eigen::Matrix3d in_input = Eigen::Matrix3d::Zero(), in_intrinsic = in_input, in_both = in_input;
+      for (std::size_t i = 0; i < fan.size(); ++i) {
+        Eigen::Matrix3d a, b; // a row for each corner of the triangle
+        for (int k = 0; k < 3; ++k) {
+          const internal::Corner_in_both& corner = fan.corners[k == 0 ? 0 : i + std::size_t(k)];
+          a.row(k) = Eigen::Map<const Eigen::RowVector3d>(corner.from.data());
+          b.row(k) = Eigen::Map<const Eigen::RowVector3d>(corner.to.data());
+        }
+        internal::add_integrals(fan.area(i), a, a, in_input);
+        internal::add_integrals(fan.area(i), b, b, in_intrinsic);
+        internal::add_integrals(fan.area(i), b, a, in_both);
+      }
+      const auto columns = internal::corner_vertices(input_complex, overlay.input_face(f)),
+                 rows = internal::corner_vertices(intrinsic_complex, overlay.intrinsic_face(f));
+      internal::add_entries(columns, columns, in_input, input);
+      internal::add_entries(rows, rows, in_intrinsic, intrinsic);
+      internal::add_entries(rows, columns, in_both, mixed);
+    });
+  const Eigen::Index size = overlay.number_of_original_vertices();
+  return {internal::square_matrix(size, input), internal::square_matrix(size, intrinsic),
+          internal::square_matrix(size, mixed)};
+}
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+///
+/// \brief the L2-optimal projection of vertex data of one triangulation to another.
+///
+/// Of all piecewise linear functions on the target, the result is nearest to the given one in the
+/// mean square over the surface; it is the solution u of `M u = N v` with the mass matrix M of the
+/// target and the mixed one N. In contrast, taking the values over as they are (both
+/// triangulations have the same vertices) interpolates. The projection keeps the integral, and
+/// leaves constants as they are.
+///
+/// The matrix is factorized once, for any number of projections.
+class L2_projection
+{
+public:
+  /// \brief prepares the projection.
+  ///
+  /// A vertex around which there is no area, as an isolated one, keeps its value.
+  /// \param target_mass the Galerkin mass matrix of the target
+  /// \param mixed_mass the mixed one, with rows for the vertices of the target
+  L2_projection(Eigen::SparseMatrix<double> target_mass, Eigen::SparseMatrix<double> mixed_mass)
+    : target_mass_(std::move(target_mass)), mixed_mass_(std::move(mixed_mass))
+  {
+    for (Eigen::Index v = 0; v < target_mass_.rows(); ++v)
+      if (!(target_mass_.coeff(v, v) > 0))
+        target_mass_.coeffRef(v, v) = mixed_mass_.coeffRef(v, v) = 1;
+    // Scaled by its diagonal, the matrix has eigenvalues in [1/2, 2] (Wathen 1987): no pivot
+    // can fail.
+    solver_.compute(target_mass_);
+    CGAL_postcondition(solver_.info() == Eigen::Success);
+  }
+
+  /// returns the projection of vertex values: of each column, if there are several.
+  template <class Derived>
+  typename Derived::PlainObject operator()(const Eigen::MatrixBase<Derived>& values) const
+  {
+    CGAL_precondition(values.rows() == mixed_mass_.cols());
+    return solver_.solve(mixed_mass_ * values);
+  }
+
+  /// returns M.
+  const Eigen::SparseMatrix<double>& target_mass() const { return target_mass_; }
+  /// returns N.
+  const Eigen::SparseMatrix<double>& mixed_mass() const { return mixed_mass_; }
+
+private:
+  Eigen::SparseMatrix<double> target_mass_;
+  Eigen::SparseMatrix<double> mixed_mass_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// returns the projection of vertex data of the intrinsic triangulation to the input.
+inline L2_projection L2_projection_to_input(const Transfer_mass_matrices& matrices)
+{
+  return L2_projection(matrices.input, matrices.mixed.transpose());
+}
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// returns the projection of vertex data of the input to the intrinsic triangulation.
+inline L2_projection L2_projection_to_intrinsic(const Transfer_mass_matrices& matrices)
+{
+  return L2_projection(matrices.intrinsic, matrices.mixed);
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_MATRICES_H

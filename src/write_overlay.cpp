@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Triangulation_result.h"
+
+#include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
+
+#include <CGAL/IO/io.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/boost/graph/IO/OBJ.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace idt {
+
+std::optional<Mesh_format> find_mesh_format(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".ply")
+    return Mesh_format::PLY;
+  if (extension == ".off")
+    return Mesh_format::OFF;
+  if (extension == ".obj")
+    return Mesh_format::OBJ;
+  return std::nullopt;
+}
+
+void write_overlay(std::ostream& os, const Triangulation_result& result, Mesh_format format)
+{
+  namespace IT = CGAL::Intrinsic_triangulations;
+  using Point = CGAL::Simple_cartesian<double>::Point_3;
+  std::vector<Point> points;
+  points.reserve(result.surface.points.size());
+  for (const auto& [x, y, z] : result.surface.points)
+    points.emplace_back(x, y, z);
+  const auto mesh = IT::overlay_to_surface_mesh(result.outcome.overlay->graph,
+                                                result.outcome.overlay->positions,
+                                                result.surface.connectivity, points);
+  const auto all_digits = CGAL::parameters::stream_precision(17);
+  switch (format) {
+  case Mesh_format::PLY:
+    // Binary: as text, CGAL would flush each line to the disk.
+    CGAL::IO::set_binary_mode(os);
+    CGAL::IO::write_PLY(os, mesh,
+                        "overlay of an input triangulation and an intrinsic one\n"
+                        "kind of a vertex: 0 vertex of the surface, 1 crossing\n"
+                        "input_face, intrinsic_face of a face: those that contain it\n"
+                        "label of an edge: 0 input, 1 intrinsic, 2 both");
+    return;
+  case Mesh_format::OFF:
+    CGAL::IO::write_OFF(os, mesh, all_digits);
+    return;
+  case Mesh_format::OBJ:
+    CGAL::IO::write_OBJ(os, mesh, all_digits);
+    return;
+  }
+}
+
+} // namespace idt
