@@ -226,6 +226,35 @@ TEST(Exactness, RandomGluings)
   }
 }
 
+// Terraces, ramps and walls over a sheared grid with small integers: most edges are flat, ties
+// abound, and flips run through faces in one plane and across folds. Half of them are rotated,
+// so that hardly anything is exactly flat and nearly everything nearly so.
+TEST(Exactness, RandomTerraces)
+{
+  for (std::uint64_t seed = 0; seed < 300 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const std::size_t n = 3 + seed % 5;
+    Indexed_triangles surface = IT::random_diagonal_grid(n, n, seed + 1, 0);
+    const double shear = double(random() % 4), stretch = double(1 + random() % 3);
+    std::vector<double> height(n + 1);
+    for (double& z : height)
+      z = double(random() % 3);
+    for (std::array<double, 3>& p : surface.points) {
+      const double z = height[std::size_t(p[0])] + (random() % 8 == 0 ? 1 : 0);
+      p = {p[0] * stretch + shear * p[1], p[1], z};
+    }
+    if (seed % 2 == 1) {
+      const double c = std::cos(double(seed)), s = std::sin(double(seed));
+      for (std::array<double, 3>& p : surface.points) {
+        p = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
+        p = {p[0], c * p[1] - s * p[2], s * p[1] + c * p[2]};
+      }
+    }
+    expect_agreement(surface);
+  }
+}
+
 // All triangles are nearly equilateral, so that tests are close calls.
 TEST(Exactness, RandomGluingsWithNearTies)
 {

@@ -110,4 +110,15 @@ TEST(Coplanar_hinge, TiesOfManyBits)
   }
 }
 
+// Gaussian integers of one norm, 5³ · 13 · 17, times a large one: cocircular, and no rectangle.
+TEST(Coplanar_hinge, TiesBeyondDoubleDoubles)
+{
+  std::mt19937 random(3);
+  for (int n = 0; n < 1000; ++n) {
+    const double a = double(random() % (1u << 30)) + 1, b = double(random() % (1u << 30));
+    const auto turned = [&](double x, double y) { return Point_2{a * x - b * y, a * y + b * x}; };
+    expect_the_sign_of_the_determinant({turned(165, 20), turned(-141, 88), turned(27, -164), turned(-20, 165)});
+  }
+}
+
 } // namespace

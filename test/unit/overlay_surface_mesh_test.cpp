@@ -97,7 +97,7 @@ void expect_right_places(const Mesh& overlay, const Mesh& input, const Triangula
                   c = point_of(input_complex.target(input_complex.next(p.halfedge)));
       const Point x = CGAL::barycenter(a, p.coordinates[0], b, p.coordinates[1], c, p.coordinates[2]);
       EXPECT_LT(CGAL::squared_distance(x, overlay.point(overlay.target(h))),
-                1e-30 * (CGAL::squared_distance(a, b) + CGAL::squared_distance(a, CGAL::ORIGIN)));
+                1e-30 * (CGAL::squared_distance(a, b) + CGAL::squared_distance(a, Point(0, 0, 0))));
       const auto vertex = overlay.target(h);
       if (maps.kind[vertex] == 0) {
         EXPECT_EQ(t.connectivity().source(q.halfedge).idx(), std::uint32_t(vertex));

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the overlay costs: time for each of its elements (vertices, segments and faces), how the
+// time grows with their number, and what the integers that it is built from cost the flips.
+//
+//   overlay_benchmark [ROUNDS]
+//
+// Times are processor times of one thread, each the median of the rounds (7), in which all
+// methods run one after the other. table1/horse.off is taken from the folder in the environment
+// variable IDT_DATA_DIR, or from shared/data beside the checkout, if it is there.
+
+#include "benchmark_meshes.h"
+
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+
+#include <CGAL/Heat_method_3/internal/Intrinsic_Delaunay_triangulation_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Heat_method_triangulation = CGAL::Heat_method_3::Intrinsic_Delaunay_triangulation_3<Mesh>;
+
+template <class Function>
+double seconds(const Function& function)
+{
+  const std::clock_t start = std::clock();
+  function();
+  return double(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+double median(std::vector<double> values)
+{
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+struct Costs
+{
+  double elements = 0; // of the overlay
+  double graph = 0, positions = 0;
+  double triangulation = 0, integers = 0; // the integers are asked for when the flips are done
+  double heat_method = 0;
+};
+
+Costs measure(const Mesh& mesh, int rounds, bool with_heat_method)
+{
+  std::vector<double> graph, positions, triangulation, integers, heat_method;
+  Costs costs;
+  for (int round = 0; round <= rounds; ++round) {
+    std::optional<decltype(IT::intrinsic_delaunay_triangulation(mesh))> t;
+    triangulation.push_back(seconds([&] { t.emplace(IT::intrinsic_delaunay_triangulation(mesh)); }));
+    integers.push_back(seconds([&] { t->exact_geometry(); }));
+    std::optional<IT::Overlay> overlay;
+    graph.push_back(seconds([&] { overlay.emplace(*t); }));
+    std::optional<IT::Overlay_positions> crossings;
+    positions.push_back(seconds([&] { crossings.emplace(*t, *overlay); }));
+    costs.elements = double(overlay->number_of_vertices()) + overlay->number_of_segments() +
+                     overlay->number_of_faces();
+    if (with_heat_method)
+      heat_method.push_back(seconds([&] { const Heat_method_triangulation h(mesh); }));
+    if (round == 0) // does not count: caches and memory are cold
+      for (std::vector<double>* values : {&graph, &positions, &triangulation, &integers, &heat_method})
+        values->clear();
+  }
+  costs.graph = median(graph);
+  costs.positions = median(positions);
+  costs.triangulation = median(triangulation);
+  costs.integers = median(integers);
+  if (with_heat_method)
+    costs.heat_method = median(heat_method);
+  return costs;
+}
+
+void report(const std::string& name, const Costs& costs)
+{
+  const double per_element = 1e9 / costs.elements;
+  std::printf("%-20s %11.0f %9.2f %7.1f %9.1f %9.2f", name.c_str(), costs.elements,
+              1e3 * (costs.graph + costs.positions), per_element * costs.graph,
+              per_element * (costs.graph + costs.positions),
+              (costs.triangulation + costs.integers) / costs.triangulation);
+  if (costs.heat_method > 0)
+    std::printf(" %9.2f %9.2f", costs.graph / costs.heat_method,
+                (costs.graph + costs.positions) / costs.heat_method);
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  keep_freed_memory();
+  const int rounds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 7;
+  std::printf("elements: of the overlay; ms: graph and positions; ns: for each element; integers: time\n"
+              "of triangulation and integers over that of the triangulation; heat: over the time that\n"
+              "the class of CGAL's Heat_method_3 takes for its triangulation\n\n"
+              "%-20s %11s %9s %7s %9s %9s %9s %9s\n", "surface", "elements", "ms", "ns", "ns with",
+              "integers", "heat", "heat with");
+  std::printf("%-20s %11s %9s %7s %9s %9s %9s %9s\n", "", "", "", "graph", "positions", "", "graph",
+              "positions");
+  report("prism 2880", measure(mesh_of(IT::prism(2880)), rounds, true));
+  report("prism 2880, rotated", measure(mesh_of(IT::prism(2880, 1)), rounds, true));
+  if (const std::optional<Mesh> horse = read_horse())
+    report("horse", measure(*horse, rounds, true));
+  report("torus 1000 x 1000", measure(mesh_of(IT::bad_torus(1000, 1000)), rounds, true));
+
+  // The slope of the line that fits best, of the logarithms.
+  std::vector<std::pair<double, double>> graph, with_positions;
+  for (std::size_t n : {26, 46, 82, 146, 260, 462, 820}) {
+    const Costs costs = measure(mesh_of(IT::bad_torus(n, n)), rounds, false);
+    report("torus " + std::to_string(n) + " x " + std::to_string(n), costs);
+    graph.emplace_back(std::log(costs.elements), std::log(costs.graph));
+    with_positions.emplace_back(std::log(costs.elements), std::log(costs.graph + costs.positions));
+  }
+  const auto slope = [](const std::vector<std::pair<double, double>>& points) {
+    double x = 0, y = 0, xx = 0, xy = 0;
+    for (const auto& [a, b] : points) {
+      x += a;
+      y += b;
+      xx += a * a;
+      xy += a * b;
+    }
+    const double n = double(points.size());
+    return (n * xy - x * y) / (n * xx - x * x);
+  };
+  std::printf("\nslope of log time over log elements: graph %.3f, with positions %.3f\n",
+              slope(graph), slope(with_positions));
+}
