@@ -93,7 +93,8 @@ void check_output_paths(const std::vector<std::string>& outputs,
     const fs::file_status status = fs::status(a, error);
     if (fs::exists(status) && !fs::is_regular_file(status))
       return false; // a device takes what comes
-    return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error) ||
+    // Of a path none of which exists yet, only an absolute one becomes canonical.
+    return fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error) ||
            fs::equivalent(a, b, error);
   };
   for (std::size_t i = 0; i < outputs.size(); ++i) {

@@ -179,7 +179,8 @@ void find_condition(const Triangulation_result& result, Row& row)
     row.after = summarize(outcome.connectivity, outcome.numbers.weights, *outcome.weights_after,
                           result.surface.path);
   } catch (const IT::Error& error) {
-    std::cerr << "idt: no condition number: " << error.what() << std::endl;
+    std::cerr << "idt: " << result.surface.path << ": no condition number: " << error.what()
+              << std::endl;
   }
 }
 

@@ -68,8 +68,8 @@ void check(const Triangulate_options& options)
   const std::vector<std::string> outputs = options.output_paths();
   if (options.inputs.size() > 1 &&
       std::any_of(outputs.begin(), outputs.end(), [](const std::string& s) { return !s.empty(); }))
-    throw Usage_error("an option that names an output file takes one input: several would go to "
-                      "the same file");
+    throw Usage_error("--stats, --edges, --crossings, --overlay, --laplacian and --mass take one input: "
+                      "several would go to the same file");
   if (!options.overlay_path.empty() && !find_mesh_format(options.overlay_path))
     throw Usage_error("--overlay: " + options.overlay_path + " does not end in .ply, .off or .obj");
   check_output_paths(outputs, options.inputs);

@@ -11,7 +11,7 @@
 function(add_idt_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE" "TIMEOUT;PREFIX" "LIBRARIES;DEFINITIONS")
   if(NOT arg_TIMEOUT)
-    set(arg_TIMEOUT 120)
+    set(arg_TIMEOUT 300)
   endif()
   get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   set_property(DIRECTORY PROPERTY LABELS ${folder})

@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/point_location.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
@@ -14,7 +15,6 @@
 
 #include <Eigen/SparseCholesky>
 
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -34,16 +34,7 @@ int main()
   const IT::Transfer_mass_matrices mass = IT::transfer_mass_matrices(idt, overlay, positions);
 
   // One implicit step of (M + t L) u = M u_0, with the heat in vertex 0.
-  const IT::Delta_complex& complex = idt.connectivity();
-  std::vector<Eigen::Triplet<double>> entries;
-  for (IT::Edge_index e : complex.edges()) {
-    const double weight = idt.cotangent_weight(e) / 2;
-    const int i = int(complex.source(complex.halfedge(e)).idx()), j = int(complex.target(complex.halfedge(e)).idx());
-    for (const auto& [row, column, sign] : {std::array{i, i, 1}, {j, j, 1}, {i, j, -1}, {j, i, -1}})
-      entries.emplace_back(row, column, sign * weight);
-  }
-  Eigen::SparseMatrix<double> stiffness(mass.intrinsic.rows(), mass.intrinsic.cols());
-  stiffness.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SparseMatrix<double> stiffness = IT::stiffness_matrix(idt);
   Eigen::VectorXd start = Eigen::VectorXd::Zero(stiffness.rows());
   start[0] = 1;
   const Eigen::SparseMatrix<double> matrix = mass.intrinsic + 0.1 * stiffness;
@@ -51,6 +42,7 @@ int main()
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(mass.intrinsic * start);
 
   // On the overlay the solution is linear on each face: nothing is lost.
+  const IT::Delta_complex& complex = idt.connectivity();
   const std::vector<double> on_overlay = IT::interpolate_intrinsic_values(overlay, positions, complex, heat);
   std::cout << on_overlay.size() << " values represent the solution, " << overlay.number_of_crossings()
             << " of them at crossings\n";

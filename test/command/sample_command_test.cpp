@@ -77,7 +77,8 @@ TEST_F(Table_command, has_a_row_for_each_input)
     keys.push_back(item.key());
   EXPECT_EQ(keys,
             (std::vector<std::string>{"model", "vertices", "flips", "simple", "longest",
-                                      "condition_ratio", "crossings", "seconds"}));
+                                      "condition_ratio", "crossings", "seconds", "paper", "extrinsic",
+                                      "intrinsic"}));
   EXPECT_EQ(json[0]["model"], "a");
   EXPECT_EQ(json[0]["vertices"], 4);
   EXPECT_EQ(json[0]["flips"], 1);
@@ -86,6 +87,46 @@ TEST_F(Table_command, has_a_row_for_each_input)
   EXPECT_EQ(json[0]["longest"], 2);
   EXPECT_EQ(json[0]["crossings"], 1);
   EXPECT_EQ(json[1]["longest"], 1);
+}
+
+TEST_F(Table_command, has_condition_numbers_where_there_are_inner_vertices)
+{
+  ASSERT_EQ(idt("sample disk-with-spike -o d").status, 0);
+  write_kite("kite.off"); // all vertices on the boundary
+  const Command_run run = idt("table d.off kite.off --json t.json");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_TRUE(contains(run.err, "kite.off: no condition number")) << run.err;
+  const Json json = Json::parse(content(folder_ / "t.json"));
+  const Json &extrinsic = json[0]["extrinsic"], &intrinsic = json[0]["intrinsic"];
+  EXPECT_DOUBLE_EQ(json[0]["condition_ratio"].get<double>(),
+                   intrinsic["condition_number"].get<double>() /
+                     extrinsic["condition_number"].get<double>());
+  EXPECT_GT(extrinsic["negative_weights"], 0);
+  EXPECT_LT(extrinsic["min_weight"], 0);
+  EXPECT_EQ(intrinsic["negative_weights"], 0);
+  EXPECT_GE(intrinsic["min_weight"], 0);
+  std::size_t counted = intrinsic["weight_histogram"]["below"].get<std::size_t>() +
+                        intrinsic["weight_histogram"]["above"].get<std::size_t>();
+  for (const Json& count : intrinsic["weight_histogram"]["counts"])
+    counted += count.get<std::size_t>();
+  EXPECT_EQ(counted, 2960u - 40u); // the inner edges of the sample
+  EXPECT_TRUE(json[1]["condition_ratio"].is_null());
+  EXPECT_TRUE(json[0]["paper"].is_null());
+  EXPECT_TRUE(Json::parse(content(folder_ / "t.json")).is_array());
+  EXPECT_EQ(idt("table d.off --without-condition").err, "");
+}
+
+TEST_F(Table_command, shows_the_figures_of_the_paper_beside_its_models)
+{
+  const fs::path cathead = data_folder() / "table1" / "cathead.off";
+  if (!fs::exists(cathead))
+    GTEST_SKIP() << "no evaluation meshes: set IDT_DATA_DIR";
+  const Command_run run = idt("table '" + fs::absolute(cathead).string() + "' --json t.json");
+  ASSERT_EQ(lines(run.out).size(), 3u);
+  EXPECT_EQ(lines(run.out)[2].substr(0, 7), "  paper");
+  const Json row = Json::parse(content(folder_ / "t.json"))[0];
+  EXPECT_EQ(row["paper"]["condition_ratio"], 0.8114);
+  EXPECT_NEAR(row["condition_ratio"].get<double>(), 0.8114, 0.008);
 }
 
 TEST_F(Table_command, keeps_the_rows_beside_an_input_that_fails)

@@ -114,7 +114,42 @@ public:
     EXPECT_GT(beside_edges_, 1000);
   }
 
+  // Points beside crossings, so near that only multiple precision tells on which side.
+  void check_points_next_to_crossings()
+  {
+    for (IT::Overlay::Vertex x : s_.overlay.crossings()) {
+      const IT::Halfedge_index o = s_.input().halfedge(s_.overlay.input_edge(x)),
+                               c = s_.intrinsic().halfedge(s_.overlay.intrinsic_edge(x));
+      for (int i = 0; i < 2; ++i) {
+        check_next_to(s_.input(), i == 0 ? o : s_.input().opposite(o), s_.intrinsic(), c, true);
+        check_next_to(s_.intrinsic(), i == 0 ? c : s_.intrinsic().opposite(c), s_.input(), o, false);
+      }
+    }
+  }
+
 private:
+  // From where h of `from` crosses g of `to`, a 10^40th of the way to the third corner beside h.
+  void check_next_to(const IT::Delta_complex& from, IT::Halfedge_index h, const IT::Delta_complex& to,
+                     IT::Halfedge_index g, bool is_input)
+  {
+    const auto corner = [&](IT::Vertex_index v) {
+      return Point{mesh_.points[v.idx()][0], mesh_.points[v.idx()][1], 1};
+    };
+    const Point third = corner(from.target(from.next(h)));
+    if (side(mesh_, to, g, third) == 0)
+      return;
+    const std::array<double, 3> b{std::abs(area(to, g, corner(from.target(h)))),
+                                  std::abs(area(to, g, corner(from.source(h)))), 1e-40};
+    const Point crossing = combination(from, h, {b[0], b[1], 0});
+    const IT::Surface_point q =
+      is_input ? location_.input_to_intrinsic({h, b}) : location_.intrinsic_to_input({h, b});
+    EXPECT_EQ(q.dimension(), 2);
+    for (IT::Halfedge_index e : {q.halfedge, to.next(q.halfedge), to.prev(q.halfedge)}) {
+      const int at_crossing = side(mesh_, to, e, crossing);
+      EXPECT_EQ(at_crossing == 0 ? side(mesh_, to, e, third) : at_crossing, 1);
+    }
+  }
+
   void check_around(const IT::Delta_complex& from, const Point& p, bool is_input)
   {
     for (IT::Face_index f : from.faces()) {
@@ -141,30 +176,37 @@ private:
     return double((b[0] - a[0]) * (p.y - a[1] * p.w) - (b[1] - a[1]) * (p.x - a[0] * p.w));
   }
 
+  // The coordinates are integers.
+  Point combination(const IT::Delta_complex& complex, IT::Halfedge_index h,
+                    const std::array<double, 3>& coordinates) const
+  {
+    Point p{0, 0, 0};
+    for (double b : coordinates) {
+      const Integer_point& corner = mesh_.points[complex.source(h).idx()];
+      p.x += std::int64_t(b) * corner[0];
+      p.y += std::int64_t(b) * corner[1];
+      p.w += std::int64_t(b);
+      h = complex.next(h);
+    }
+    return p;
+  }
+
   // Returns the dimension of what the point lies on.
   int check(const IT::Surface_point& point, bool is_input)
   {
     const IT::Delta_complex &from = is_input ? s_.input() : s_.intrinsic(),
                             &to = is_input ? s_.intrinsic() : s_.input();
-    Point p{0, 0, 0};
-    IT::Halfedge_index h = point.halfedge;
-    for (double b : point.coordinates) { // integers
-      const Integer_point& corner = mesh_.points[from.source(h).idx()];
-      p.x += std::int64_t(b) * corner[0];
-      p.y += std::int64_t(b) * corner[1];
-      p.w += std::int64_t(b);
-      h = from.next(h);
-    }
+    const Point p = combination(from, point.halfedge, point.coordinates);
     const IT::Surface_point q =
       is_input ? location_.input_to_intrinsic(point) : location_.intrinsic_to_input(point);
-    const int ahead = side(mesh_, to, to.next(q.halfedge), p), behind = side(mesh_, to, to.prev(q.halfedge), p),
-              left = side(mesh_, to, q.halfedge, p);
+    const int left = side(mesh_, to, q.halfedge, p), ahead = side(mesh_, to, to.next(q.halfedge), p),
+              behind = side(mesh_, to, to.prev(q.halfedge), p);
     const int dimension = q.dimension();
     EXPECT_EQ(left, dimension == 2 ? 1 : 0);
     EXPECT_EQ(behind, dimension == 0 ? 0 : 1);
     EXPECT_EQ(ahead, 1);
     double x = 0, y = 0;
-    h = q.halfedge;
+    IT::Halfedge_index h = q.halfedge;
     for (double b : q.coordinates) {
       x += b * double(mesh_.points[to.source(h).idx()][0]);
       y += b * double(mesh_.points[to.source(h).idx()][1]);
@@ -188,6 +230,7 @@ void check(const Planar_mesh& mesh, Triangulation t)
   Planar_location location(mesh, s);
   location.check_random_points(5000);
   location.check_points_on_edges();
+  location.check_points_next_to_crossings();
 }
 
 Triangulation in_space(const Planar_mesh& mesh, double slope)

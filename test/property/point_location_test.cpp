@@ -68,7 +68,7 @@ TEST(Point_location, points_return)
       lengths.push_back(s.triangulation.length(e));
     const auto intrinsic_length = [&](IT::Halfedge_index h) { return lengths[h.idx() / 2]; };
     std::mt19937_64 random(1);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < 10000; ++i) {
       const IT::Surface_point p = test_surfaces::random_point(s.input(), random);
       const IT::Surface_point q = location.input_to_intrinsic(p);
       ASSERT_EQ(q.dimension(), 2);

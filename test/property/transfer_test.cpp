@@ -3,7 +3,7 @@
 // What is carried onto the overlay is what it was: faces of the overlay have one shape in both
 // triangulations, linear functions stay linear, and a textured surface looks the same.
 
-#include "../evaluation_data.h"
+#include "evaluation_data.h"
 #include "overlay_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/overlay_areas.h>

@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/Rotation_system.h>
 
 #include <cstdint>
 #include <vector>
@@ -43,8 +44,8 @@ public:
       for (int turn = 0; turn < 3; ++turn) // four flips are the identity
         copy.flip(journal_[i]);
     input_ = copy;
-    number_halfedges_around_vertices();
-    coordinates_ = Normal_coordinates(input_);
+    around_ = internal::Rotation_system(input_);
+    coordinates_ = Normal_coordinates(input_, around_);
     for (Edge_index e : journal_) {
       coordinates_.flip(copy, e);
       before_flip(copy, e);
@@ -83,40 +84,20 @@ public:
   /// \pre `is_prepared()`
   Halfedge_index input_halfedge(Vertex_index v, std::int64_t index) const
   {
-    const std::uint32_t begin = around_begin_[v.idx()];
-    const std::int64_t degree = around_begin_[v.idx() + 1] - begin;
+    const std::int64_t degree = around_.degree(v);
     if (index < 0)
       index += degree;
     else if (index >= degree) // a division is slow, and rarely needed
       index %= degree;
-    return around_[begin + index];
+    return around_.halfedge(v, std::uint32_t(index));
   }
 
 private:
-  void number_halfedges_around_vertices()
-  {
-    around_.reserve(input_.number_of_halfedges());
-    around_begin_.reserve(std::size_t(input_.number_of_vertices()) + 1);
-    for (Vertex_index v : input_.vertices()) {
-      around_begin_.push_back(std::uint32_t(around_.size()));
-      if (!input_.halfedge(v).is_valid())
-        continue;
-      const Halfedge_index first = Normal_coordinates::first_around_source(input_, v);
-      Halfedge_index h = first;
-      do {
-        around_.push_back(h);
-        h = input_.next_around_source(h);
-      } while (h != first);
-    }
-    around_begin_.push_back(std::uint32_t(around_.size()));
-  }
-
   bool is_prepared_ = false;
   std::vector<Edge_index> journal_;
   Delta_complex input_;
   Normal_coordinates coordinates_;
-  std::vector<std::uint32_t> around_begin_; // for each vertex, where it begins in ...
-  std::vector<Halfedge_index> around_;      // ... the input halfedges by their sources
+  internal::Rotation_system around_; // the input halfedges by their sources
 };
 
 } // namespace Intrinsic_triangulations

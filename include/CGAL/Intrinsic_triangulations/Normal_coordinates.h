@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/Rotation_system.h>
 
 #include <CGAL/assertions.h>
 
@@ -45,8 +46,9 @@ struct Triangle_crossings
 /// The normal coordinate of an edge is the number of times that input edges cross it, or
 /// −1 if it coincides with an input edge. The roundabout of a halfedge is the index,
 /// counterclockwise around its source, of the first input halfedge at or after it; the
-/// input halfedges out of a vertex are counted from `first_around_source()`. A flip updates both in O(1), whatever the edge crosses and whatever the
-/// degrees are; no rounding can reach them.
+/// input halfedges out of a vertex are counted from the one that has the border to its right, or
+/// from the one of smallest index. A flip updates both in O(1), whatever the edge crosses and
+/// whatever the degrees are; no rounding can reach them.
 ///
 /// Memory: 16 bytes an edge and 4 a vertex.
 ///
@@ -59,21 +61,21 @@ public:
   Normal_coordinates() = default;
   /// constructs the coordinates of an input triangulation in itself.
   explicit Normal_coordinates(const Delta_complex& input)
+    : Normal_coordinates(input, internal::Rotation_system(input))
+  {}
+  /// \cond SKIP_IN_MANUAL
+  Normal_coordinates(const Delta_complex& input, const internal::Rotation_system& around)
     : crossings_(input.number_of_edges(), -1),
       roundabouts_(input.number_of_halfedges(), internal::default_init),
-      degrees_(input.number_of_vertices(), 0)
+      degrees_(input.number_of_vertices(), internal::default_init)
   {
     for (Vertex_index v : input.vertices()) {
-      if (!input.halfedge(v).is_valid())
-        continue;
-      const Halfedge_index first = first_around_source(input, v);
-      Halfedge_index h = first;
-      do {
-        roundabouts_[h.idx()] = degrees_[v.idx()]++;
-        h = input.next_around_source(h);
-      } while (h != first);
+      degrees_[v.idx()] = around.degree(v);
+      for (std::uint32_t i = 0; i < around.degree(v); ++i)
+        roundabouts_[around.halfedge(v, i).idx()] = i;
     }
   }
+  /// \endcond
 
   /// returns how often input edges cross `e`, or −1 if `e` coincides with one.
   std::int64_t crossings(Edge_index e) const { return crossings_[e.idx()]; }
@@ -137,21 +139,6 @@ public:
     // After the flip the halfedge ij leads from l to k (see Delta_complex::flip()).
     roundabouts_[ij.idx()] = r_lk;
     roundabouts_[ji.idx()] = r_kl;
-  }
-
-  /// returns the halfedge with which the count around `v` begins: the one that has the
-  /// border to its right, or the one of smallest index. O(degree).
-  /// \pre `v` is not isolated
-  static Halfedge_index first_around_source(const Delta_complex& complex, Vertex_index v)
-  {
-    const Halfedge_index start = complex.opposite(complex.halfedge(v));
-    if (complex.is_border(complex.opposite(start)))
-      return start;
-    Halfedge_index first = start;
-    for (Halfedge_index h = complex.next_around_source(start); h != start;
-         h = complex.next_around_source(h))
-      first = (std::min)(first, h);
-    return first;
   }
 
 private:

@@ -48,27 +48,37 @@ struct Overlay_fan
   }
 };
 
+// The areas of the faces of both triangulations, in the unit of the input.
+struct Areas_in_both
+{
+  template <class Traits>
+  explicit Areas_in_both(const Intrinsic_triangulation<Traits>& triangulation)
+  {
+    const Exact_geometry& geometry = triangulation.exact_geometry();
+    const Delta_complex& complex = geometry.correspondence().input();
+    for (Face_index f : complex.faces())
+      input.push_back(std::ldexp(geometry.metric().four_areas_double_double(complex, f).hi(),
+                                 2 * geometry.metric().unit_exponent() - 2));
+    for (Face_index f : triangulation.connectivity().faces())
+      intrinsic.push_back(geometry.area(triangulation.connectivity(), f));
+  }
+
+  std::vector<double> input, intrinsic;
+};
+
 // Calls `visit(f, fan)` for each face f of the overlay.
 template <class Traits, class Visit>
 void for_each_overlay_fan(const Intrinsic_triangulation<Traits>& triangulation,
                           const Overlay& overlay, const Overlay_positions& positions,
-                          const Visit& visit)
+                          const Areas_in_both& areas, const Visit& visit)
 {
-  const Exact_geometry& geometry = triangulation.exact_geometry();
-  const Input_layer input{geometry.correspondence().input(), overlay, positions};
+  const Input_layer input{triangulation.exact_geometry().correspondence().input(), overlay, positions};
   const Intrinsic_layer intrinsic{triangulation.connectivity(), overlay, positions};
-  std::vector<double> input_areas, intrinsic_areas;
-  for (Face_index f : input.complex.faces())
-    input_areas.push_back(
-      std::ldexp(geometry.metric().four_areas_double_double(input.complex, f).hi(),
-                 2 * geometry.metric().unit_exponent() - 2));
-  for (Face_index f : intrinsic.complex.faces())
-    intrinsic_areas.push_back(geometry.area(intrinsic.complex, f));
   for (Overlay::Face f : overlay.faces()) {
     const Face_index in_input = input.face(f), in_intrinsic = intrinsic.face(f);
     visit(f, Overlay_fan{corners_in_both(input, input.complex.halfedge(in_input), intrinsic,
                                          intrinsic.complex.halfedge(in_intrinsic), f),
-                         input_areas[in_input.idx()], intrinsic_areas[in_intrinsic.idx()]});
+                         areas.input[in_input.idx()], areas.intrinsic[in_intrinsic.idx()]});
   }
 }
 
@@ -90,6 +100,7 @@ std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulat
 {
   std::vector<double> areas(overlay.number_of_faces());
   internal::for_each_overlay_fan(triangulation, overlay, positions,
+                                 internal::Areas_in_both(triangulation),
                                  [&](Overlay::Face f, const internal::Overlay_fan& fan) {
                                    double area = 0;
                                    for (std::size_t i = 0; i < fan.size(); ++i)

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
 #include <CGAL/Intrinsic_triangulations/overlay_areas.h>
 
 #include <CGAL/assertions.h>
@@ -58,31 +59,6 @@ inline std::array<int, 3> corner_vertices(const Delta_complex& complex, Face_ind
           int(complex.target(complex.next(h)).idx())};
 }
 
-// Adds the integrals over a triangle of the products of hat functions whose values at its
-// corners are the rows of `a` and of `b`: with linear functions, a twelfth of the area times the
-// sum of the products at the corners and of the product of the sums over the corners.
-inline void add_integrals(double area, const Eigen::Matrix3d& a, const Eigen::Matrix3d& b,
-                          Eigen::Matrix3d& integrals)
-{
-  integrals += area / 12 * (a.transpose() * b +
-                            a.colwise().sum().transpose() * b.colwise().sum());
-}
-
-inline void add_entries(const std::array<int, 3>& rows, const std::array<int, 3>& columns,
-                        const Eigen::Matrix3d& integrals, Triplets& entries)
-{
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c)
-      entries.emplace_back(rows[r], columns[c], integrals(r, c));
-}
-
-inline Eigen::SparseMatrix<double> square_matrix(Eigen::Index size, const Triplets& entries)
-{
-  Eigen::SparseMatrix<double> matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
-}
-
 } // namespace internal
 /// \endcond
 
@@ -113,7 +89,7 @@ intrinsic_interpolation_matrix(const Overlay& overlay, const Overlay_positions& 
 /// \brief the integrals of products of the hat functions of the two triangulations.
 struct Transfer_mass_matrices
 {
-  Eigen::SparseMatrix<double> input;     ///< both on the input: its Galerkin mass matrix
+  Eigen::SparseMatrix<double> input;     ///< both on the input: `galerkin_mass_matrix()`
   Eigen::SparseMatrix<double> intrinsic; ///< both on the intrinsic triangulation
   Eigen::SparseMatrix<double> mixed;     ///< rows: intrinsic, columns: input
 };
@@ -134,32 +110,37 @@ Transfer_mass_matrices transfer_mass_matrices(const Intrinsic_triangulation<Trai
 {
   const Delta_complex &input_complex = triangulation.exact_geometry().correspondence().input(),
                       &intrinsic_complex = triangulation.connectivity();
-  internal::Triplets input, intrinsic, mixed;
-  for (internal::Triplets* entries : {&input, &intrinsic, &mixed})
-    entries->reserve(9 * std::size_t(overlay.number_of_faces()));
+  const internal::Areas_in_both areas(triangulation);
+  internal::Triplets entries;
+  entries.reserve(9 * std::size_t(overlay.number_of_faces()));
   internal::for_each_overlay_fan(
-    triangulation, overlay, positions, [&](Overlay::Face f, const internal::Overlay_fan& fan) {
-      Eigen::Matrix3d in_input = Eigen::Matrix3d::Zero(), in_intrinsic = in_input, in_both = in_input;
+    triangulation, overlay, positions, areas,
+    [&](Overlay::Face f, const internal::Overlay_fan& fan) {
+      Eigen::Matrix3d integrals = Eigen::Matrix3d::Zero();
       for (std::size_t i = 0; i < fan.size(); ++i) {
-        Eigen::Matrix3d a, b; // a row for each corner of the triangle
+        Eigen::Matrix3d in_input, in_intrinsic; // a row for each corner of the triangle
         for (int k = 0; k < 3; ++k) {
           const internal::Corner_in_both& corner = fan.corners[k == 0 ? 0 : i + std::size_t(k)];
-          a.row(k) = Eigen::Map<const Eigen::RowVector3d>(corner.from.data());
-          b.row(k) = Eigen::Map<const Eigen::RowVector3d>(corner.to.data());
+          in_input.row(k) = Eigen::Map<const Eigen::RowVector3d>(corner.from.data());
+          in_intrinsic.row(k) = Eigen::Map<const Eigen::RowVector3d>(corner.to.data());
         }
-        internal::add_integrals(fan.area(i), a, a, in_input);
-        internal::add_integrals(fan.area(i), b, b, in_intrinsic);
-        internal::add_integrals(fan.area(i), b, a, in_both);
+        // With linear functions: a twelfth of the area times the sum of the products at the
+        // corners and of the product of the sums over the corners.
+        integrals += fan.area(i) / 12 *
+                     (in_intrinsic.transpose() * in_input +
+                      in_intrinsic.colwise().sum().transpose() * in_input.colwise().sum());
       }
-      const auto columns = internal::corner_vertices(input_complex, overlay.input_face(f)),
-                 rows = internal::corner_vertices(intrinsic_complex, overlay.intrinsic_face(f));
-      internal::add_entries(columns, columns, in_input, input);
-      internal::add_entries(rows, rows, in_intrinsic, intrinsic);
-      internal::add_entries(rows, columns, in_both, mixed);
+      const auto rows = internal::corner_vertices(intrinsic_complex, overlay.intrinsic_face(f)),
+                 columns = internal::corner_vertices(input_complex, overlay.input_face(f));
+      for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c)
+          entries.emplace_back(rows[r], columns[c], integrals(r, c));
     });
-  const Eigen::Index size = overlay.number_of_original_vertices();
-  return {internal::square_matrix(size, input), internal::square_matrix(size, intrinsic),
-          internal::square_matrix(size, mixed)};
+  Eigen::SparseMatrix<double> mixed(intrinsic_complex.number_of_vertices(),
+                                    input_complex.number_of_vertices());
+  mixed.setFromTriplets(entries.begin(), entries.end());
+  return {galerkin_mass_matrix(input_complex, areas.input),
+          galerkin_mass_matrix(intrinsic_complex, areas.intrinsic), std::move(mixed)};
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer

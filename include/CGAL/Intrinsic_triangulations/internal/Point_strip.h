@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -58,29 +57,31 @@ public:
   // the left end to the right end.
   void start(Halfedge_index crossed)
   {
-    ends_.clear();
-    const Halfedge_index source_to_right = input_.prev(input_.opposite(crossed));
-    const Vector v = vector(source_to_right);
+    const Halfedge_index right_to_left = input_.opposite(crossed);
+    const Vector v = vector(input_.prev(right_to_left)), // from the source to the right end
+                 left = vector(input_.opposite(input_.next(right_to_left)));
     is_good_ = true;
     vector_ = vector(crossed);
-    const Vector left = vector(input_.opposite(input_.next(input_.opposite(crossed))));
-    const Complex ratio = corner_ratio(v, left, 1);
-    direction_ = corner_ratio(v, vector_, -1);
-    ends_.push_back({ratio, {{1, 0}, {0, 0}}});
-    distance_ = 1 + modulus(ratio);
+    const Triangle triangle = lay_out(v, left);
+    first_left_ = corner_ratio(triangle, v, left, 1);
+    direction_ = corner_ratio(triangle, v, vector_, -1);
+    left_ = first_left_;
+    right_ = first_right();
+    distance_ = 1 + modulus(first_left_);
     extent_ = distance_ + modulus(direction_);
     last_ = crossed;
+    turns_.clear();
   }
 
   // Adds the next input edge that is crossed.
   void add(Halfedge_index crossed)
   {
-    const Ends ends = ends_.back();
     const bool keeps_left = crossed == input_.opposite(input_.prev(last_));
     const Vector w = vector(crossed);
-    direction_ = direction_ * corner_ratio(vector_, w, keeps_left ? 1 : -1);
-    const Complex apex = keeps_left ? ends.left + direction_ : ends.right - direction_;
-    ends_.push_back(keeps_left ? Ends{ends.left, apex} : Ends{apex, ends.right});
+    direction_ = direction_ * corner_ratio(lay_out(vector_, w), vector_, w, keeps_left ? 1 : -1);
+    Complex& apex = keeps_left ? right_ : left_;
+    apex = keeps_left ? left_ + direction_ : right_ - direction_;
+    turns_.push_back({apex, keeps_left});
     distance_ = (std::max)(distance_, modulus(apex));
     extent_ += modulus(direction_);
     vector_ = w;
@@ -89,31 +90,35 @@ public:
 
   // Calls `visit(crossing)` for each crossing: which part of the crossed edge lies to
   // the left, and where on the intrinsic edge it is. Both are good to 2^-52.
-  // \return whether all are so good; nothing is visited otherwise
+  // \return whether all are so good; what is visited before one is not may not be
   template <class Visit>
   bool finish(const Visit& visit)
   {
     const Vector w = vector(input_.opposite(input_.prev(last_)));
-    direction_ = direction_ * corner_ratio(vector_, w, 1);
-    const Complex target = ends_.back().left + direction_;
+    direction_ = direction_ * corner_ratio(lay_out(vector_, w), vector_, w, 1);
+    const Complex target = left_ + direction_;
     extent_ += modulus(direction_);
     // Quotients of cross products that are good to 2^-55 are good to 2^-54, before they are rounded.
-    const double error = 0x1p-93 * double(ends_.size() + 1) * extent_ *
+    const double error = 0x1p-93 * double(turns_.size() + 2) * extent_ *
                          (std::max)(distance_, modulus(target));
     const double enough = 0x1p55 * error;
-    crossings_.clear();
-    for (const Ends& ends : ends_) {
-      const Number left = cross_product(target, ends.left),
-                   right = cross_product(ends.right, target),
-                   along = cross_product(ends.right, ends.left);
-      is_good_ = is_good_ && left.hi >= enough && right.hi >= enough && along.hi >= enough;
-      crossings_.push_back({left, right, along});
-    }
-    if (!is_good_)
-      return false;
-    for (const Crossing& crossing : crossings_)
+    left_ = first_left_;
+    right_ = first_right();
+    Crossing crossing{cross_product(target, left_), cross_product(right_, target), left_.y};
+    for (auto turn = turns_.begin();; ++turn) {
+      if (!(is_good_ && crossing.left.hi >= enough && crossing.right.hi >= enough &&
+            crossing.along.hi >= enough))
+        return false;
       visit(crossing);
-    return true;
+      if (turn == turns_.end())
+        return true;
+      (turn->keeps_left ? right_ : left_) = turn->apex;
+      if (turn->keeps_left)
+        crossing.right = cross_product(right_, target);
+      else
+        crossing.left = cross_product(target, left_);
+      crossing.along = cross_product(right_, left_);
+    }
   }
 
   struct Crossing
@@ -133,10 +138,22 @@ public:
   };
 
 private:
-  struct Ends
+  // The input edge that is crossed next keeps one end of the last one.
+  struct Turn
   {
-    Complex left, right;
+    Complex apex; // its other end
+    bool keeps_left;
   };
+
+  // What two sides v and w of a triangle have in common.
+  struct Triangle
+  {
+    Number squared_length; // of v
+    double reciprocal;
+    Number height; // four times the area over two times the squared length
+  };
+
+  static Complex first_right() { return {{1, 0}, {0, 0}}; }
 
   Vector vector(Halfedge_index h) const
   {
@@ -145,18 +162,23 @@ private:
             Number::difference(q[2], p[2])};
   }
 
-  // w / v as vectors in the plane; w is to the left of v if the side is 1, else to its right.
-  Complex corner_ratio(const Vector& v, const Vector& w, double side)
+  Triangle lay_out(const Vector& v, const Vector& w)
   {
     // Far from underflow; it has to be far for the error bound to hold.
     is_good_ = is_good_ && rough_square(v) > 1e-100 && rough_square(w) > 1e-100;
-    const Number s = scalar_product(v, v), x = scalar_product(v, w),
-                 n0 = sum(v[1] * w[2], -(v[2] * w[1])), n1 = sum(v[2] * w[0], -(v[0] * w[2])),
-                 n2 = sum(v[0] * w[1], -(v[1] * w[0])),
-                 a = square_root(sum(n0 * n0, n1 * n1, n2 * n2));
+    const Number s = scalar_product(v, v), n0 = sum(v[1] * w[2], -(v[2] * w[1])),
+                 n1 = sum(v[2] * w[0], -(v[0] * w[2])), n2 = sum(v[0] * w[1], -(v[1] * w[0]));
     const double reciprocal = 1 / s.hi;
-    const Number y = quotient(a, s, reciprocal);
-    return {quotient(x, s, reciprocal), {side * y.hi, side * y.lo}};
+    return {s, reciprocal,
+            quotient(square_root(sum(n0 * n0, n1 * n1, n2 * n2)), s, reciprocal)};
+  }
+
+  // w / v as vectors in the plane, where v and w are sides of the triangle; w is to the left of
+  // v if the side is 1, else to its right.
+  static Complex corner_ratio(const Triangle& t, const Vector& v, const Vector& w, double side)
+  {
+    return {quotient(scalar_product(v, w), t.squared_length, t.reciprocal),
+            {side * t.height.hi, side * t.height.lo}};
   }
 
   static Number scalar_product(const Vector& v, const Vector& w)
@@ -175,13 +197,14 @@ private:
   const Delta_complex& input_;
   const Points& points_;
   bool is_good_ = false;
-  Halfedge_index last_;
-  Vector vector_;     // of the last crossed edge in space ...
-  Complex direction_; // ... and in the plane
+  Halfedge_index last_; // crossed edge, ...
+  Vector vector_;       // ... in space, ...
+  Complex direction_;   // ... and in the plane,
+  Complex left_, right_; // where its ends lie here
+  Complex first_left_;
+  std::vector<Turn> turns_;
   double extent_ = 0;   // at least X
   double distance_ = 0; // at least Y, without the target
-  std::vector<Ends> ends_; // of the crossed edges
-  std::vector<Crossing> crossings_;
 };
 
 } // namespace internal

@@ -5,7 +5,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SPLIT_DOUBLE_DOUBLE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SPLIT_DOUBLE_DOUBLE_H
 
-#include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/Double_double.h>
 
 #include <boost/config.hpp>
 

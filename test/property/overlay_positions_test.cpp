@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Positions of crossings from points and from exact squared lengths: two ways to compute them,
+// which must agree to the last two units, relative to each position.
+
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/Point_strip.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+using Rational = IT::Input_metric::Rational;
+
+IT::Delta_complex complex_of(const IT::Indexed_triangles& surface)
+{
+  return IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
+}
+
+// Knows no points, so that positions come from bounded double-doubles and MPFR.
+Triangulation from_squared_lengths(const IT::Indexed_triangles& surface)
+{
+  const IT::Delta_complex complex = complex_of(surface);
+  std::vector<Rational> squared_lengths;
+  for (IT::Edge_index e : complex.edges()) {
+    const IT::Halfedge_index h = complex.halfedge(e);
+    const auto &p = surface.points[complex.source(h).idx()], &q = surface.points[complex.target(h).idx()];
+    Rational s(0);
+    for (int i = 0; i < 3; ++i)
+      s += (Rational(q[i]) - Rational(p[i])) * (Rational(q[i]) - Rational(p[i]));
+    squared_lengths.push_back(s);
+  }
+  return Triangulation::from_squared_lengths(complex, squared_lengths);
+}
+
+std::vector<std::pair<std::string, IT::Indexed_triangles>> surfaces()
+{
+  std::vector<std::pair<std::string, IT::Indexed_triangles>> result{
+    {"prism", IT::prism(60, 1)},
+    {"bad torus", IT::bad_torus(30, 30)},
+    {"helical tube", IT::helical_tube()},
+    {"sheared grid", IT::sheared_grid(10, 10, 7)},
+    {"cap", IT::cap(1e-6)},
+    {"sliver sheet", IT::sliver_sheet(12, 1e-4, 1e-4)},
+    {"bumpy sphere", IT::bumpy_sphere(40, 21)}};
+  IT::Indexed_triangles tiny = result[1].second; // squared lengths still are no trouble
+  for (auto& p : tiny.points)
+    for (double& x : p)
+      x = std::ldexp(x + 3, -300);
+  result.emplace_back("tiny torus far from the origin", tiny);
+  return result;
+}
+
+} // namespace
+
+TEST(Overlay_positions, agree_with_those_from_exact_squared_lengths)
+{
+  for (const auto& [name, surface] : surfaces()) {
+    SCOPED_TRACE(name);
+    Triangulation a(complex_of(surface), surface.points), b = from_squared_lengths(surface);
+    IT::flip_to_Delaunay(a);
+    IT::flip_to_Delaunay(b);
+    ASSERT_EQ(a.connectivity(), b.connectivity());
+    const IT::Overlay overlay(a), same(b);
+    ASSERT_GT(overlay.number_of_crossings(), 0u);
+    ASSERT_EQ(overlay.number_of_crossings(), same.number_of_crossings());
+    const IT::Overlay_positions positions(a, overlay), expected(b, same);
+    for (IT::Overlay::Vertex x : overlay.crossings()) {
+      const double t = expected.on_intrinsic_edge(x), u = expected.on_input_edge(x);
+      EXPECT_NEAR(positions.on_intrinsic_edge(x), t, 0x1p-51 * t) << x;
+      EXPECT_NEAR(positions.on_input_edge(x), u, 0x1p-51 * u) << x;
+    }
+  }
+}
+
+// Where it gives up, others take over: that has to be rare.
+TEST(Point_strip, knows_most_positions)
+{
+  const IT::Indexed_triangles surface = IT::bad_torus(60, 60);
+  Triangulation t(complex_of(surface), surface.points);
+  IT::flip_to_Delaunay(t);
+  const IT::Overlay overlay(t);
+  const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
+  IT::internal::Point_strip strip(input, t.exact_geometry().metric().points());
+  std::size_t asked = 0, known = 0;
+  for (IT::Edge_index e : t.connectivity().edges()) {
+    if (overlay.intrinsic_crossings(e).empty())
+      continue;
+    bool is_first = true;
+    for (IT::Overlay::Vertex x : overlay.intrinsic_crossings(e)) {
+      const IT::Halfedge_index crossed = input.opposite(overlay.crossing_input_halfedge(x));
+      is_first ? strip.start(crossed) : strip.add(crossed);
+      is_first = false;
+    }
+    std::size_t visited = 0;
+    ++asked;
+    if (strip.finish([&](const IT::internal::Point_strip::Crossing&) { ++visited; })) {
+      ++known;
+      EXPECT_EQ(visited, overlay.intrinsic_crossings(e).size());
+    }
+  }
+  EXPECT_GT(known, 0.99 * double(asked));
+}
+
+// In a strip of zero area there is no position that could be called good.
+TEST(Point_strip, gives_up_without_area)
+{
+  const IT::Indexed_triangles flat{{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}, {1, 0, 3}}};
+  const IT::Delta_complex input = complex_of(flat);
+  const IT::internal::Points points(flat.points.begin(), flat.points.end());
+  for (IT::Halfedge_index h : input.halfedges())
+    if (!input.is_border(input.edge(h))) {
+      IT::internal::Point_strip strip(input, points);
+      strip.start(h);
+      EXPECT_FALSE(strip.finish([](const IT::internal::Point_strip::Crossing&) {}));
+    }
+}
