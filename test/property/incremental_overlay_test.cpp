@@ -34,22 +34,17 @@ using IT::Overlay;
 using IT::Segment_label;
 using Halfedges = std::vector<Halfedge_index>;
 
-struct No_follower
-{
-  void operator()(const Delta_complex&, Edge_index) const {}
-};
-
 // A triangulation without a metric, its integers, and the overlay that is updated.
 struct Both_ways
 {
   explicit Both_ways(const Delta_complex& input) : complex(input), incremental(input)
   {
-    correspondence.prepare(complex, No_follower());
+    correspondence.prepare(complex);
   }
 
   void flip(Edge_index e)
   {
-    correspondence.flip(complex, e, No_follower());
+    correspondence.flip(complex, e);
     complex.flip(e);
     incremental.flip(e);
   }

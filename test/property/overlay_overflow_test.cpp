@@ -75,7 +75,7 @@ struct Grown_torus
   {
     const auto gluing = IT::one_vertex_torus();
     complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
-    correspondence.prepare(complex, no_follower);
+    correspondence.prepare(complex);
     while (edges.crossings(last) <= number)
       flip();
   }
@@ -83,7 +83,7 @@ struct Grown_torus
   void flip()
   {
     const Edge_index e((last.idx() + 1) % 3);
-    correspondence.flip(complex, e, no_follower);
+    correspondence.flip(complex, e);
     edges.flip(complex, e);
     complex.flip(e);
     last = e;
@@ -94,8 +94,6 @@ struct Grown_torus
     for (Edge_index e : complex.edges())
       EXPECT_EQ(correspondence.coordinates().crossings(e), edges.crossings(e));
   }
-
-  static void no_follower(const IT::Delta_complex&, Edge_index) {}
 
   IT::Delta_complex complex;
   IT::Correspondence correspondence;

@@ -10,6 +10,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/Rotation_system.h>
 
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -19,59 +21,48 @@ namespace Intrinsic_triangulations {
 ///
 /// \brief relates a triangulation to the input triangulation that it was flipped from.
 ///
-/// What is kept at first is a journal of the flips. When something is asked for, or when
-/// there are as many flips as edges, the input connectivity is recovered by undoing the
-/// flips on a copy, and the integers by following them from there; from then on they are
-/// updated with each flip. So where nothing is asked, a flip costs an entry in a list.
+/// The integers are updated with each flip, and need not know the input. What is kept of that
+/// is a journal of the flips, from which its connectivity is recovered when it is asked for.
 class Correspondence
 {
 public:
-  /// returns whether `input()`, `coordinates()` and the other queries are available.
+  /// returns whether `input()` and `input_halfedge()` are available.
   bool is_prepared() const { return is_prepared_; }
 
-  /// \brief makes the queries available. O(size + number of flips) the first time, and
-  /// O(1) afterwards.
+  /// returns the flips that were made before `prepare()`, in their order.
+  const std::vector<Edge_index>& journal() const { return journal_; }
+
+  /// \brief recovers the input. O(size + number of flips) the first time, and O(1) afterwards.
   /// \param complex the current connectivity
-  /// \param before_flip is called with connectivity and edge before each flip that is followed
-  /// \exception Integer_overflow_error as `Normal_coordinates::flip()`
-  template <class BeforeFlip>
-  void prepare(const Delta_complex& complex, const BeforeFlip& before_flip)
+  /// \return the flips that were made before, which are forgotten
+  std::vector<Edge_index> prepare(const Delta_complex& complex)
   {
     if (is_prepared_)
-      return;
-    Delta_complex copy = complex;
+      return {};
+    start(complex);
+    input_ = complex;
     for (std::size_t i = journal_.size(); i-- > 0;)
-      for (int turn = 0; turn < 3; ++turn) // four flips are the identity
-        copy.flip(journal_[i]);
-    input_ = copy;
-    around_ = internal::Rotation_system(input_);
-    coordinates_ = Normal_coordinates(input_, around_);
-    for (Edge_index e : journal_) {
-      coordinates_.flip(copy, e);
-      before_flip(copy, e);
-      copy.flip(e);
-    }
-    std::vector<Edge_index>().swap(journal_);
+      input_.flip_back(journal_[i]);
     is_prepared_ = true;
+    for (Edge_index e : journal_)
+      shorten_walks(complex.halfedge(e));
+    return std::exchange(journal_, {});
   }
 
-  /// notes the flip of `e`, before the flip of the connectivity.
-  /// \param before_flip as for `prepare()`; it is also called once the queries are available
+  /// \brief follows the flip of `e`, before the flip of the connectivity. O(1), once the
+  /// first took O(edges).
   /// \exception Integer_overflow_error as `Normal_coordinates::flip()`
-  template <class BeforeFlip>
-  void flip(const Delta_complex& complex, Edge_index e, const BeforeFlip& before_flip)
+  void flip(const Delta_complex& complex, Edge_index e)
   {
-    if (!is_prepared_ && journal_.size() >= complex.number_of_edges())
-      prepare(complex, before_flip);
-    if (is_prepared_) {
-      coordinates_.flip(complex, e);
-      before_flip(complex, e);
-    } else {
+    start(complex);
+    coordinates_.flip(complex, e);
+    if (is_prepared_)
+      shorten_walks(complex.halfedge(e));
+    else
       journal_.push_back(e);
-    }
   }
 
-  /// returns the integers. \pre `is_prepared()`
+  /// returns the integers. \pre there was a flip, or `is_prepared()`
   const Normal_coordinates& coordinates() const { return coordinates_; }
 
   /// returns the input connectivity: the same vertices, edges, halfedges and faces as at
@@ -79,25 +70,48 @@ public:
   /// \pre `is_prepared()`
   const Delta_complex& input() const { return input_; }
 
-  /// returns the input halfedge out of `v` with the given index in counterclockwise order;
-  /// the index is taken modulo the degree. O(1).
+  /// returns the roundabout of `h`: the first input halfedge at or after `h`, counterclockwise
+  /// around its source. O(1).
   /// \pre `is_prepared()`
-  Halfedge_index input_halfedge(Vertex_index v, std::int64_t index) const
+  Halfedge_index input_halfedge(Halfedge_index h) const
   {
-    const std::int64_t degree = around_.degree(v);
-    if (index < 0)
-      index += degree;
-    else if (index >= degree) // a division is slow, and rarely needed
-      index %= degree;
-    return around_.halfedge(v, std::uint32_t(index));
+    const Roundabout r = coordinates_.roundabout(h);
+    Halfedge_index result = r.base;
+    for (std::uint64_t step = 0; step < r.steps; ++step) // at most longest_walk
+      result = input_.next_around_source(result);
+    return result;
   }
 
 private:
+  // More steps than this are replaced: around most vertices, there are never as many.
+  static constexpr std::uint64_t longest_walk = 16;
+
+  void start(const Delta_complex& complex)
+  {
+    if (is_started_)
+      return;
+    coordinates_ = Normal_coordinates(complex);
+    is_started_ = true;
+  }
+
+  void shorten_walks(Halfedge_index h)
+  {
+    for (Halfedge_index side : {h, input_.opposite(h)}) {
+      const Roundabout r = coordinates_.roundabout(side);
+      if (r.steps <= longest_walk)
+        continue;
+      if (!around_)
+        around_.emplace(input_);
+      coordinates_.set_roundabout(side, around_->advanced(input_, r.base, r.steps));
+    }
+  }
+
+  bool is_started_ = false;
   bool is_prepared_ = false;
   std::vector<Edge_index> journal_;
   Delta_complex input_;
   Normal_coordinates coordinates_;
-  internal::Rotation_system around_; // the input halfedges by their sources
+  std::optional<internal::Rotation_system> around_; // of the input, for long walks
 };
 
 } // namespace Intrinsic_triangulations

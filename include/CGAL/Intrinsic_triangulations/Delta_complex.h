@@ -206,6 +206,26 @@ public:
       vertex_halfedges_[i.idx()] = ki;
   }
 
+  /// \brief undoes `flip(e)`, but for the choice of `halfedge(v)` and `halfedge(f)`. O(1).
+  /// \pre `is_flippable(e)`
+  void flip_back(Edge_index e)
+  {
+    CGAL_precondition(is_flippable(e));
+    const Halfedge_index h = halfedge(e), g = opposite(h);
+    const Halfedge_index ki = next(h), il = prev(h), lj = next(g), jk = prev(g);
+    const Vertex_index l = target(g), k = target(h), i = target(ki), j = target(lj);
+    const Face_index ijk = face(h), jil = face(g);
+
+    set_face_cycle(ijk, h, jk, ki);
+    set_face_cycle(jil, g, il, lj);
+    record(h).target = j.idx();
+    record(g).target = i.idx();
+    if (vertex_halfedges_[k.idx()] == h)
+      vertex_halfedges_[k.idx()] = jk;
+    if (vertex_halfedges_[l.idx()] == g)
+      vertex_halfedges_[l.idx()] = il;
+  }
+
   /// \brief returns whether the arrays describe a triangulated oriented surface.
   ///
   /// Every halfedge belongs to one cycle of three in a face or to one cycle along the

@@ -44,27 +44,6 @@ class Exact_geometry
 {
   using Double_double = internal::Bounded_double_double;
 
-  // Keeps up which faces are straight while the correspondence follows the flips.
-  struct Follower
-  {
-    void operator()(const Delta_complex& complex, Edge_index e) const
-    {
-      geometry.start_straight_faces(complex);
-      const bool is_close_call =
-        !geometry.is_close_call_.empty() && geometry.is_close_call_[e.idx()];
-      geometry.developed_faces_.flip(complex, e, is_close_call, [&](Halfedge_index h) {
-        return geometry.straight_faces_(complex.face(h))
-                 ? std::make_optional(geometry.straight_corner(complex, h))
-                 : std::nullopt;
-      });
-      if (is_close_call)
-        geometry.is_close_call_[e.idx()] = false;
-      is_straight = geometry.straight_faces_.flip(complex, geometry.metric_.points(), e);
-    }
-    Exact_geometry& geometry;
-    bool& is_straight; // the new edge, and the faces beside it
-  };
-
 public:
   /// a corner in double-doubles with error bounds.
   using Corner = Unfolding<internal::Double_double_metric>::Corner;
@@ -79,20 +58,20 @@ public:
   /// @{
   Exact_geometry(const Exact_geometry& other)
     : correspondence_(other.correspondence_), metric_(other.metric_), counts_(other.counts_),
-      straight_faces_(other.straight_faces_), has_straight_faces_(other.has_straight_faces_)
+      journal_(other.journal_), straight_faces_(other.straight_faces_)
   {}
   Exact_geometry(Exact_geometry&& other)
     : correspondence_(std::move(other.correspondence_)), metric_(std::move(other.metric_)),
-      counts_(other.counts_), straight_faces_(std::move(other.straight_faces_)),
-      has_straight_faces_(other.has_straight_faces_)
+      counts_(other.counts_), journal_(std::move(other.journal_)),
+      straight_faces_(std::move(other.straight_faces_))
   {}
   Exact_geometry& operator=(Exact_geometry other)
   {
     correspondence_ = std::move(other.correspondence_);
     metric_ = std::move(other.metric_);
     counts_ = other.counts_;
+    journal_ = std::move(other.journal_);
     straight_faces_ = std::move(other.straight_faces_);
-    has_straight_faces_ = other.has_straight_faces_;
     developed_faces_ = {};
     surface_.reset();
     return *this;
@@ -112,18 +91,23 @@ public:
   /// \exception Integer_overflow_error as `Normal_coordinates::flip()`
   bool flip(const Delta_complex& complex, Edge_index e)
   {
-    bool is_straight = false;
-    correspondence_.flip(complex, e, Follower{*this, is_straight});
-    return is_straight;
+    if (!straight_faces_ && // a journal is not to outgrow the triangulation
+        correspondence_.journal().size() + journal_.size() >= complex.number_of_edges())
+      start_straight_faces(complex);
+    correspondence_.flip(complex, e);
+    if (straight_faces_)
+      return follow(complex, e);
+    if (correspondence_.is_prepared())
+      journal_.push_back(e);
+    return false;
   }
   /// makes the queries below possible; as `Correspondence::prepare()`.
   void prepare(const Delta_complex& complex)
   {
     if (surface_)
       return;
-    bool is_straight;
-    correspondence_.prepare(complex, Follower{*this, is_straight});
-    start_straight_faces(complex);
+    if (!correspondence_.is_prepared())
+      journal_ = correspondence_.prepare(complex);
     surface_ = std::make_unique<internal::Input_surface>(correspondence_.input(), metric_);
   }
 
@@ -143,7 +127,8 @@ public:
                           std::optional<Opposite_corners>& corners)
   {
     const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-    if (straight_faces_.are_coplanar(complex, metric_.points(), h))
+    start_straight_faces(complex);
+    if (straight_faces_->are_coplanar(complex, metric_.points(), h))
       return decided(Stage::COPLANAR,
                      internal::Coplanar_hinge(complex, metric_.points(), h).sign_of_cotangents());
     is_close_call_.resize(complex.number_of_edges());
@@ -158,7 +143,7 @@ public:
     }
     if (is_certain(sign))
       return decided(Stage::UNFOLDING, sign);
-    if (straight_faces_(complex.face(h)) && straight_faces_(complex.face(g)))
+    if (is_straight(complex.face(h)) && is_straight(complex.face(g)))
       return decided(Stage::RATIONAL, internal::sign_of_cotangents(
                                         internal::rational_corner(complex, metric_.points(), h),
                                         internal::rational_corner(complex, metric_.points(), g)));
@@ -238,7 +223,7 @@ public:
 
   /// returns the cotangent of the angle opposite to `h`, up to `2^-50 (1 + |cot|)`.
   /// \pre `prepare()` was called; `h` is not a border halfedge, its face has positive area
-  double cotangent(const Delta_complex& complex, Halfedge_index h) const
+  double cotangent(const Delta_complex& complex, Halfedge_index h)
   {
     const Corner c = corner(complex, h);
     const double value = c.p.hi() / c.four_areas.hi();
@@ -274,7 +259,7 @@ public:
 
   /// returns the area of `f` in the unit of the input, up to a relative error of `2^-50`.
   /// \pre `prepare()` was called
-  double area(const Delta_complex& complex, Face_index f) const
+  double area(const Delta_complex& complex, Face_index f)
   {
     const Halfedge_index h = complex.halfedge(f);
     const Double_double a = corner(complex, h).four_areas;
@@ -304,26 +289,53 @@ public:
 
   /// returns the corner opposite to `h`, in double-doubles with error bounds and in the
   /// unit of the metric. \pre `prepare()` was called; `h` is not a border halfedge
-  Corner corner(const Delta_complex& complex, Halfedge_index h) const
+  Corner corner(const Delta_complex& complex, Halfedge_index h)
   {
-    if (straight_faces_(complex.face(h)))
+    start_straight_faces(complex);
+    if (is_straight(complex.face(h)))
       return straight_corner(complex, h);
     return unfolded_corner(complex, h);
   }
 
 private:
+  // Finds out which faces are straight, by repeating the flips; flip() keeps it up from then on.
   void start_straight_faces(const Delta_complex& complex)
   {
-    if (!has_straight_faces_)
-      straight_faces_ = internal::Straight_faces(complex.number_of_faces(), metric_.points().size());
-    has_straight_faces_ = true;
+    if (straight_faces_)
+      return;
+    prepare(complex);
+    straight_faces_.emplace(complex.number_of_faces(), metric_.points().size());
+    if (!metric_.points().empty()) {
+      Delta_complex copy = correspondence_.input();
+      for (Edge_index e : journal_) {
+        straight_faces_->flip(copy, metric_.points(), e);
+        copy.flip(e);
+      }
+    }
+    std::vector<Edge_index>().swap(journal_);
   }
+
+  // Keeps up what is known of the faces, before the flip of the connectivity. Returns whether
+  // the new faces are straight.
+  bool follow(const Delta_complex& complex, Edge_index e)
+  {
+    const bool is_close_call = !is_close_call_.empty() && is_close_call_[e.idx()];
+    developed_faces_.flip(complex, e, is_close_call, [&](Halfedge_index h) {
+      return is_straight(complex.face(h)) ? std::make_optional(straight_corner(complex, h))
+                                          : std::nullopt;
+    });
+    if (is_close_call)
+      is_close_call_[e.idx()] = false;
+    return straight_faces_->flip(complex, metric_.points(), e);
+  }
+
+  bool is_straight(Face_index f) const { return (*straight_faces_)(f); }
 
   // As corner(), from what is kept of tests before.
   Corner developed_corner(const Delta_complex& complex, Halfedge_index h)
   {
     const Face_index f = complex.face(h);
-    if (straight_faces_(f))
+    if (is_straight(f))
       return straight_corner(complex, h);
     if (developed_faces_.contains(f))
       return developed_faces_.corner(complex, h);
@@ -360,8 +372,8 @@ private:
   Correspondence correspondence_;
   Input_metric metric_;
   Stage_counts counts_;
-  internal::Straight_faces straight_faces_;
-  bool has_straight_faces_ = false;
+  std::vector<Edge_index> journal_; // the flips until it was asked which faces are straight
+  std::optional<internal::Straight_faces> straight_faces_;
   internal::Developed_faces<internal::Bounded_double_double, internal::Double_double_disk, Corner>
     developed_faces_;
   std::vector<bool> is_close_call_; // a test took more than double since the last flip of the edge

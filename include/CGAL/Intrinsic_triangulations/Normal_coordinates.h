@@ -8,9 +8,10 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/Rotation_system.h>
 
 #include <CGAL/assertions.h>
+
+#include <boost/config.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -28,14 +29,32 @@ struct Triangle_crossings
   std::int64_t c_i, c_j, c_k; ///< number of segments that cut a corner off
 
   /// computes the numbers from how often the edges are crossed.
-  Triangle_crossings(std::int64_t n_ij, std::int64_t n_jk, std::int64_t n_ki)
-    : e_i((std::max)(std::int64_t(0), n_jk - n_ij - n_ki)),
-      e_j((std::max)(std::int64_t(0), n_ki - n_ij - n_jk)),
-      e_k((std::max)(std::int64_t(0), n_ij - n_jk - n_ki)),
-      c_i(((std::max)(std::int64_t(0), n_ij + n_ki - n_jk) - e_j - e_k) / 2),
-      c_j(((std::max)(std::int64_t(0), n_ij + n_jk - n_ki) - e_i - e_k) / 2),
-      c_k(((std::max)(std::int64_t(0), n_jk + n_ki - n_ij) - e_i - e_j) / 2)
-  {}
+  BOOST_FORCEINLINE Triangle_crossings(std::int64_t n_ij, std::int64_t n_jk, std::int64_t n_ki)
+    : c_i(cut_off(n_ij, n_ki, n_jk)), c_j(cut_off(n_jk, n_ij, n_ki)), c_k(cut_off(n_ki, n_jk, n_ij))
+  {
+    // What crosses a side cuts one of its ends off or comes from the opposite corner.
+    e_i = n_jk - c_j - c_k;
+    e_j = n_ki - c_k - c_i;
+    e_k = n_ij - c_i - c_j;
+  }
+
+private:
+  // Between sides crossed a and b times, beyond one that is crossed c times. If one of a and b
+  // exceeds the sum of the others, the rest of it comes from a corner.
+  static std::int64_t cut_off(std::int64_t a, std::int64_t b, std::int64_t c)
+  {
+    // without a branch that nothing could predict
+    return (std::max)(std::int64_t(0), (std::min)((std::min)(a, b), (a + b - c) >> 1));
+  }
+};
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \brief an input halfedge: the one that follows `base` after `steps` steps counterclockwise
+/// around their source.
+struct Roundabout
+{
+  Halfedge_index base; ///< an input halfedge
+  std::uint64_t steps; ///< may exceed the degree of the source: then it is meant modulo that
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
@@ -44,53 +63,53 @@ struct Triangle_crossings
 /// edges of the input triangulation run through the current one.
 ///
 /// The normal coordinate of an edge is the number of times that input edges cross it, or
-/// −1 if it coincides with an input edge. The roundabout of a halfedge is the index,
-/// counterclockwise around its source, of the first input halfedge at or after it; the
-/// input halfedges out of a vertex are counted from the one that has the border to its right, or
-/// from the one of smallest index. A flip updates both in O(1), whatever the edge crosses and
-/// whatever the degrees are; no rounding can reach them.
+/// −1 if it coincides with an input edge. The roundabout of a halfedge is the first input
+/// halfedge at or after it, counterclockwise around its source. A flip updates both in O(1),
+/// whatever the edge crosses and whatever the degrees are, and does not need to know the
+/// input; no rounding can reach them.
 ///
-/// Memory: 16 bytes an edge and 4 a vertex.
+/// Memory: 4 bytes an edge, and 32 for each edge that was flipped.
 ///
 /// Source: the idea is that of M. Gillespie, N. Sharp, K. Crane, "Integer coordinates
-/// for intrinsic geometry processing" (2021).
+/// for intrinsic geometry processing" (2021). They count roundabouts by numbers
+/// from zero to the degree; from an input halfedge, nothing has to be numbered at first.
 class Normal_coordinates
 {
 public:
   /// constructs the coordinates in an empty triangulation.
   Normal_coordinates() = default;
-  /// constructs the coordinates of an input triangulation in itself.
+  /// constructs the coordinates of an input triangulation in itself. O(edges), to clear memory.
   explicit Normal_coordinates(const Delta_complex& input)
-    : Normal_coordinates(input, internal::Rotation_system(input))
+    : records_(1, Record{-1, {0, 0}, {0, 0}}), number_of_records_(1),
+      record_of_(input.number_of_edges(), 0)
   {}
-  /// \cond SKIP_IN_MANUAL
-  Normal_coordinates(const Delta_complex& input, const internal::Rotation_system& around)
-    : crossings_(input.number_of_edges(), -1),
-      roundabouts_(input.number_of_halfedges(), internal::default_init),
-      degrees_(input.number_of_vertices(), internal::default_init)
-  {
-    for (Vertex_index v : input.vertices()) {
-      degrees_[v.idx()] = around.degree(v);
-      for (std::uint32_t i = 0; i < around.degree(v); ++i)
-        roundabouts_[around.halfedge(v, i).idx()] = i;
-    }
-  }
-  /// \endcond
 
   /// returns how often input edges cross `e`, or −1 if `e` coincides with one.
-  std::int64_t crossings(Edge_index e) const { return crossings_[e.idx()]; }
+  std::int64_t crossings(Edge_index e) const { return record(e).crossings; }
   /// returns whether `e` coincides with an input edge.
-  bool is_original(Edge_index e) const { return crossings_[e.idx()] < 0; }
+  bool is_original(Edge_index e) const { return crossings(e) < 0; }
   /// returns how often input edges cross `e`.
   std::int64_t number_of_crossings(Edge_index e) const
   {
-    return (std::max)(std::int64_t(0), crossings_[e.idx()]);
+    return (std::max)(std::int64_t(0), crossings(e));
   }
 
   /// returns the roundabout of `h`.
-  std::uint32_t roundabout(Halfedge_index h) const { return roundabouts_[h.idx()]; }
-  /// returns the number of input halfedges out of `v`.
-  std::uint32_t degree(Vertex_index v) const { return degrees_[v.idx()]; }
+  Roundabout roundabout(Halfedge_index h) const
+  {
+    const std::uint32_t i = record_number(h);
+    if (i == 0)
+      return {h, 0};
+    return {Halfedge_index(records_[i].base[h.idx() & 1]), records_[i].steps[h.idx() & 1]};
+  }
+  /// \brief replaces the roundabout of `h`.
+  /// \pre `same` is the same input halfedge as `roundabout(h)`, and the edge of `h` was flipped
+  void set_roundabout(Halfedge_index h, Halfedge_index same)
+  {
+    Record& r = records_[record_number(h)];
+    r.base[h.idx() & 1] = same.idx();
+    r.steps[h.idx() & 1] = 0;
+  }
 
   /// returns how the input edges run through the triangle to the left of `h`, with i and
   /// j the source and target of `h`.
@@ -110,11 +129,20 @@ public:
   {
     CGAL_precondition(complex.is_flippable(e));
     const Halfedge_index ij = complex.halfedge(e), ji = complex.opposite(ij);
-    const Halfedge_index ki = complex.prev(ij), lj = complex.prev(ji);
-    const Vertex_index k = complex.source(ki), l = complex.source(lj);
+    const Halfedge_index jk = complex.next(ij), ki = complex.prev(ij);
+    const Halfedge_index il = complex.next(ji), lj = complex.prev(ji);
+    // After the flip the halfedge ij leads from l to k (see Delta_complex::flip()).
+    if ((record_number(ij) | record_number(jk) | record_number(ki) | record_number(il) |
+         record_number(lj)) == 0) { // two input faces
+      set_record(e, {1, {lj.idx(), ki.idx()}, {1, 1}});
+      return;
+    }
 
-    const Triangle_crossings above = triangle_crossings(complex, ij); // (i, j, k)
-    const Triangle_crossings below = triangle_crossings(complex, ji); // (j, i, l)
+    const std::int64_t n_ij = number_of_crossings(e);
+    const Triangle_crossings above(n_ij, number_of_crossings(complex.edge(jk)),
+                                   number_of_crossings(complex.edge(ki))); // (i, j, k)
+    const Triangle_crossings below(n_ij, number_of_crossings(complex.edge(il)),
+                                   number_of_crossings(complex.edge(lj))); // (j, i, l)
     const std::int64_t c_i1 = above.c_i, c_j1 = above.c_j, e_k1 = above.e_k;
     const std::int64_t c_i2 = below.c_j, c_j2 = below.c_i, e_l2 = below.e_k;
 
@@ -122,41 +150,57 @@ public:
     // those that end in l at the positions after c_i2: one that does both joins k and l.
     const bool joins_k_and_l =
       (std::max)(c_i1, c_i2) < (std::min)(c_i1 + e_k1, c_i2 + e_l2);
-    std::int64_t n_kl = -1;
-    if (!joins_k_and_l) {
-      n_kl = above.c_k + below.c_k + above.e_i + above.e_j + below.e_i + below.e_j +
-             (std::max)(std::int64_t(0), c_i1 - c_i2 - e_l2) +
-             (std::max)(std::int64_t(0), c_i2 - c_i1 - e_k1) + (is_original(e) ? 1 : 0);
-      if (n_kl > largest_count)
-        throw Integer_overflow_error("an edge crosses more than 2^60 input edges");
-    }
-    const std::uint32_t r_kl =
-      advanced(k, ki, (std::min)((std::max)(std::int64_t(0), c_i2 - c_i1), e_k1), complex);
-    const std::uint32_t r_lk =
-      advanced(l, lj, (std::min)((std::max)(std::int64_t(0), c_j1 - c_j2), e_l2), complex);
-
-    crossings_[e.idx()] = n_kl;
-    // After the flip the halfedge ij leads from l to k (see Delta_complex::flip()).
-    roundabouts_[ij.idx()] = r_lk;
-    roundabouts_[ji.idx()] = r_kl;
+    const std::int64_t n =
+      above.c_k + below.c_k + above.e_i + above.e_j + below.e_i + below.e_j +
+      (std::max)(std::int64_t(0), c_i1 - c_i2 - e_l2) +
+      (std::max)(std::int64_t(0), c_i2 - c_i1 - e_k1) + (is_original(e) ? 1 : 0);
+    const std::int64_t n_kl = joins_k_and_l ? -1 : n;
+    if (n_kl > largest_count)
+      throw Integer_overflow_error("an edge crosses more than 2^60 input edges");
+    Roundabout r_kl = first_after(complex, ki), r_lk = first_after(complex, lj);
+    r_kl.steps += std::uint64_t((std::min)((std::max)(std::int64_t(0), c_i2 - c_i1), e_k1));
+    r_lk.steps += std::uint64_t((std::min)((std::max)(std::int64_t(0), c_j1 - c_j2), e_l2));
+    set_record(e, {n_kl, {r_lk.base.idx(), r_kl.base.idx()}, {r_lk.steps, r_kl.steps}});
   }
 
 private:
   // Five counts up to this add up without overflow.
   static constexpr std::int64_t largest_count = std::int64_t(1) << 60;
 
-  std::uint32_t advanced(Vertex_index v, Halfedge_index h, std::int64_t by,
-                         const Delta_complex& complex) const
+  // Halfedge 2e + i has the roundabout `base[i]`, `steps[i]`. A flip makes at most as many
+  // steps as its vertex has input halfedges: 64 bits are enough for 2^32 flips.
+  struct Record
   {
-    const std::uint64_t r = std::uint64_t(roundabout(h)) +
-                            (is_original(complex.edge(h)) ? 1 : 0) + std::uint64_t(by);
-    const std::uint32_t d = degree(v);
-    return std::uint32_t(r < d ? r : r - d);
+    std::int64_t crossings;
+    std::uint32_t base[2];
+    std::uint64_t steps[2];
+  };
+
+  std::uint32_t record_number(Halfedge_index h) const { return record_of_[h.idx() >> 1]; }
+  const Record& record(Edge_index e) const { return records_[record_of_[e.idx()]]; }
+
+  void set_record(Edge_index e, const Record& record)
+  {
+    std::uint32_t& i = record_of_[e.idx()];
+    if (i == 0) {
+      i = number_of_records_++;
+      if (i == records_.size())
+        records_.resize(2 * std::size_t(i), internal::default_init);
+    }
+    records_[i] = record;
   }
 
-  internal::Large_vector<std::int64_t> crossings_;
-  internal::Large_vector<std::uint32_t> roundabouts_;
-  internal::Large_vector<std::uint32_t> degrees_;
+  // The first input halfedge after h, which is known from that at or after h.
+  Roundabout first_after(const Delta_complex& complex, Halfedge_index h) const
+  {
+    Roundabout r = roundabout(h);
+    r.steps += is_original(complex.edge(h)) ? 1 : 0;
+    return r;
+  }
+
+  internal::Large_vector<Record> records_; // the first is that of all edges never flipped
+  std::uint32_t number_of_records_ = 0;
+  internal::Large_vector<std::uint32_t> record_of_;
 };
 
 } // namespace Intrinsic_triangulations

@@ -68,7 +68,7 @@ public:
   struct Edge_vector
   {
     Vector vector;
-    std::int64_t reference; ///< index of that input halfedge around the source
+    Halfedge_index reference; ///< that input halfedge
   };
 
   /// \brief what a corner knows of its triangle.
@@ -90,15 +90,15 @@ public:
   /// returns `h` as a vector.
   Edge_vector edge_vector(Halfedge_index h) const
   {
-    const Vertex_index v = complex_.source(h);
-    const std::int64_t roundabout = correspondence_.coordinates().roundabout(h);
+    const Halfedge_index roundabout = correspondence_.input_halfedge(h);
     const Vector zero(metric_.constant(0), metric_.constant(0)),
       one(metric_.constant(1), metric_.constant(0));
     if (correspondence_.coordinates().is_original(complex_.edge(h)))
       return {one, roundabout};
 
-    // h leaves v between the input halfedges `roundabout - 1` and `roundabout`.
-    Run run{correspondence_.input_halfedge(v, roundabout - 1), zero, one, 1};
+    // h leaves its source between `reference` and `roundabout`.
+    const Halfedge_index reference = input_.next(input_.opposite(roundabout));
+    Run run{reference, zero, one, 1};
     Halfedge_index crossed = input_.opposite(input_.next(run.base)); // from left to right
     const internal::Crossing_sequence sequence(complex_, correspondence_.coordinates(), h);
     const std::int64_t n = correspondence_.coordinates().number_of_crossings(complex_.edge(h));
@@ -110,7 +110,7 @@ public:
         run = next_run(run, crossed, turns_left);
       if (crossing + 1 == n)
         return {run.source + run.vector * ratio_to(run, input_.target(input_.next(crossed))),
-                roundabout - 1};
+                reference};
       turns_left = sequence.turns_left(std::size_t(crossing));
       crossed = input_.opposite(turns_left ? input_.prev(crossed) : input_.next(crossed));
     }
@@ -121,7 +121,7 @@ public:
   {
     const Halfedge_index h = complex_.halfedge(e);
     const Edge_vector u = edge_vector(h);
-    return squared_norm(u.vector) * reference_length(complex_.source(h), u.reference);
+    return squared_norm(u.vector) * reference_length(u);
   }
 
   /// returns the corner opposite to `h` in its face.
@@ -132,16 +132,16 @@ public:
     if (is_input_face(h))
       return input_corner(h);
     const Halfedge_index ki = complex_.prev(h), kj = complex_.opposite(complex_.next(h));
-    const Vertex_index k = complex_.source(ki);
     const Edge_vector u = edge_vector(ki), v = edge_vector(kj);
     // From the frame of u to the frame of v there is a fan of input triangles.
     Vector w = v.vector;
     const Normal_coordinates& coordinates = correspondence_.coordinates();
     const std::int64_t fan = coordinates.triangle_crossings(complex_, h).e_k +
                              (coordinates.is_original(complex_.edge(kj)) ? 1 : 0);
+    Halfedge_index from = u.reference;
     for (std::int64_t i = 0; i < fan;)
-      w = w * fan_ratio(k, u.reference, i, fan);
-    const Real s = reference_length(k, u.reference), two_s = s + s;
+      w = w * fan_ratio(from, i, fan);
+    const Real s = reference_length(u), two_s = s + s;
     const Vector z = times_conjugate(w, u.vector);
     return {two_s * z.x(), two_s * z.y(), s * squared_norm(u.vector), s * squared_norm(w),
             s * squared_norm(w - u.vector)};
@@ -169,17 +169,16 @@ private:
 
   Corner input_corner(Halfedge_index h) const
   {
-    const Halfedge_index ij = correspondence_.input_halfedge(
-      complex_.source(h), correspondence_.coordinates().roundabout(h));
+    const Halfedge_index ij = correspondence_.input_halfedge(h);
     const Real s_ij = metric_.squared_length(input_.edge(ij));
     const Real s_jk = metric_.squared_length(input_.edge(input_.next(ij)));
     const Real s_ki = metric_.squared_length(input_.edge(input_.prev(ij)));
     return {s_jk + s_ki - s_ij, metric_.four_areas(input_.face(ij)), s_ki, s_jk, s_ij};
   }
 
-  Real reference_length(Vertex_index v, std::int64_t reference) const
+  Real reference_length(const Edge_vector& v) const
   {
-    return metric_.squared_length(input_.edge(correspondence_.input_halfedge(v, reference)));
+    return metric_.squared_length(input_.edge(v.reference));
   }
 
   // The input triangles of a strip since the last bent edge. They lie in one plane, so that
@@ -218,18 +217,19 @@ private:
             run.vector * metric_.ratio_in_plane(run.base, left, right), 1};
   }
 
-  // The ratio from input halfedge i of a fan around v to the end of its flat part, to which
-  // i is advanced.
-  Vector fan_ratio(Vertex_index v, std::int64_t reference, std::int64_t& i, std::int64_t fan) const
+  // The ratio from an input halfedge, number i of a fan, to the end of the fan's flat part, to
+  // which it is advanced.
+  Vector fan_ratio(Halfedge_index& from, std::int64_t& i, std::int64_t fan) const
   {
-    const Halfedge_index base = correspondence_.input_halfedge(v, reference + i);
-    std::int64_t length = 1;
-    Halfedge_index last = correspondence_.input_halfedge(v, reference + i + 1);
-    while (i + length < fan && metric_.is_flat(last))
-      last = correspondence_.input_halfedge(v, reference + i + ++length);
+    const Halfedge_index base = from;
+    std::int64_t length = 0;
+    do {
+      from = input_.next_around_source(from);
+      ++length;
+    } while (i + length < fan && metric_.is_flat(from));
     i += length;
     return length == 1 ? corner_ratios(base).at_source
-                       : metric_.ratio_in_plane(base, v, input_.target(last));
+                       : metric_.ratio_in_plane(base, input_.source(base), input_.target(from));
   }
 
   Corner_ratios computed_corner_ratios(Halfedge_index ij) const

@@ -106,8 +106,7 @@ private:
 
   void note_coinciding(Halfedge_index h, size_type segment)
   {
-    const Halfedge_index in_input =
-      correspondence_.input_halfedge(intrinsic_.source(h), coordinates_.roundabout(h));
+    const Halfedge_index in_input = correspondence_.input_halfedge(h);
     overlay_.coinciding_halfedges[intrinsic_.edge(h).idx()] = in_input.idx();
     overlay_.input_edges[input_.edge(in_input).idx()] = {2 * segment + (in_input.idx() & 1), 1};
   }
@@ -133,11 +132,11 @@ private:
     if (n == 0)
       return;
     const Halfedge_index ki = intrinsic_.prev(ij);
-    const Vertex_index k = intrinsic_.source(ki);
-    const std::int64_t first =
-      std::int64_t(coordinates_.roundabout(ki)) + (coordinates_.is_original(intrinsic_.edge(ki)) ? 1 : 0);
-    for (std::int64_t i = 0; i < n; ++i)
-      function(correspondence_.input_halfedge(k, first + i), i);
+    Halfedge_index start = correspondence_.input_halfedge(ki);
+    if (coordinates_.is_original(intrinsic_.edge(ki)))
+      start = input_.next_around_source(start);
+    for (std::int64_t i = 0; i < n; ++i, start = input_.next_around_source(start))
+      function(start, i);
   }
 
   // Where an input edge leaves a corner, the opposite side is crossed.
