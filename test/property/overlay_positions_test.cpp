@@ -48,17 +48,30 @@ Triangulation from_squared_lengths(const IT::Indexed_triangles& surface)
   return Triangulation::from_squared_lengths(complex, squared_lengths);
 }
 
+Triangulation triangulated(const IT::Indexed_triangles& surface)
+{
+  Triangulation t(complex_of(surface), surface.points);
+  IT::flip_to_Delaunay(t);
+  return t;
+}
+
 std::vector<std::pair<std::string, IT::Indexed_triangles>> surfaces()
 {
   std::vector<std::pair<std::string, IT::Indexed_triangles>> result{
-    {"prism", IT::prism(60, 1)},
+    {"prism", IT::prism(60)},
+    {"rotated prism", IT::prism(60, 1)},
     {"bad torus", IT::bad_torus(30, 30)},
     {"helical tube", IT::helical_tube()},
     {"sheared grid", IT::sheared_grid(10, 10, 7)},
     {"cap", IT::cap(1e-6)},
     {"sliver sheet", IT::sliver_sheet(12, 1e-4, 1e-4)},
     {"bumpy sphere", IT::bumpy_sphere(40, 21)}};
-  IT::Indexed_triangles tiny = result[1].second; // squared lengths still are no trouble
+  // Planes that are parallel to no axis; sums and differences of small integers are exact.
+  IT::Indexed_triangles tilted = IT::sheared_grid(10, 10, 7);
+  for (auto& p : tilted.points)
+    p = {p[0] + p[1], p[0] - p[1], 3 * p[1] - 2 * p[0]};
+  result.emplace_back("tilted grid", tilted);
+  IT::Indexed_triangles tiny = result[2].second; // squared lengths still are no trouble
   for (auto& p : tiny.points)
     for (double& x : p)
       x = std::ldexp(x + 3, -300);
@@ -89,14 +102,12 @@ TEST(Overlay_positions, agree_with_those_from_exact_squared_lengths)
 }
 
 // Where it gives up, others take over: that has to be rare.
-TEST(Point_strip, knows_most_positions)
+template <class Strip>
+void expect_most_positions_known(const Triangulation& t)
 {
-  const IT::Indexed_triangles surface = IT::bad_torus(60, 60);
-  Triangulation t(complex_of(surface), surface.points);
-  IT::flip_to_Delaunay(t);
   const IT::Overlay overlay(t);
   const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
-  IT::internal::Point_strip strip(input, t.exact_geometry().metric().points());
+  Strip strip(input, t.exact_geometry().metric().points());
   std::size_t asked = 0, known = 0;
   for (IT::Edge_index e : t.connectivity().edges()) {
     if (overlay.intrinsic_crossings(e).empty())
@@ -109,24 +120,47 @@ TEST(Point_strip, knows_most_positions)
     }
     std::size_t visited = 0;
     ++asked;
-    if (strip.finish([&](const IT::internal::Point_strip::Crossing&) { ++visited; })) {
+    if (strip.finish([&](const IT::internal::Strip_layout::Crossing&) { ++visited; })) {
       ++known;
       EXPECT_EQ(visited, overlay.intrinsic_crossings(e).size());
     }
   }
+  EXPECT_GT(asked, 50u);
   EXPECT_GT(known, 0.99 * double(asked));
 }
 
+TEST(Point_strip, knows_most_positions)
+{
+  expect_most_positions_known<IT::internal::Point_strip>(triangulated(IT::bad_torus(60, 60)));
+}
+
+// The caps of a prism are flat, and its sides need no flip.
+TEST(Plane_strip, knows_most_positions)
+{
+  expect_most_positions_known<IT::internal::Plane_strip>(triangulated(IT::prism(120)));
+}
+
 // In a strip of zero area there is no position that could be called good.
-TEST(Point_strip, gives_up_without_area)
+template <class Strip>
+void expect_nothing_without_area()
 {
   const IT::Indexed_triangles flat{{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}, {1, 0, 3}}};
   const IT::Delta_complex input = complex_of(flat);
   const IT::internal::Points points(flat.points.begin(), flat.points.end());
   for (IT::Halfedge_index h : input.halfedges())
     if (!input.is_border(input.edge(h))) {
-      IT::internal::Point_strip strip(input, points);
+      Strip strip(input, points);
       strip.start(h);
-      EXPECT_FALSE(strip.finish([](const IT::internal::Point_strip::Crossing&) {}));
+      EXPECT_FALSE(strip.finish([](const IT::internal::Strip_layout::Crossing&) {}));
     }
+}
+
+TEST(Point_strip, gives_up_without_area)
+{
+  expect_nothing_without_area<IT::internal::Point_strip>();
+}
+
+TEST(Plane_strip, gives_up_without_area)
+{
+  expect_nothing_without_area<IT::internal::Plane_strip>();
 }

@@ -11,7 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Edge_layout.h>
+#include <CGAL/Intrinsic_triangulations/internal/Plane_strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/Point_strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/Strip_layout.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
 
 #include <CGAL/Uncertain.h>
@@ -51,7 +53,8 @@ public:
   Crossing_locator(const Delta_complex& intrinsic, const Exact_geometry& geometry,
                    const Overlay& overlay)
     : intrinsic_(intrinsic), geometry_(geometry), overlay_(overlay),
-      strip_(geometry.correspondence().input(), geometry.metric().points())
+      point_strip_(geometry.correspondence().input(), geometry.metric().points()),
+      plane_strip_(geometry.correspondence().input(), geometry.metric().points())
   {}
 
   // Calls `visit(x, on_intrinsic_edge, on_input_edge)` for each crossing of e in order.
@@ -85,21 +88,25 @@ private:
   bool locate_by_points(Edge_index e)
   {
     const Delta_complex& input = geometry_.correspondence().input();
+    crossed_.clear();
+    for (Overlay::Vertex x : overlay_.intrinsic_crossings(e))
+      crossed_.push_back(input.opposite(overlay_.crossing_input_halfedge(x)));
+    const bool is_in_plane =
+      std::all_of(crossed_.begin(), crossed_.end(),
+                  [&](Halfedge_index h) { return geometry_.input_surface().is_flat(h); });
+    return is_in_plane ? locate_in(plane_strip_) : locate_in(point_strip_);
+  }
+
+  template <class Strip>
+  bool locate_in(Strip& strip)
+  {
+    strip.start(crossed_.front());
+    std::for_each(crossed_.begin() + 1, crossed_.end(), [&](Halfedge_index h) { strip.add(h); });
     positions_.clear();
-    for (Overlay::Vertex x : overlay_.intrinsic_crossings(e)) {
-      const Halfedge_index crossed = input.opposite(overlay_.crossing_input_halfedge(x));
-      if (positions_.empty())
-        strip_.start(crossed);
-      else
-        strip_.add(crossed);
-      positions_.push_back({0, crossed.idx() & 1 ? 1. : 0.}); // where the edge is on the left
-    }
-    auto position = positions_.begin();
-    return strip_.finish([&](const Point_strip::Crossing& crossing) {
-      position->on_intrinsic_edge = crossing.on_edge();
-      position->on_input_edge =
-        position->on_input_edge == 0 ? crossing.from_left() : crossing.from_right();
-      ++position;
+    auto crossed = crossed_.begin();
+    return strip.finish([&](const Strip_layout::Crossing& crossing) {
+      const bool starts_left = (crossed++->idx() & 1) == 0;
+      positions_.push_back({crossing.on_line(), starts_left ? crossing.from_left() : crossing.from_right()});
     });
   }
 
@@ -163,7 +170,9 @@ private:
   const Delta_complex& intrinsic_;
   const Exact_geometry& geometry_;
   const Overlay& overlay_;
-  Point_strip strip_;
+  Point_strip point_strip_;
+  Plane_strip plane_strip_;
+  std::vector<Halfedge_index> crossed_; // from the left to the right
   std::vector<Position> positions_;
 };
 

@@ -6,13 +6,12 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POINT_STRIP_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/Split_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/Split_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/Strip_layout.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -31,23 +30,7 @@ class Point_strip
 {
   using Number = Split_double_double;
   using Vector = std::array<Number, 3>; // exact: a difference of two points
-
-  struct Complex
-  {
-    Number x, y;
-
-    friend Complex operator+(const Complex& a, const Complex& b) { return {a.x + b.x, a.y + b.y}; }
-    friend Complex operator-(const Complex& a, const Complex& b) { return {a.x - b.x, a.y - b.y}; }
-    friend Complex operator*(const Complex& a, const Complex& b)
-    {
-      return {sum(a.x * b.x, -(a.y * b.y)), sum(a.x * b.y, a.y * b.x)};
-    }
-    // Positive if b is to the left of a.
-    friend Number cross_product(const Complex& a, const Complex& b)
-    {
-      return sum(a.x * b.y, -(a.y * b.x));
-    }
-  };
+  using Complex = Split_complex;
 
 public:
   // \param points of the input, none further from another than 4, or none at all
@@ -63,14 +46,10 @@ public:
     is_good_ = true;
     vector_ = vector(crossed);
     const Triangle triangle = lay_out(v, left);
-    first_left_ = corner_ratio(triangle, v, left, 1);
+    layout_.start(corner_ratio(triangle, v, left, 1), {{1, 0}, {0, 0}});
     direction_ = corner_ratio(triangle, v, vector_, -1);
-    left_ = first_left_;
-    right_ = first_right();
-    distance_ = 1 + modulus(first_left_);
-    extent_ = distance_ + modulus(direction_);
+    extent_ = 1 + modulus(layout_.left()) + modulus(direction_);
     last_ = crossed;
-    turns_.clear();
   }
 
   // Adds the next input edge that is crossed.
@@ -79,72 +58,26 @@ public:
     const bool keeps_left = crossed == input_.opposite(input_.prev(last_));
     const Vector w = vector(crossed);
     direction_ = direction_ * corner_ratio(lay_out(vector_, w), vector_, w, keeps_left ? 1 : -1);
-    Complex& apex = keeps_left ? right_ : left_;
-    apex = keeps_left ? left_ + direction_ : right_ - direction_;
-    turns_.push_back({apex, keeps_left});
-    distance_ = (std::max)(distance_, modulus(apex));
+    layout_.add(keeps_left ? layout_.left() + direction_ : layout_.right() - direction_, keeps_left);
     extent_ += modulus(direction_);
     vector_ = w;
     last_ = crossed;
   }
 
-  // Calls `visit(crossing)` for each crossing: which part of the crossed edge lies to
-  // the left, and where on the intrinsic edge it is. Both are good to 2^-52.
-  // \return whether all are so good; what is visited before one is not may not be
+  // As `Strip_layout::finish()`.
   template <class Visit>
   bool finish(const Visit& visit)
   {
     const Vector w = vector(input_.opposite(input_.prev(last_)));
     direction_ = direction_ * corner_ratio(lay_out(vector_, w), vector_, w, 1);
-    const Complex target = left_ + direction_;
+    const Complex target = layout_.left() + direction_;
     extent_ += modulus(direction_);
-    // Quotients of cross products that are good to 2^-55 are good to 2^-54, before they are rounded.
-    const double error = 0x1p-93 * double(turns_.size() + 2) * extent_ *
-                         (std::max)(distance_, modulus(target));
-    const double enough = 0x1p55 * error;
-    left_ = first_left_;
-    right_ = first_right();
-    Crossing crossing{cross_product(target, left_), cross_product(right_, target), left_.y};
-    for (auto turn = turns_.begin();; ++turn) {
-      if (!(is_good_ && crossing.left.hi >= enough && crossing.right.hi >= enough &&
-            crossing.along.hi >= enough))
-        return false;
-      visit(crossing);
-      if (turn == turns_.end())
-        return true;
-      (turn->keeps_left ? right_ : left_) = turn->apex;
-      if (turn->keeps_left)
-        crossing.right = cross_product(right_, target);
-      else
-        crossing.left = cross_product(target, left_);
-      crossing.along = cross_product(right_, left_);
-    }
+    const double error = 0x1p-93 * double(layout_.number_of_edges() + 1) * extent_ *
+                         (std::max)(layout_.distance(), modulus(target));
+    return is_good_ && layout_.finish(target, error, visit);
   }
 
-  struct Crossing
-  {
-    Number left, right, along;
-
-    double from_left() const { return fraction(left); }
-    double from_right() const { return fraction(right); }
-    double on_edge() const { return fraction(along); }
-
-  private:
-    double fraction(const Number& part) const
-    {
-      const Number whole = left + right;
-      return quotient(part, whole, 1 / whole.hi).hi;
-    }
-  };
-
 private:
-  // The input edge that is crossed next keeps one end of the last one.
-  struct Turn
-  {
-    Complex apex; // its other end
-    bool keeps_left;
-  };
-
   // What two sides v and w of a triangle have in common.
   struct Triangle
   {
@@ -152,8 +85,6 @@ private:
     double reciprocal;
     Number height; // four times the area over two times the squared length
   };
-
-  static Complex first_right() { return {{1, 0}, {0, 0}}; }
 
   Vector vector(Halfedge_index h) const
   {
@@ -191,20 +122,14 @@ private:
     return v[0].hi * v[0].hi + v[1].hi * v[1].hi + v[2].hi * v[2].hi;
   }
 
-  // An upper bound.
-  static double modulus(const Complex& z) { return 1.5 * (std::abs(z.x.hi) + std::abs(z.y.hi)); }
-
   const Delta_complex& input_;
   const Points& points_;
   bool is_good_ = false;
   Halfedge_index last_; // crossed edge, ...
   Vector vector_;       // ... in space, ...
-  Complex direction_;   // ... and in the plane,
-  Complex left_, right_; // where its ends lie here
-  Complex first_left_;
-  std::vector<Turn> turns_;
-  double extent_ = 0;   // at least X
-  double distance_ = 0; // at least Y, without the target
+  Complex direction_;   // ... and in the plane
+  Strip_layout layout_;
+  double extent_ = 0; // at least X
 };
 
 } // namespace internal
