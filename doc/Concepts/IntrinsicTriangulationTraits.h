@@ -171,6 +171,8 @@ public:
 
   /// \name Operations
   /// @{
+
+  /// returns the functor.
   Construct_edge_data construct_edge_data_object() const;
   Construct_face_data construct_face_data_object() const;
   Is_locally_Delaunay is_locally_Delaunay_object() const;

@@ -51,7 +51,7 @@ public:
 
   /// \brief follows the flip of `e`, before the flip of the connectivity. O(1), once the
   /// first took O(edges).
-  /// \exception Integer_overflow_error as `Normal_coordinates::flip()`
+  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   void flip(const Delta_complex& complex, Edge_index e)
   {
     start(complex);

@@ -35,7 +35,7 @@ public:
   /// \tparam Triangulation an `Intrinsic_triangulation`
   /// \param triangulation a Delaunay triangulation that keeps its input
   /// \pre `triangulation.keeps_input()`
-  /// \exception Undecided_error as `Exact_geometry::sign_of_cotangents()`
+  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
   template <class Triangulation>
   explicit Delaunay_tessellation(const Triangulation& triangulation)
     : is_tie_(triangulation.connectivity().number_of_edges(), false),

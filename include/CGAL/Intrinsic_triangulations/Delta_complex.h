@@ -80,24 +80,32 @@ private:
 class Delta_complex
 {
 public:
+  /// the type of indices and counts
   using size_type = std::uint32_t;
 
   /// what is stored for a halfedge: the positions of other elements. (A descriptor would
   /// initialize itself, which costs a pass over memory for each new array.)
   struct Halfedge
   {
-    size_type next;
-    size_type prev;
-    size_type target;
+    size_type next; ///< the next halfedge around the face, or along the border
+    size_type prev; ///< the previous halfedge
+    size_type target; ///< the vertex that the halfedge points to
     size_type face; ///< `Face_index::null_index()` for a border halfedge
   };
 
+  /// the records of all halfedges, in a vector that can be filled without being initialized first
   using Halfedge_vector = internal::Large_vector<Halfedge>;
+  /// a halfedge for each vertex or for each face
   using Descriptor_vector = internal::Large_vector<Halfedge_index>;
+  /// \name Iterators
+  /// @{
+
+  /// an iterator over descriptors, of random access
   using Vertex_iterator = internal::Descriptor_iterator<Vertex_index>;
   using Halfedge_iterator = internal::Descriptor_iterator<Halfedge_index>;
   using Edge_iterator = internal::Descriptor_iterator<Edge_index>;
   using Face_iterator = internal::Descriptor_iterator<Face_index>;
+  /// @}
 
   /// constructs the empty complex.
   Delta_complex() = default;
@@ -119,6 +127,8 @@ public:
 
   /// \name Size
   /// @{
+
+  /// returns the number of elements.
   size_type number_of_vertices() const { return size_type(vertex_halfedges_.size()); }
   size_type number_of_halfedges() const { return size_type(halfedges_.size()); }
   size_type number_of_edges() const { return size_type(halfedges_.size() / 2); }
@@ -127,6 +137,8 @@ public:
 
   /// \name Ranges
   /// @{
+
+  /// returns the descriptors of all elements, in order.
   Iterator_range<Vertex_iterator> vertices() const { return range<Vertex_index>(number_of_vertices()); }
   Iterator_range<Halfedge_iterator> halfedges() const { return range<Halfedge_index>(number_of_halfedges()); }
   Iterator_range<Edge_iterator> edges() const { return range<Edge_index>(number_of_edges()); }
@@ -252,6 +264,7 @@ public:
     return a.number_of_vertices() == b.number_of_vertices() &&
            a.face_halfedges_ == b.face_halfedges_ && has_equal_halfedges(a, b);
   }
+  /// returns `!(a == b)`.
   friend bool operator!=(const Delta_complex& a, const Delta_complex& b) { return !(a == b); }
 
 private:

@@ -64,6 +64,7 @@ template <class FT_>
 class Edge_length_traits : public internal::Cotangent_bounds_of_edge_length_traits<FT_>
 {
 public:
+  /// the number type
   using FT = FT_;
   /// squared length
   using Edge_data = FT;
@@ -71,8 +72,11 @@ public:
   using Face_data = FT;
   /// `bool`, or `CGAL::Uncertain<bool>` for an interval type
   using Boolean = typename Real_embeddable_traits<FT>::Boolean;
+  /// the data around an edge
   using Hinge_data = Hinge<Edge_data, Face_data>;
+  /// the data of the other diagonal
   using Flipped_hinge_data = Flipped_hinge<Edge_data, Face_data>;
+  /// a point in space
   using Point_data = std::array<FT, 3>;
   /// whether decisions are those of exact arithmetic
   using Has_exact_decisions = typename Algebraic_structure_traits<FT>::Is_exact;
@@ -82,20 +86,24 @@ public:
   /// makes the data of an edge from its end points or its length.
   struct Construct_edge_data
   {
+    /// makes the edge from `p` to `q`.
     Edge_data operator()(const Point_data& p, const Point_data& q) const
     {
       return internal::squared_distance_3(p, q);
     }
+    /// makes the edge of this length.
     Edge_data from_length(const FT& length) const { return length * length; }
   };
 
   /// makes the data of a face from its corners, or from the lengths of its edges.
   struct Construct_face_data
   {
+    /// makes the face with these corners.
     Face_data operator()(const Point_data& p, const Point_data& q, const Point_data& r) const
     {
       return internal::four_areas_3(p, q, r);
     }
+    /// makes the face with sides of these lengths.
     /// \pre the lengths obey the triangle inequality
     Face_data from_lengths(const FT& ij, const FT& jk, const FT& ki) const
     {
@@ -109,6 +117,7 @@ public:
   /// opposite angles are π.
   struct Is_locally_Delaunay
   {
+    /// decides by the sign of `delaunay_value()`.
     Boolean operator()(const Hinge_data& h) const
     {
       const FT p_k = twice_scalar_product(h.jk, h.ki, h.ij);
@@ -126,6 +135,7 @@ public:
   /// quadrilateral is strictly convex.
   struct Construct_flipped_hinge
   {
+    /// computes `f`, and returns whether the hinge is strictly convex.
     Boolean operator()(const Hinge_data& h, Flipped_hinge_data& f) const
     {
       flip_hinge(h.ij, h.jk, h.ki, h.il, h.lj, h.ijk, h.jil, f.kl, f.ilk, f.jkl);
@@ -137,16 +147,19 @@ public:
   /// gives the squared length of an edge.
   struct Compute_squared_length
   {
+    /// returns the squared length.
     FT operator()(const Edge_data& e) const { return e; }
   };
   /// gives the length of an edge; rounded as the square root of `FT` is.
   struct Compute_length
   {
+    /// returns the length.
     FT operator()(const Edge_data& e) const { return CGAL::sqrt(e); }
   };
   /// gives the area of a face.
   struct Compute_area
   {
+    /// returns the area.
     FT operator()(const Face_data& f, const Edge_data&, const Edge_data&, const Edge_data&) const
     {
       return f / FT(4);
@@ -156,6 +169,7 @@ public:
   /// \pre the area is not zero
   struct Compute_cotangent
   {
+    /// returns the cotangent.
     FT operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
                   const Edge_data& ki) const
     {
@@ -163,6 +177,10 @@ public:
     }
   };
 
+  /// \name Functors
+  /// @{
+
+  /// returns the functor; they have no state.
   Construct_edge_data construct_edge_data_object() const { return {}; }
   Construct_face_data construct_face_data_object() const { return {}; }
   Is_locally_Delaunay is_locally_Delaunay_object() const { return {}; }
@@ -171,6 +189,7 @@ public:
   Compute_length compute_length_object() const { return {}; }
   Compute_area compute_area_object() const { return {}; }
   Compute_cotangent compute_cotangent_object() const { return {}; }
+  /// @}
 };
 
 } // namespace Intrinsic_triangulations

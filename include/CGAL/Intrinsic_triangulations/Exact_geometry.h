@@ -56,6 +56,8 @@ public:
   /// \name Copies
   /// What only speeds up queries is not copied.
   /// @{
+
+  /// copies, moves or assigns the geometry.
   Exact_geometry(const Exact_geometry& other)
     : correspondence_(other.correspondence_), metric_(other.metric_), counts_(other.counts_),
       journal_(other.journal_), straight_faces_(other.straight_faces_)
@@ -88,7 +90,7 @@ public:
   /// \brief updates the integers, before the flip of the connectivity.
   ///
   /// \return whether the new edge is known to be a straight line between two of the points
-  /// \exception Integer_overflow_error as `Normal_coordinates::flip()`
+  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   bool flip(const Delta_complex& complex, Edge_index e)
   {
     if (!straight_faces_ && // a journal is not to outgrow the triangulation
@@ -120,6 +122,8 @@ public:
   ///
   /// Where both faces have zero area, it is `NEGATIVE` if both angles are π, and `ZERO`
   /// otherwise. \pre `prepare()` was called; `e` lies between two different faces
+  /// \param complex the triangulation
+  /// \param e the edge
   /// \param corners receives the two corners
   /// \exception Undecided_error where a zero is too entangled to be proven: more than 192
   ///   independent square roots, or more than four million products of their sums

@@ -25,8 +25,8 @@ namespace Intrinsic_triangulations {
 /// \brief a double and an upper bound on its absolute error.
 struct Bounded_double
 {
-  double value;
-  double error;
+  double value; ///< the number
+  double error; ///< more than its absolute error
 };
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
@@ -72,35 +72,46 @@ class Filtered_edge_length_traits
   static constexpr double smallest_divisor = 1e-100;
 
 public:
+  /// the number type
   using FT = double;
   /// squared length
   using Edge_data = double;
   /// four times the area, with the error bound
   using Face_data = Bounded_area;
+  /// uncertain where the error bounds do not decide
   using Boolean = Uncertain<bool>;
+  /// the data around an edge
   using Hinge_data = Hinge<Edge_data, Face_data>;
+  /// the data of the other diagonal
   using Flipped_hinge_data = Flipped_hinge<Edge_data, Face_data>;
+  /// a point in space
   using Point_data = std::array<double, 3>;
+  /// decisions are those of exact arithmetic
   using Has_exact_decisions = Tag_true;
   /// undecided tests are passed on to the `Exact_geometry` of the triangulation
   using Uses_exact_geometry = Tag_true;
 
+  /// makes the squared length of an edge, right up to 6 u.
   struct Construct_edge_data
   {
     // Each difference, square and sum adds at most u, and nothing cancels: right up to 6 u.
+    /// makes the edge from p to q.
     Edge_data operator()(const Point_data& p, const Point_data& q) const
     {
       return internal::squared_distance_3(p, q);
     }
+    /// makes the edge of this length.
     Edge_data from_length(double length) const { return length * length; }
   };
 
+  /// makes the area of a face with its first error bound.
   struct Construct_face_data
   {
     // The components of the cross product v × w are wrong by at most 4 u times the sum of
     // the absolute values of their two terms, the vector by at most 4 √2 u |v| |w|; norm
     // and root add less than 3 u a. With a <= 2 |v| |w| <= v² + w², 9 u (v² + w²) covers
     // the error of a = 2 |v × w|. Hence (2), and (1) as 1.5 · 6 < 14.
+    /// makes the face with these corners.
     Face_data operator()(const Point_data& p, const Point_data& q, const Point_data& r) const
     {
       return {internal::four_areas_3(p, q, r),
@@ -109,6 +120,7 @@ public:
                             internal::squared_distance_3(p, r))};
     }
     // Kahan's formula: each factor is right up to 2 u, a up to 10 u, and 15 / √3 < 14.
+    /// makes the face with sides of these lengths.
     Face_data from_lengths(double ij, double jk, double ki) const
     {
       return {internal::sqrt_of_non_negative(squared_four_areas_from_lengths(ij, jk, ki)),
@@ -125,6 +137,7 @@ public:
   /// decides whether the edge of a hinge is Delaunay where the error bounds suffice.
   struct Is_locally_Delaunay
   {
+    /// decides, or returns an uncertain value.
     Boolean operator()(const Hinge_data& h) const
     {
       const double p_k = twice_scalar_product(h.jk, h.ki, h.ij);
@@ -146,6 +159,7 @@ public:
   /// that the other diagonal exists.
   struct Construct_flipped_hinge
   {
+    /// computes `flipped` with its error bounds, which may be infinite; returns `true`.
     Boolean operator()(const Hinge_data& h, Flipped_hinge_data& flipped) const
     {
       const double s = h.ij;
@@ -197,6 +211,7 @@ public:
   /// Delaunay.
   struct Compute_cotangent_bounds
   {
+    /// returns the bounds, −∞ where the area is not known well enough.
     std::array<float, 3> operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
                                     const Edge_data& ki) const
     {
@@ -213,9 +228,13 @@ public:
   /// makes stored data from the numbers of an exact stage.
   struct Construct_refined_data
   {
+    /// the number type of the exact stage that decided
     using Number = internal::Bounded_double_double;
 
+    /// makes an edge of squared length s.
     Edge_data operator()(const Number& s) const { return s.hi(); }
+    /// \brief makes a face from four times its area and the squared lengths of its sides.
+    ///
     /// The bound is infinite unless the squared lengths are right up to 6 u; as they are
     /// shared with other faces, they are not to be replaced then.
     Face_data operator()(const Number& four_areas, const Number& ij, const Number& jk,
@@ -235,26 +254,31 @@ public:
   /// tells whether what is kept for a face is so good that it need not be replaced.
   struct Is_accurate
   {
+    /// returns whether the error bound is below 2⁻³⁴ of the area.
     bool operator()(const Face_data& f) const { return f.error <= 0x1p-34 * f.value; }
   };
   /// tells whether a face is known to have positive area.
   struct Has_positive_area
   {
+    /// returns whether the area is larger than its error bound.
     bool operator()(const Face_data& f) const { return f.value > f.error; }
   };
   /// gives the stored squared length of an edge, good to the stored bound.
   struct Compute_squared_length
   {
+    /// returns the squared length.
     double operator()(const Edge_data& e) const { return e; }
   };
   /// gives the length of an edge from the stored squared length.
   struct Compute_length
   {
+    /// returns the length.
     double operator()(const Edge_data& e) const { return std::sqrt(e); }
   };
   /// gives the stored area of a face.
   struct Compute_area
   {
+    /// returns the area.
     double operator()(const Face_data& f, const Edge_data&, const Edge_data&,
                       const Edge_data&) const
     {
@@ -264,6 +288,7 @@ public:
   /// gives the cotangent opposite to ij in the face ijk from what is stored.
   struct Compute_cotangent
   {
+    /// returns the cotangent.
     double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
                       const Edge_data& ki) const
     {
@@ -278,6 +303,7 @@ public:
     // With E <= a/8, the quotient c is wrong by at most (0.84 + |c| / 1.5) E / (a - E / 1.5), which
     // is less than (0.92 + 0.73 |c|) E / a, and its two roundings add 2.01 u |c|, which is below
     // 0.11 |c| E / a by (3).
+    /// returns the cotangent and its bound.
     Bounded_double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
                               const Edge_data& ki) const
     {
@@ -289,6 +315,10 @@ public:
     }
   };
 
+  /// \name Functors
+  /// @{
+
+  /// returns the functor; they have no state.
   Construct_edge_data construct_edge_data_object() const { return {}; }
   Construct_face_data construct_face_data_object() const { return {}; }
   Construct_refined_data construct_refined_data_object() const { return {}; }
@@ -302,6 +332,7 @@ public:
   Compute_cotangent compute_cotangent_object() const { return {}; }
   Compute_cotangent_bounds compute_cotangent_bounds_object() const { return {}; }
   Compute_bounded_cotangent compute_bounded_cotangent_object() const { return {}; }
+  /// @}
 };
 
 } // namespace Intrinsic_triangulations

@@ -35,14 +35,19 @@ template <class FT_>
 class Half_angle_traits
 {
 public:
+  /// the number type
   using FT = FT_;
   /// length
   using Edge_data = FT;
   /// nothing is kept for a face
   struct Face_data {};
+  /// `bool`, or `CGAL::Uncertain<bool>` for an interval type
   using Boolean = typename Real_embeddable_traits<FT>::Boolean;
+  /// the data around an edge
   using Hinge_data = Hinge<Edge_data, Face_data>;
+  /// the data of the other diagonal
   using Flipped_hinge_data = Flipped_hinge<Edge_data, Face_data>;
+  /// a point in space
   using Point_data = std::array<FT, 3>;
   /// whether decisions are those of exact arithmetic
   using Has_exact_decisions = typename Algebraic_structure_traits<FT>::Is_exact;
@@ -60,21 +65,27 @@ public:
   /// returns `cot α = (1 − t²) / (2 t)` for `t = tan(α/2)` (section 2.2).
   static FT cotangent(const FT& t) { return (FT(1) - t * t) / (t + t); }
 
+  /// makes the data of an edge from its end points or its length.
   struct Construct_edge_data
   {
+    /// makes the edge from p to q.
     Edge_data operator()(const Point_data& p, const Point_data& q) const
     {
       return CGAL::sqrt(internal::squared_distance_3(p, q));
     }
+    /// makes the edge of this length.
     Edge_data from_length(const FT& length) const { return length; }
   };
 
+  /// makes the data of a face, which are none.
   struct Construct_face_data
   {
+    /// makes the face with these corners.
     Face_data operator()(const Point_data&, const Point_data&, const Point_data&) const
     {
       return {};
     }
+    /// makes the face with sides of these lengths.
     Face_data from_lengths(const FT&, const FT&, const FT&) const { return {}; }
   };
 
@@ -82,6 +93,7 @@ public:
   /// result that of the number type's division by zero.
   struct Is_locally_Delaunay
   {
+    /// decides by the sum of the cotangents.
     Boolean operator()(const Hinge_data& h) const
     {
       return cotangent(tan_half_angle(h.ij, h.jk, h.ki)) +
@@ -96,6 +108,7 @@ public:
   /// and decides whether the angles at i and at j are less than π.
   struct Construct_flipped_hinge
   {
+    /// computes `f`, and returns whether the hinge is strictly convex.
     Boolean operator()(const Hinge_data& h, Flipped_hinge_data& f) const
     {
       const FT at_i = tan_half_angle(h.jk, h.ij, h.ki);
@@ -117,24 +130,33 @@ public:
     }
   };
 
+  /// gives the squared length of an edge.
   struct Compute_squared_length
   {
+    /// returns the squared length.
     FT operator()(const Edge_data& e) const { return e * e; }
   };
+  /// gives the length of an edge.
   struct Compute_length
   {
+    /// returns the length.
     FT operator()(const Edge_data& e) const { return e; }
   };
+  /// gives the area of a face by Heron's formula.
   struct Compute_area
   {
+    /// returns the area.
     FT operator()(const Face_data&, const Edge_data& ij, const Edge_data& jk,
                   const Edge_data& ki) const
     {
       return internal::sqrt_of_non_negative(squared_four_areas_from_lengths(ij, jk, ki)) / FT(4);
     }
   };
+  /// gives the cotangent of the corner opposite to edge ij in the face ijk.
+  /// \pre the area is not zero
   struct Compute_cotangent
   {
+    /// returns the cotangent.
     FT operator()(const Face_data&, const Edge_data& ij, const Edge_data& jk,
                   const Edge_data& ki) const
     {
@@ -142,6 +164,10 @@ public:
     }
   };
 
+  /// \name Functors
+  /// @{
+
+  /// returns the functor; they have no state.
   Construct_edge_data construct_edge_data_object() const { return {}; }
   Construct_face_data construct_face_data_object() const { return {}; }
   Is_locally_Delaunay is_locally_Delaunay_object() const { return {}; }
@@ -150,6 +176,7 @@ public:
   Compute_length compute_length_object() const { return {}; }
   Compute_area compute_area_object() const { return {}; }
   Compute_cotangent compute_cotangent_object() const { return {}; }
+  /// @}
 };
 
 } // namespace Intrinsic_triangulations

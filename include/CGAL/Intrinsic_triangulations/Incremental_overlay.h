@@ -41,8 +41,11 @@ class Incremental_overlay
   using Graph = internal::Dynamic_overlay_graph;
 
 public:
+  /// the type of counts
   using size_type = std::uint32_t;
+  /// a vertex of the surface or a crossing
   using Vertex = Overlay::Vertex;
+  /// one of the two directions of a segment
   using Halfedge = Overlay::Halfedge;
 
   /// constructs the overlay of a triangulation and itself: every segment has the label `BOTH`.
@@ -67,7 +70,9 @@ public:
 
   /// \name Visitor
   /// @{
+  /// never stops the flips.
   bool go_further(std::uint64_t /* tests */, std::uint64_t /* flips */) const { return true; }
+  /// does the same flip in the overlay.
   void after_flip(Edge_index e) { flip(e); }
   /// @}
 
@@ -75,7 +80,9 @@ public:
   const Delta_complex& input() const { return input_; }
   /// returns the intrinsic triangulation as it is now.
   const Delta_complex& intrinsic() const { return intrinsic_; }
+  /// returns the number of crossings.
   size_type number_of_crossings() const { return graph_.number_of_crossings(); }
+  /// returns the number of segments.
   size_type number_of_segments() const { return graph_.number_of_segments(); }
 
   /// \name Along an edge
@@ -85,12 +92,14 @@ public:
   Halfedge first_part(Halfedge_index h) const { return graph_.first_part(h); }
   /// returns the first part of a halfedge of the input.
   Halfedge first_part_in_input(Halfedge_index h) const { return graph_.first_part_in_input(h); }
+  /// returns the other halfedge of the segment of `h`.
   Halfedge opposite(Halfedge h) const { return graph_.opposite(h); }
   /// returns the halfedge after `h` around its face; at a crossing it leads to the left.
   Halfedge next(Halfedge h) const { return graph_.next(h); }
   /// returns the vertex or crossing that `h` points to; the vertices of the surface come before
   /// the crossings.
   Vertex target(Halfedge h) const { return graph_.target(h); }
+  /// returns whether `v` is a crossing and no vertex of the surface.
   bool is_crossing(Vertex v) const { return graph_.is_crossing(v); }
   /// returns the part that follows `h` in the same edge. \pre `is_crossing(target(h))`
   Halfedge straight_on(Halfedge h) const { return graph_.straight_on(h); }

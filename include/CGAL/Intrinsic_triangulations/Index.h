@@ -23,6 +23,7 @@ template <class Tag>
 class Index
 {
 public:
+  /// the type of positions
   using size_type = std::uint32_t;
 
   /// constructs the null descriptor.
@@ -37,14 +38,21 @@ public:
   /// returns the position that stands for no element.
   static constexpr size_type null_index() { return (std::numeric_limits<size_type>::max)(); }
 
+  /// \name Comparison
+  /// @{
+
+  /// compares the positions; the null descriptor comes last.
   friend constexpr bool operator==(Index a, Index b) { return a.index_ == b.index_; }
   friend constexpr bool operator!=(Index a, Index b) { return a.index_ != b.index_; }
   friend constexpr bool operator<(Index a, Index b) { return a.index_ < b.index_; }
   friend constexpr bool operator>(Index a, Index b) { return b < a; }
   friend constexpr bool operator<=(Index a, Index b) { return !(b < a); }
   friend constexpr bool operator>=(Index a, Index b) { return !(a < b); }
+  /// @}
 
+  /// returns a hash value for `boost::hash`.
   friend std::size_t hash_value(Index a) { return a.index_; }
+  /// writes the letter of the kind of element and the position.
   friend std::ostream& operator<<(std::ostream& os, Index a)
   {
     os << Tag::letter;

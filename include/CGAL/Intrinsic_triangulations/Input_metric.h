@@ -31,9 +31,12 @@ namespace Intrinsic_triangulations {
 class Input_metric
 {
 public:
+  /// a rational number, exact
   using Rational = internal::Rational;
+  /// the points of the vertices, three doubles each
   using Point_vector = internal::Points;
 
+  /// constructs the metric of no surface.
   Input_metric() = default;
 
   /// constructs the metric of a surface in space, from the points of its vertices.

@@ -45,13 +45,21 @@ template <class Traits_>
 class Intrinsic_triangulation
 {
 public:
+  /// the traits
   using Traits = Traits_;
+  /// the number type of lengths, areas and weights
   using FT = typename Traits::FT;
+  /// `bool` or `CGAL::Uncertain<bool>`
   using Boolean = typename Traits::Boolean;
+  /// what is kept for an edge
   using Edge_data = typename Traits::Edge_data;
+  /// what is kept for a face
   using Face_data = typename Traits::Face_data;
+  /// a point in space
   using Point_data = typename Traits::Point_data;
+  /// the data around an edge
   using Hinge_data = Hinge<Edge_data, Face_data>;
+  /// whether decisions and numbers come from the input where the stored ones do not suffice
   static constexpr bool uses_exact_geometry = Traits::Uses_exact_geometry::value;
 
   /// the points of the vertices, in a vector that can be filled without being initialized first
@@ -246,7 +254,7 @@ public:
   /// Where both faces have zero area, it is negative if both opposite angles are π, and
   /// zero otherwise.
   /// \pre `keeps_input()` and `connectivity().is_flippable(e)`
-  /// \exception Undecided_error as `Exact_geometry::sign_of_cotangents()`
+  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
   Sign sign_of_cotangent_weight(Edge_index e) const
   {
     if constexpr (uses_exact_geometry) {

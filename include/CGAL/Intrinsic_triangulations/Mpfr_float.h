@@ -65,8 +65,10 @@ public:
   }
   /// restores the precision.
   ~Mpfr_precision() { set_digits(old_digits_, Own_default()); }
+  /// \cond SKIP_IN_MANUAL
   Mpfr_precision(const Mpfr_precision&) = delete;
   Mpfr_precision& operator=(const Mpfr_precision&) = delete;
+  /// \endcond
 
   /// returns the precision that was set, in bits.
   int bits() const { return bits_; }

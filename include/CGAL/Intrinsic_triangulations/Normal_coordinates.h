@@ -25,8 +25,12 @@ namespace Intrinsic_triangulations {
 /// At most one of `e_i`, `e_j`, `e_k` is positive.
 struct Triangle_crossings
 {
-  std::int64_t e_i, e_j, e_k; ///< number of segments from a corner to the opposite edge
-  std::int64_t c_i, c_j, c_k; ///< number of segments that cut a corner off
+  std::int64_t e_i; ///< number of segments from corner i to the opposite edge
+  std::int64_t e_j; ///< the same for corner j
+  std::int64_t e_k; ///< the same for corner k
+  std::int64_t c_i; ///< number of segments that cut corner i off
+  std::int64_t c_j; ///< the same for corner j
+  std::int64_t c_k; ///< the same for corner k
 
   /// computes the numbers from how often the edges are crossed.
   BOOST_FORCEINLINE Triangle_crossings(std::int64_t n_ij, std::int64_t n_jk, std::int64_t n_ki)

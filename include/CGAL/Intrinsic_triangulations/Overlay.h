@@ -62,11 +62,17 @@ enum class Segment_label : std::uint8_t {
 class Overlay
 {
 public:
+  /// the type of indices and counts
   using size_type = std::uint32_t;
+  /// a vertex of the surface or a crossing
   using Vertex = Index<internal::Overlay_vertex_tag>;
+  /// one of the two directions of a segment
   using Halfedge = Index<internal::Overlay_halfedge_tag>;
+  /// a part of an edge between two crossings or vertices
   using Segment = Index<internal::Segment_tag>;
+  /// a convex polygon
   using Face = Index<internal::Overlay_face_tag>;
+  /// a range of descriptors
   template <class Descriptor>
   using Range = Iterator_range<internal::Descriptor_iterator<Descriptor>>;
 
@@ -89,38 +95,55 @@ public:
 
   /// \name Size
   /// @{
+  /// returns the number of vertices of the surface and crossings.
   size_type number_of_vertices() const { return size_type(arrays_.vertex_halfedges.size()); }
   /// returns the number of vertices of the surface, which come before the crossings.
   size_type number_of_original_vertices() const { return arrays_.number_of_original_vertices; }
+  /// returns the number of crossings.
   size_type number_of_crossings() const { return number_of_vertices() - arrays_.number_of_original_vertices; }
+  /// returns the number of segments.
   size_type number_of_segments() const { return size_type(arrays_.parents.size()); }
+  /// returns the number of halfedges, two for each segment.
   size_type number_of_halfedges() const { return size_type(arrays_.halfedges.size()); }
+  /// returns the number of faces.
   size_type number_of_faces() const { return size_type(arrays_.faces.size()); }
+  /// returns the number of edges of the intrinsic triangulation.
   size_type number_of_intrinsic_edges() const { return size_type(arrays_.coinciding_halfedges.size()); }
+  /// returns the number of edges of the input.
   size_type number_of_input_edges() const { return size_type(arrays_.input_edges.size()); }
   /// @}
 
   /// \name Ranges
   /// @{
+  /// returns all vertices: those of the surface, then the crossings.
   Range<Vertex> vertices() const { return range<Vertex>(0, number_of_vertices()); }
   /// returns the vertices that are crossings.
   Range<Vertex> crossings() const { return range<Vertex>(arrays_.number_of_original_vertices, number_of_vertices()); }
+  /// returns all halfedges.
   Range<Halfedge> halfedges() const { return range<Halfedge>(0, number_of_halfedges()); }
+  /// returns all segments.
   Range<Segment> segments() const { return range<Segment>(0, number_of_segments()); }
+  /// returns all faces.
   Range<Face> faces() const { return range<Face>(0, number_of_faces()); }
   /// @}
 
   /// \name Navigation
   /// @{
+  /// returns the other halfedge of the segment of `h`.
   Halfedge opposite(Halfedge h) const { return Halfedge(h.idx() ^ 1); }
+  /// returns the segment of `h`.
   Segment segment(Halfedge h) const { return Segment(h.idx() >> 1); }
+  /// returns halfedge `2s`.
   Halfedge halfedge(Segment s) const { return Halfedge(s.idx() << 1); }
   /// returns the halfedge after `h` around its face, or along the border.
   Halfedge next(Halfedge h) const { return Halfedge(arrays_.halfedges[h.idx()].next); }
+  /// returns the vertex that `h` points to.
   Vertex target(Halfedge h) const { return Vertex(arrays_.halfedges[h.idx()].target); }
+  /// returns the vertex that `h` comes from.
   Vertex source(Halfedge h) const { return target(opposite(h)); }
   /// returns the face to the left of `h`, or the null descriptor.
   Face face(Halfedge h) const { return Face(arrays_.halfedges[h.idx()].face); }
+  /// returns whether `h` has no face.
   bool is_border(Halfedge h) const { return !face(h).is_valid(); }
   /// returns a halfedge that points to `v`; the null descriptor if `v` is isolated. If `v` is
   /// a crossing, it is part of an intrinsic edge and runs in the direction of its halfedge `2e`.
@@ -131,6 +154,7 @@ public:
 
   /// \name Where things come from
   /// @{
+  /// returns whether `v` is a crossing and no vertex of the surface.
   bool is_crossing(Vertex v) const { return v.idx() >= arrays_.number_of_original_vertices; }
   /// returns the vertex of the surface that `v` is. \pre `!is_crossing(v)`
   Vertex_index original_vertex(Vertex v) const
@@ -138,6 +162,7 @@ public:
     CGAL_precondition(!is_crossing(v));
     return Vertex_index(v.idx());
   }
+  /// returns of which of the two triangulations `s` is part.
   Segment_label label(Segment s) const
   {
     if (s.idx() >= arrays_.first_input_segment)

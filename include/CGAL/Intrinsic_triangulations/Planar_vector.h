@@ -14,6 +14,7 @@ template <class Real>
 class Planar_vector
 {
 public:
+  /// constructs x + i y.
   Planar_vector(const Real& x, const Real& y) : x_(x), y_(y) {}
 
   /// returns the real part.

@@ -61,13 +61,15 @@ template <class Metric>
 class Unfolding
 {
 public:
+  /// the ring
   using Real = typename Metric::Real;
+  /// a vector in the plane of a layout
   using Vector = typename Metric::Vector;
 
   /// \brief an edge as a vector in the frame of an input halfedge: 1 is that halfedge.
   struct Edge_vector
   {
-    Vector vector;
+    Vector vector; ///< the edge, from source to target
     Halfedge_index reference; ///< that input halfedge
   };
 

@@ -48,6 +48,8 @@ public:
     UNREADABLE              ///< the text or file is not of the expected form
   };
 
+  /// constructs the error from what is wrong, the first offending element, how many there are, and the
+  /// message that names them.
   Invalid_surface_error(Defect defect, std::size_t element, std::size_t count,
                         const std::string& message)
     : Error(message), defect_(defect), element_(element), count_(count)

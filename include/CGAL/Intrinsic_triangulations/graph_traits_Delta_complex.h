@@ -39,6 +39,7 @@ namespace Intrinsic_triangulations {
 class Oriented_edge
 {
 public:
+  /// the type of positions
   using size_type = Edge_index::size_type;
 
   /// constructs the null descriptor.
@@ -62,14 +63,21 @@ public:
     return is_valid() ? Edge_index(halfedge_.idx() >> 1) : Edge_index();
   }
 
+  /// \name Comparison
+  /// @{
+
+  /// compares the edges, whatever their directions; the null descriptor comes last.
   friend constexpr bool operator==(Oriented_edge a, Oriented_edge b) { return a.idx() == b.idx(); }
   friend constexpr bool operator!=(Oriented_edge a, Oriented_edge b) { return !(a == b); }
   friend constexpr bool operator<(Oriented_edge a, Oriented_edge b) { return a.idx() < b.idx(); }
   friend constexpr bool operator>(Oriented_edge a, Oriented_edge b) { return b < a; }
   friend constexpr bool operator<=(Oriented_edge a, Oriented_edge b) { return !(b < a); }
   friend constexpr bool operator>=(Oriented_edge a, Oriented_edge b) { return !(a < b); }
+  /// @}
 
+  /// returns a hash value for `boost::hash`.
   friend std::size_t hash_value(Oriented_edge e) { return e.idx(); }
+  /// writes the edge as `Edge_index` does.
   friend std::ostream& operator<<(std::ostream& os, Oriented_edge e) { return os << Edge_index(e); }
 
 private:
@@ -166,6 +174,10 @@ private:
   {};
 
 public:
+  /// \name What the concepts of BGL ask for
+  /// @{
+
+  /// as the concepts of the Boost Graph Library say
   using vertex_descriptor = CGAL::Intrinsic_triangulations::Vertex_index;
   using halfedge_descriptor = CGAL::Intrinsic_triangulations::Halfedge_index;
   using edge_descriptor = CGAL::Intrinsic_triangulations::Oriented_edge;
@@ -192,6 +204,7 @@ public:
   static vertex_descriptor null_vertex() { return vertex_descriptor(); }
   static halfedge_descriptor null_halfedge() { return halfedge_descriptor(); }
   static face_descriptor null_face() { return face_descriptor(); }
+  /// @}
 };
 
 /// \cond SKIP_IN_MANUAL

@@ -23,13 +23,13 @@ namespace Intrinsic_triangulations {
 template <class Edge_data, class Face_data>
 struct Hinge
 {
-  const Edge_data& ij;
-  const Edge_data& jk;
-  const Edge_data& ki;
-  const Edge_data& il;
-  const Edge_data& lj;
-  const Face_data& ijk;
-  const Face_data& jil;
+  const Edge_data& ij; ///< the edge itself
+  const Edge_data& jk; ///< from j to the corner k on its left
+  const Edge_data& ki; ///< from k to i
+  const Edge_data& il; ///< from i to the corner l on its right
+  const Edge_data& lj; ///< from l to j
+  const Face_data& ijk; ///< the face to the left
+  const Face_data& jil; ///< the face to the right
 };
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
@@ -37,9 +37,9 @@ struct Hinge
 template <class Edge_data, class Face_data>
 struct Flipped_hinge
 {
-  Edge_data kl;
-  Face_data ilk;
-  Face_data jkl;
+  Edge_data kl; ///< the other diagonal
+  Face_data ilk; ///< the new face at i
+  Face_data jkl; ///< the new face at j
 };
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas

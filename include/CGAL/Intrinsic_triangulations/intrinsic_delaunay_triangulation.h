@@ -34,6 +34,7 @@ template <class Traits>
 class Intrinsic_delaunay_triangulation : public Intrinsic_triangulation<Traits>
 {
 public:
+  /// the triangulation without the report
   using Base = Intrinsic_triangulation<Traits>;
 
   /// flips the edges of `triangulation` until it is Delaunay; `np` as for `flip_to_Delaunay()`.

@@ -133,7 +133,8 @@ inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Delta_complex& compl
   return mass;
 }
 
-/// as above, with the areas of `face_areas()`.
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief as above, with the areas of `face_areas()`.
 template <class Traits>
 Eigen::SparseMatrix<double> lumped_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)
 {
@@ -163,7 +164,8 @@ inline Eigen::SparseMatrix<double> galerkin_mass_matrix(const Delta_complex& com
     [&](int v, double) { return diagonal[std::size_t(v)]; });
 }
 
-/// as above, with the areas of `face_areas()`.
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief as above, with the areas of `face_areas()`.
 template <class Traits>
 Eigen::SparseMatrix<double>
 galerkin_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)

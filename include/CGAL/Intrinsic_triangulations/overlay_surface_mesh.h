@@ -133,8 +133,8 @@ auto overlay_to_surface_mesh(const Overlay& overlay, const Overlay_positions& po
 /// \cgalNamedParamsEnd
 ///
 /// \exception Invalid_surface_error if the numbers of vertices differ
-/// \exception Undecided_error as `Overlay_positions::Overlay_positions()`
-/// \exception Integer_overflow_error as `Overlay::Overlay()`
+/// \exception Undecided_error as the constructor of `Overlay_positions`
+/// \exception Integer_overflow_error as the constructor of `Overlay`
 template <class Traits, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters>
 auto overlay_to_surface_mesh(const Intrinsic_triangulation<Traits>& triangulation,

@@ -68,7 +68,7 @@ public:
   ///   the third coordinate zero; a point of a face with three positive coordinates
   /// \exception Invalid_point_error if the halfedge is a border halfedge or out of range, or the
   ///   coordinates are not finite, not positive or zero, or all zero
-  /// \exception Undecided_error as `Exact_geometry::sign_of_cotangents()`
+  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
   Surface_point input_to_intrinsic(const Surface_point& point) const
   {
     return map(input_, intrinsic_, point,

@@ -43,7 +43,16 @@ struct Delaunay_verification
 ///
 /// \tparam Triangulation an `Intrinsic_triangulation`
 /// \param triangulation a triangulation that keeps its input
-/// \param np the named parameter `edge_is_constrained_map` tells which edges to leave out
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{a property map that tells which edges to leave out}
+///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is left out}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \pre `triangulation.keeps_input()`
 /// \exception Undecided_error where a sign is beyond every stage
 ///
