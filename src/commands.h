@@ -24,6 +24,7 @@ void add_compare_command(CLI::App& app, Selected_command& selected);
 void add_parameterize_command(CLI::App& app, Selected_command& selected);
 void add_table_command(CLI::App& app, Selected_command& selected);
 void add_sample_command(CLI::App& app, Selected_command& selected);
+void add_describe_command(CLI::App& app, Selected_command& selected);
 
 // Writes a message to the standard error and says which status it stands for; to be
 // called in a handler.

@@ -30,6 +30,7 @@ int main(int argc, char** argv)
     idt::add_parameterize_command(app, selected);
     idt::add_table_command(app, selected);
     idt::add_sample_command(app, selected);
+    idt::add_describe_command(app, selected);
     try {
       app.parse(argc, argv);
       status = selected();
