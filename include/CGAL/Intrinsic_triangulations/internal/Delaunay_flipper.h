@@ -212,7 +212,7 @@ private:
         report_.status = Flip_status::BUDGET_EXHAUSTED;
         return false;
       }
-      switch (triangulation_.flip(e)) {
+      switch (triangulation_.flip_not_Delaunay(e)) {
       case Flip_outcome::FLIPPED:
         ++report_.flips;
         if constexpr (!Triangulation::Traits::Has_exact_decisions::value)
