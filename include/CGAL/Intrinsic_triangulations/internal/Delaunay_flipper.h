@@ -207,6 +207,8 @@ private:
         candidates_.push_if(true, e);
         continue;
       }
+      if (!goes_further(report_.tests))
+        return false;
       marks_[e.idx()] = Mark::SETTLED;
       if (report_.flips == budget_) {
         report_.status = Flip_status::BUDGET_EXHAUSTED;
