@@ -443,7 +443,7 @@ TEST(Sample_surfaces, names)
     const auto surface = IT::make_sample(sample.name);
     EXPECT_EQ(std::holds_alternative<Glued_triangles>(surface), sample.name == "one-vertex-torus");
   }
-  EXPECT_EQ(names.size(), 15u);
+  EXPECT_EQ(names.size(), 16u);
   try {
     IT::make_sample("klein-bottle");
     ADD_FAILURE() << "an unknown name was accepted";

@@ -138,7 +138,7 @@ inline Indexed_triangles disk_with_spike(std::size_t columns = 40, std::size_t r
 /// As `bumpy_sphere()`, but a disk, and with a twist that stretches the triangles across the
 /// bumps. The boundary is even.
 /// Good for parameterization, and for pictures: as it stands the harmonic map to the unit disk by the
-/// extrinsic operator flips 7 triangles; the intrinsic triangulation has no loops and no multiple
+/// extrinsic operator flips 8 triangles; the intrinsic triangulation has no loops and no multiple
 /// edges, and the map by its operator flips none.
 /// Euler characteristic 1; `columns * rows + 1` vertices, `columns * (2 * rows - 1)` faces, `columns`
 /// boundary edges: 433 vertices and 840 faces as it stands.
@@ -147,7 +147,7 @@ inline Indexed_triangles disk_with_spike(std::size_t columns = 40, std::size_t r
 /// \param bump_height the largest change of the radius 1, in [0, 1)
 /// \param twist of the meridians, in radians from the pole to the boundary
 /// \param seed of the random shifts and diagonals
-inline Indexed_triangles bumpy_dome(std::size_t columns = 24, std::size_t rows = 18, double bump_height = 0.3,
+inline Indexed_triangles bumpy_dome(std::size_t columns = 24, std::size_t rows = 18, double bump_height = 0.2,
                                     double twist = 8, std::uint64_t seed = 1)
 {
   internal::require_sample_argument(columns >= 3 && rows >= 1, "a dome has 3 columns and 1 row at least");
