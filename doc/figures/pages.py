@@ -17,11 +17,12 @@ def page_of_images(images, titles, columns):
     """A page with images of the same size, pixel by pixel, under their titles."""
     rows = -(-len(images) // columns)
     height, width = (n / DOTS_PER_INCH for n in images[0].shape[:2])
-    title_height, bottom = 0.36, 0.4
-    page_width, page_height = columns * width, rows * (height + title_height) + bottom
+    title_height, bottom, gap = 0.36, 0.4, 0.1
+    page_width = columns * (width + gap) - gap
+    page_height = rows * (height + title_height) + bottom
     page = pyplot.figure(figsize=(page_width, page_height))
     for i, (image, title) in enumerate(zip(images, titles)):
-        left = (i % columns) * width
+        left = (i % columns) * (width + gap)
         top = (i // columns) * (height + title_height) + title_height
         axes = page.add_axes([left / page_width, 1 - (top + height) / page_height,
                               width / page_width, height / page_height])

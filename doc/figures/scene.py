@@ -45,8 +45,8 @@ def _actor(data):
 
 def _soften(actor):
     """Makes light and shade differ less."""
-    actor.GetProperty().SetAmbient(0.55)
-    actor.GetProperty().SetDiffuse(0.5)
+    actor.GetProperty().SetAmbient(0.65)
+    actor.GetProperty().SetDiffuse(0.4)
 
 
 def polygons(points, faces, colors=None):
