@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The figures of the paper, redone: each function draws one of them on any surface."""
 
-from math import acos, cos, sin
-
 import numpy as np
 from matplotlib import pyplot
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LogNorm
 from matplotlib.lines import Line2D
 
-from idt_files import read_obj, write_off
+from idt_files import read_obj
 from pages import page_of_images
 from scene import polygons, render, textured, tubes
 
@@ -167,20 +165,3 @@ def circle_patterns(clipped, intrinsic, camera):
     bar.minorticks_off()
     page.text(0.29, 0.36 / height, "distortion", horizontalalignment="right", verticalalignment="center")
     return page
-
-
-def thin_tube(path, vertices=9, pitch=2.2):
-    """The sample helical-tube, so short that it can be seen: points that wind around an axis."""
-    turn = acos(-2 / 3)
-    points = np.array([[cos(turn * i), sin(turn * i), pitch * i] for i in range(vertices)])
-    faces = [(0, 2, 1), (vertices - 3, vertices - 2, vertices - 1)]
-    for i in range(vertices - 3):
-        faces += [(i, i + 1, i + 3), (i, i + 3, i + 2)]
-    return write_off(path, points, np.array(faces))
-
-
-def half(surface, path, axis, fraction):
-    """The triangles beyond a plane, at a fraction of the extent along an axis."""
-    x = surface.points[:, axis]
-    beyond = x > x.min() + fraction * np.ptp(x)
-    return write_off(path, surface.points, surface.faces[beyond[surface.faces].all(axis=1)])

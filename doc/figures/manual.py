@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Callable
 
 import figures
+import surfaces
 from idt_files import read_off
 from pages import save
 from scene import Camera
@@ -31,7 +32,7 @@ DOME = sample("bumpy-dome")
 
 SAMPLES = {
     "edges": Subject(DOME, Camera((1, -1.2, 0.9))),
-    "thin-tube": Subject(lambda idt: figures.thin_tube(idt.folder / "thin-tube.off"),
+    "thin-tube": Subject(lambda idt: surfaces.thin_tube(idt.folder / "thin-tube.off"),
                          Camera((1, 0.2, 0.1), up=(0.1, -1, 0), size=(960, 190)), 0.0028),
     "overlays": [
         Subject(sample("bumpy-sphere"), part((1, -1, 0.7), center=(0.5, -0.5, 0.4), height=0.9), 0.001),
@@ -51,7 +52,7 @@ def table_1(folder):
         return lambda idt: read_off(folder / f"{name}.off")
 
     def upper_half_of_hygeia(idt):
-        return figures.half(model("hygeia")(idt), idt.folder / "half-of-hygeia.off", axis=1, fraction=0.5)
+        return surfaces.half(model("hygeia")(idt), idt.folder / "half-of-hygeia.off", axis=1, fraction=0.5)
 
     return {
         "edges": Subject(model("cathead"), Camera((0.3, 0.3, 1), up=(0, 1, 0))),
@@ -72,9 +73,10 @@ def draw_edges(idt, subject):
 
 
 def draw_overlays(idt, subjects):
-    surfaces = [subject.surface(idt) for subject in subjects]
-    return figures.overlays([(surface, idt.triangulate(surface), subject.camera, subject.radius)
-                             for surface, subject in zip(surfaces, subjects)])
+    def panel(subject):
+        surface = subject.surface(idt)
+        return surface, idt.triangulate(surface), subject.camera, subject.radius
+    return figures.overlays([panel(subject) for subject in subjects])
 
 
 def draw_weights(idt, subject):

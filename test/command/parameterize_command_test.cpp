@@ -274,6 +274,19 @@ TEST_F(Parameterize_command, says_what_is_wrong)
   EXPECT_EQ(files().size(), 2u); // the inputs
 }
 
+TEST_F(Parameterize_command, of_lengths_alone_has_distortion_but_no_picture)
+{
+  write("kite.gluing", "INTRINSIC_GLUING 1\n4 5 2\n0 1 2\n0 2 3\n0 -1 1\n1 -1 1\n2 3 1.8\n4 -1 1\n5 -1 1\n");
+  for (const char* option : {"--uv", "--uv-input"}) {
+    const Command_run run = idt(std::string("parameterize kite.gluing ") + option + " k.obj");
+    EXPECT_EQ(run.status, 2);
+    EXPECT_TRUE(contains(run.err, "kite.gluing has lengths alone")) << run.err;
+  }
+  EXPECT_EQ(files(), std::vector<std::string>{"kite.gluing"});
+  ASSERT_EQ(idt("parameterize kite.gluing --distortion d.csv").status, 0);
+  EXPECT_EQ(lines(content(folder_ / "d.csv")).size(), 1u + 4u); // the diagonals cross
+}
+
 TEST_F(Matrix_command, stiffness_and_mass)
 {
   write_kite("kite.off"); // corners (0,0), (1,-1/4), (2,0), (1,1/4): the edge 0-2 is flipped to 1-3
