@@ -20,7 +20,9 @@ namespace fs = std::filesystem;
 int create_beside(const std::string& target, std::string& temporary)
 {
   for (int attempt = 0; attempt < 1000; ++attempt) {
-    temporary = target + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+    // A name may have 255 bytes.
+    const fs::path path(target);
+    temporary = (path.parent_path() / path.filename().string().substr(0, 200)).string() + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
     const int descriptor = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
     if (descriptor >= 0) {
       ::close(descriptor);

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include <iostream>
+#include <string>
 
 int main(int argc, char** argv)
 {
@@ -31,6 +32,12 @@ int main(int argc, char** argv)
     idt::add_table_command(app, selected);
     idt::add_sample_command(app, selected);
     idt::add_describe_command(app, selected);
+    // An empty argument is more likely a variable that is not set than a wish.
+    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+      for (CLI::Option* option : command->get_options())
+        option->check([](const std::string& value) {
+          return value.empty() ? std::string("must not be empty") : std::string();
+        });
     try {
       app.parse(argc, argv);
       status = selected();

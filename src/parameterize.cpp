@@ -36,6 +36,8 @@ struct Parameterize_options
   std::string laplacian = "intrinsic";
   std::string boundary;
   std::string uv_path;
+  std::string uv_input_path;
+  std::string distortion_path;
   std::string json_path;
 };
 
@@ -43,7 +45,8 @@ struct Parameterize_options
 struct Quality
 {
   IT::Parameterization_check check;
-  IT::Distortion_summary distortion;
+  std::vector<double> distortion; // of each face
+  IT::Distortion_summary summary;
 };
 
 struct Result
@@ -64,10 +67,11 @@ void check(Parameterize_options& options)
   } else if (options.boundary.empty()) {
     options.boundary = "disk";
   }
-  std::vector<std::string> outputs{options.json_path};
-  if (!options.uv_path.empty())
-    for (const std::string& path : textured_mesh_paths(options.uv_path))
-      outputs.push_back(path);
+  std::vector<std::string> outputs{options.json_path, options.distortion_path};
+  for (const std::string& obj_path : {options.uv_path, options.uv_input_path})
+    if (!obj_path.empty())
+      for (const std::string& path : textured_mesh_paths(obj_path))
+        outputs.push_back(path);
   check_output_paths(outputs, {options.input});
 }
 
@@ -100,10 +104,11 @@ void find_map(const Parameterize_options& options, Result& result)
 Quality quality(const IT::Delta_complex& complex, const Numbers& numbers,
                 const IT::Planar_points& uv)
 {
-  return {IT::check_parameterization(complex, uv),
-          IT::summarize_distortion(
-            IT::quasi_conformal_distortion(complex, numbers.lengths, numbers.areas, uv),
-            numbers.areas)};
+  Quality quality;
+  quality.check = IT::check_parameterization(complex, uv);
+  quality.distortion = IT::quasi_conformal_distortion(complex, numbers.lengths, numbers.areas, uv);
+  quality.summary = IT::summarize_distortion(quality.distortion, numbers.areas);
+  return quality;
 }
 
 // JSON has no infinity.
@@ -113,9 +118,9 @@ Json json_value(const Quality& quality)
 {
   return {{"flipped", quality.check.flipped.size()},
           {"collapsed", quality.check.collapsed.size()},
-          {"mean_distortion", number(quality.distortion.mean)},
-          {"percentile_99_distortion", number(quality.distortion.percentile_99)},
-          {"max_distortion", number(quality.distortion.maximum)}};
+          {"mean_distortion", number(quality.summary.mean)},
+          {"percentile_99_distortion", number(quality.summary.percentile_99)},
+          {"max_distortion", number(quality.summary.maximum)}};
 }
 
 Json json_value(const std::optional<IT::Circle_pattern>& pattern)
@@ -160,9 +165,9 @@ std::string text(const Quality& quality)
 {
   return counted(quality.check.flipped.size(), "triangle", "triangles") + " flipped, " +
          with_separators(quality.check.collapsed.size()) + " collapsed; distortion " +
-         in_short(quality.distortion.mean) + " in the mean, " +
-         in_short(quality.distortion.percentile_99) + " at 99 % of the area, " +
-         in_short(quality.distortion.maximum) + " at most";
+         in_short(quality.summary.mean) + " in the mean, " +
+         in_short(quality.summary.percentile_99) + " at 99 % of the area, " +
+         in_short(quality.summary.maximum) + " at most";
 }
 
 void write_report(std::ostream& os, const Parameterize_options& options, const Result& result)
@@ -182,6 +187,45 @@ void write_report(std::ostream& os, const Parameterize_options& options, const R
      << '\n';
 }
 
+// The distortion of each face of the overlay by both maps; nothing where it is infinite.
+void write_distortion(std::ostream& os, const Result& result)
+{
+  const auto text = [](double x) { return std::isfinite(x) ? in_full(x) : std::string(); };
+  const IT::Overlay& overlay = result.triangulation.outcome.overlay->graph;
+  os << "input_face,intrinsic_face,over_input,over_intrinsic\n";
+  for (IT::Overlay::Face f : overlay.faces()) {
+    const std::size_t input = overlay.input_face(f).idx(), intrinsic = overlay.intrinsic_face(f).idx();
+    os << input << ',' << intrinsic << ',' << text(result.on_input.distortion[input]) << ','
+       << text(result.on_intrinsic.distortion[intrinsic]) << '\n';
+  }
+}
+
+void write_files(const Parameterize_options& options, const Result& result)
+{
+  const Surface& surface = result.triangulation.surface;
+  const Outcome& outcome = result.triangulation.outcome;
+  if (!(options.uv_path.empty() && options.uv_input_path.empty()) && !surface.has_points())
+    throw Usage_error("--uv and --uv-input need points: " + surface.path + " has lengths alone");
+  if (!options.uv_path.empty())
+    write_textured_mesh(options.uv_path, make_map_over_intrinsic(surface, outcome.connectivity,
+                                                                 *outcome.overlay, result.uv));
+  if (!options.uv_input_path.empty())
+    write_textured_mesh(options.uv_input_path, make_map_over_input(surface, result.uv));
+  if (!options.distortion_path.empty()) {
+    Output_file file(options.distortion_path);
+    write_distortion(file.stream(), result);
+    file.commit();
+  }
+  if (!options.json_path.empty()) {
+    Output_file file(options.json_path);
+    // A file name need not be valid UTF-8.
+    file.stream() << json_value(options, result).dump(2, ' ', false,
+                                                      Json::error_handler_t::replace)
+                  << '\n';
+    file.commit();
+  }
+}
+
 Exit_status run_parameterize(Parameterize_options options)
 {
   check(options);
@@ -190,6 +234,8 @@ Exit_status run_parameterize(Parameterize_options options)
   kernel.wanted = Wanted::nothing();
   kernel.wanted.weights = kernel.wanted.lengths = kernel.wanted.numbers =
     kernel.wanted.input_numbers = true;
+  kernel.wanted.crossings = kernel.wanted.overlay =
+    !options.uv_path.empty() || !options.distortion_path.empty();
   const Exit_status status = for_each_input({options.input}, [&](const std::string& path) {
     result.triangulation = triangulate(path, kernel, std::nullopt);
     const Exit_status status = exit_status(result.triangulation.outcome);
@@ -213,16 +259,7 @@ Exit_status run_parameterize(Parameterize_options options)
     result.seconds = stopwatch.seconds();
     result.on_input = quality(surface.connectivity, outcome.input_numbers, result.uv);
     result.on_intrinsic = quality(outcome.connectivity, outcome.numbers, result.uv);
-    if (!options.uv_path.empty())
-      write_textured_mesh(options.uv_path, surface, result.uv);
-    if (!options.json_path.empty()) {
-      Output_file file(options.json_path);
-      // A file name need not be valid UTF-8.
-      file.stream() << json_value(options, result).dump(2, ' ', false,
-                                                        Json::error_handler_t::replace)
-                    << '\n';
-      file.commit();
-    }
+    write_files(options, result);
     write_report(std::cout, options, result);
     flush_standard_output();
     return status;
@@ -259,9 +296,18 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
     ->capture_default_str();
   command
     .add_option("--uv", options->uv_path,
-                "write the surface with texture coordinates, beside it F.mtl and F.png with a "
-                "checkerboard")
+                "write the surface with the texture coordinates that are linear on the intrinsic "
+                "triangles, as the overlay; beside it F.mtl and F.png with a checkerboard")
     ->type_name("F.obj");
+  command
+    .add_option("--uv-input", options->uv_input_path,
+                "the same, linear on the input triangles")
+    ->type_name("F.obj");
+  command
+    .add_option("--distortion", options->distortion_path,
+                "write the distortion of both on each face of the overlay: "
+                "input_face,intrinsic_face,over_input,over_intrinsic")
+    ->type_name("F.csv");
   command.add_option("--json", options->json_path, "write what the report says as a JSON object")
     ->type_name("F.json");
   command.callback(

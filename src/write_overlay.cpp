@@ -42,7 +42,8 @@ void write_overlay(std::ostream& os, const Triangulation_result& result, Mesh_fo
     points.emplace_back(x, y, z);
   const auto mesh = IT::overlay_to_surface_mesh(result.outcome.overlay->graph,
                                                 result.outcome.overlay->positions,
-                                                result.surface.connectivity, points);
+                                                result.surface.connectivity,
+                                                result.outcome.connectivity, points);
   const auto all_digits = CGAL::parameters::stream_precision(17);
   switch (format) {
   case Mesh_format::PLY:

@@ -2,7 +2,6 @@
 
 #include "write_textured_mesh.h"
 
-#include "Exit_status.h"
 #include "Output_file.h"
 #include "text.h"
 
@@ -15,8 +14,6 @@
 
 namespace idt {
 namespace {
-
-namespace IT = CGAL::Intrinsic_triangulations;
 
 std::string big_endian(std::uint32_t x)
 {
@@ -65,13 +62,10 @@ std::vector<std::string> textured_mesh_paths(const std::string& obj_path)
           std::filesystem::path(path).replace_extension(".png").string()};
 }
 
-void write_textured_mesh(const std::string& obj_path, const Surface& surface,
-                         const IT::Planar_points& uv)
+void write_textured_mesh(const std::string& obj_path, const Textured_mesh& mesh)
 {
-  if (!surface.has_points())
-    throw Usage_error("--uv needs points: " + surface.path + " has lengths alone");
-  std::array<double, 2> low = uv.front(), high = uv.front();
-  for (const std::array<double, 2>& p : uv)
+  std::array<double, 2> low = mesh.uv.front(), high = mesh.uv.front();
+  for (const std::array<double, 2>& p : mesh.uv)
     for (int i = 0; i < 2; ++i) {
       low[i] = (std::min)(low[i], p[i]);
       high[i] = (std::max)(high[i], p[i]);
@@ -79,30 +73,27 @@ void write_textured_mesh(const std::string& obj_path, const Surface& surface,
   const double size = (std::max)(high[0] - low[0], high[1] - low[1]);
   const std::vector<std::string> paths = textured_mesh_paths(obj_path);
 
-  Output_file mesh(paths[0]), material(paths[1]), image(paths[2]);
+  Output_file obj(paths[0]), material(paths[1]), image(paths[2]);
   image.stream() << checkerboard_png(32);
   material.stream() << "newmtl checkerboard\nKd 1 1 1\nmap_Kd "
                     << std::filesystem::path(paths[2]).filename().string() << '\n';
-  std::ostream& os = mesh.stream();
+  std::ostream& os = obj.stream();
   os << "mtllib " << std::filesystem::path(paths[1]).filename().string() << '\n';
-  for (const std::array<double, 3>& p : surface.points)
+  for (const std::array<double, 3>& p : mesh.points)
     os << "v " << in_full(p[0]) << ' ' << in_full(p[1]) << ' ' << in_full(p[2]) << '\n';
-  for (const std::array<double, 2>& p : uv)
+  for (const std::array<double, 2>& p : mesh.uv)
     os << "vt " << in_full((p[0] - low[0]) / size) << ' ' << in_full((p[1] - low[1]) / size)
        << '\n';
   os << "usemtl checkerboard\n";
-  for (IT::Face_index f : surface.connectivity.faces()) {
-    IT::Halfedge_index h = surface.connectivity.halfedge(f);
+  for (const std::vector<std::size_t>& face : mesh.faces) {
     os << 'f';
-    for (int i = 0; i < 3; ++i, h = surface.connectivity.next(h)) {
-      const auto corner = surface.connectivity.source(h).idx() + 1;
-      os << ' ' << corner << '/' << corner;
-    }
+    for (std::size_t corner : face)
+      os << ' ' << corner + 1 << '/' << corner + 1;
     os << '\n';
   }
   image.commit();
   material.commit();
-  mesh.commit();
+  obj.commit();
 }
 
 } // namespace idt

@@ -11,9 +11,12 @@
 
 #include "benchmark_meshes.h"
 
+#include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 
@@ -54,18 +57,34 @@ struct Costs
 {
   double elements = 0; // of the overlay
   double graph = 0, positions = 0;
-  double triangulation = 0, integers = 0; // the integers are asked for when the flips are done
+  double triangulation = 0;
+  double integers = 0; // what they add to the time in double, which needs none
+  double input = 0;    // to recover its connectivity when the flips are done
   double heat_method = 0;
 };
 
+// In double, from the mesh, with the integers or without them.
+double seconds_in_double(const Mesh& mesh, bool keeps_integers)
+{
+  return seconds([&] {
+    auto t = IT::intrinsic_triangulation(
+      mesh, CGAL::parameters::geom_traits(IT::Edge_length_traits<double>()));
+    if (keeps_integers) // they need no metric
+      t.keep_input(IT::Input_metric::from_points({}));
+    IT::flip_to_Delaunay(t);
+  });
+}
+
 Costs measure(const Mesh& mesh, int rounds, bool with_heat_method)
 {
-  std::vector<double> graph, positions, triangulation, integers, heat_method;
+  std::vector<double> graph, positions, triangulation, without, with, input, heat_method;
   Costs costs;
   for (int round = 0; round <= rounds; ++round) {
     std::optional<decltype(IT::intrinsic_delaunay_triangulation(mesh))> t;
     triangulation.push_back(seconds([&] { t.emplace(IT::intrinsic_delaunay_triangulation(mesh)); }));
-    integers.push_back(seconds([&] { t->exact_geometry(); }));
+    without.push_back(seconds_in_double(mesh, false));
+    with.push_back(seconds_in_double(mesh, true));
+    input.push_back(seconds([&] { t->exact_geometry(); }));
     std::optional<IT::Overlay> overlay;
     graph.push_back(seconds([&] { overlay.emplace(*t); }));
     std::optional<IT::Overlay_positions> crossings;
@@ -75,13 +94,14 @@ Costs measure(const Mesh& mesh, int rounds, bool with_heat_method)
     if (with_heat_method)
       heat_method.push_back(seconds([&] { const Heat_method_triangulation h(mesh); }));
     if (round == 0) // does not count: caches and memory are cold
-      for (std::vector<double>* values : {&graph, &positions, &triangulation, &integers, &heat_method})
+      for (std::vector<double>* values : {&graph, &positions, &triangulation, &without, &with, &input, &heat_method})
         values->clear();
   }
   costs.graph = median(graph);
   costs.positions = median(positions);
   costs.triangulation = median(triangulation);
-  costs.integers = median(integers);
+  costs.integers = median(with) - median(without);
+  costs.input = median(input);
   if (with_heat_method)
     costs.heat_method = median(heat_method);
   return costs;
@@ -90,10 +110,11 @@ Costs measure(const Mesh& mesh, int rounds, bool with_heat_method)
 void report(const std::string& name, const Costs& costs)
 {
   const double per_element = 1e9 / costs.elements;
-  std::printf("%-20s %11.0f %9.2f %7.1f %9.1f %9.2f", name.c_str(), costs.elements,
+  std::printf("%-20s %11.0f %9.2f %7.1f %9.1f %9.2f %9.2f", name.c_str(), costs.elements,
               1e3 * (costs.graph + costs.positions), per_element * costs.graph,
               per_element * (costs.graph + costs.positions),
-              (costs.triangulation + costs.integers) / costs.triangulation);
+              costs.triangulation / (costs.triangulation - costs.integers),
+              costs.input / costs.triangulation);
   if (costs.heat_method > 0)
     std::printf(" %9.2f %9.2f", costs.graph / costs.heat_method,
                 (costs.graph + costs.positions) / costs.heat_method);
@@ -108,12 +129,13 @@ int main(int argc, char** argv)
   keep_freed_memory();
   const int rounds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 7;
   std::printf("elements: of the overlay; ms: graph and positions; ns: for each element; integers: time\n"
-              "of triangulation and integers over that of the triangulation; heat: over the time that\n"
-              "the class of CGAL's Heat_method_3 takes for its triangulation\n\n"
-              "%-20s %11s %9s %7s %9s %9s %9s %9s\n", "surface", "elements", "ms", "ns", "ns with",
-              "integers", "heat", "heat with");
-  std::printf("%-20s %11s %9s %7s %9s %9s %9s %9s\n", "", "", "", "graph", "positions", "", "graph",
-              "positions");
+              "of the triangulation over what it were without them; input: to recover it, over the\n"
+              "time of the triangulation; heat: over the time that the class of CGAL's Heat_method_3\n"
+              "takes for its triangulation\n\n"
+              "%-20s %11s %9s %7s %9s %9s %9s %9s %9s\n", "surface", "elements", "ms", "ns", "ns with",
+              "integers", "input", "heat", "heat with");
+  std::printf("%-20s %11s %9s %7s %9s %9s %9s %9s %9s\n", "", "", "", "graph", "positions", "", "",
+              "graph", "positions");
   report("prism 2880", measure(mesh_of(IT::prism(2880)), rounds, true));
   report("prism 2880, rotated", measure(mesh_of(IT::prism(2880, 1)), rounds, true));
   if (const std::optional<Mesh> horse = read_horse())

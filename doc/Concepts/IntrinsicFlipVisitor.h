@@ -17,7 +17,7 @@ The member functions may read the triangulation, but not change it.
 class IntrinsicFlipVisitor
 {
 public:
-  /// is called before each Delaunay test, with the numbers of tests and flips so far.
+  /// is called before each Delaunay test and before each flip, with their numbers so far.
   /// If it returns `false` the algorithm stops and reports `Flip_status::CANCELLED`; the
   /// triangulation is valid then.
   bool go_further(std::uint64_t tests, std::uint64_t flips);

@@ -116,6 +116,7 @@ public:
   Provides `Boolean operator()(const Hinge_data& hinge, Flipped_hinge_data& flipped) const`:
   returns whether the hinge is strictly convex, and if it certainly is, sets `flipped` to the
   edge \f$kl\f$ and the faces \f$ilk\f$ and \f$jkl\f$. Otherwise `flipped` may hold anything.
+  With `Uses_exact_geometry` it is called for convex hinges only, and need not look.
   */
   typedef unspecified_type Construct_flipped_hinge;
 

@@ -35,7 +35,7 @@ public:
     return triangulation_.connectivity();
   }
   Boolean is_locally_Delaunay(Edge_index e) const { return triangulation_.is_locally_Delaunay(e); }
-  Flip_outcome flip(Edge_index e) { return triangulation_.flip(e); }
+  Flip_outcome flip_not_Delaunay(Edge_index e) { return triangulation_.flip_not_Delaunay(e); }
 
   // Each edge is to come to the test.
   bool is_known_Delaunay(Edge_index) const { return false; }

@@ -45,6 +45,15 @@ TEST_F(Command_output, says_when_a_file_cannot_be_written)
   EXPECT_EQ(files(), std::vector<std::string>{"kite.off"});
 }
 
+TEST_F(Command_output, takes_names_as_long_as_the_file_system_does)
+{
+  write_kite("kite.off");
+  const std::string name = std::string(250, 'x') + ".csv";
+  EXPECT_EQ(idt("triangulate kite.off --edges " + name).status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / name));
+  EXPECT_EQ(files().size(), 2u);
+}
+
 TEST_F(Command_output, says_when_a_folder_is_read_only)
 {
   if (::geteuid() == 0)

@@ -248,11 +248,12 @@ TEST_F(Overlay_command, refuses_a_wrong_command_line)
   for (const char* arguments :
        {"kite.off --overlay o.stl", "kite.off --overlay o", "kite.off --overlay kite.off",
         "kite.off kite.off --overlay o.ply", "kite.off kite.off --crossings c.csv",
-        "kite.off --overlay o.ply --crossings ./o.ply", "kite.off --edges c.csv --crossings c.csv"}) {
+        "kite.off --overlay o.ply --crossings ./o.ply", "kite.off --edges c.csv --crossings c.csv",
+        "kite.off --overlay ''", "kite.off --overlay o.ply --stats ''"}) {
     const Command_run run = idt(std::string("triangulate ") + arguments);
     EXPECT_EQ(run.status, 2) << arguments;
     EXPECT_TRUE(contains(run.err, "--overlay") || contains(run.err, "kite.off") ||
-                contains(run.err, "same file")) << run.err;
+                contains(run.err, "same file") || contains(run.err, "must not be empty")) << run.err;
   }
   EXPECT_EQ(files(), std::vector<std::string>{"kite.off"});
 }

@@ -4,10 +4,14 @@
 
 #include "Command_test.h"
 
+#include <Eigen/Dense>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <map>
 #include <sstream>
 #include <string>
@@ -21,8 +25,10 @@ using Json = nlohmann::ordered_json;
 class Parameterize_command : public Command_test
 {
 protected:
-  // A disk of 1,000 vertices.
-  void write_disk() const { ASSERT_EQ(idt("sample disk-with-spike -o disk").status, 0); }
+  void write_disk(const std::string& sample = "disk-with-spike") const
+  {
+    ASSERT_EQ(idt("sample " + sample + " -o disk").status, 0);
+  }
 
   Json run(const std::string& options) const
   {
@@ -31,6 +37,100 @@ protected:
     return Json::parse(content(folder_ / "p.json"));
   }
 };
+
+// What an OBJ file holds.
+struct Textured_mesh
+{
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<double, 2>> uv;
+  // The corners of each face: point and position in the texture, from 0.
+  std::vector<std::vector<std::array<std::size_t, 2>>> faces;
+};
+
+Textured_mesh read_obj(const std::string& text)
+{
+  Textured_mesh mesh;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word == "v") {
+      auto& [x, y, z] = mesh.points.emplace_back();
+      words >> x >> y >> z;
+    } else if (word == "vt") {
+      auto& [u, v] = mesh.uv.emplace_back();
+      words >> u >> v;
+    } else if (word == "f") {
+      auto& corners = mesh.faces.emplace_back();
+      std::size_t point = 0, uv = 0;
+      char slash = 0;
+      while (words >> point >> slash >> uv)
+        corners.push_back({point - 1, uv - 1});
+      EXPECT_TRUE(words.eof()) << line;
+    }
+  }
+  return mesh;
+}
+
+// The largest of the triangles that a face is a fan of: its sides from the first corner in space
+// and in the texture, as columns.
+struct Sides
+{
+  Eigen::Matrix<double, 3, 2> in_space;
+  Eigen::Matrix2d in_texture;
+};
+
+Sides largest_sides(const Textured_mesh& mesh, std::size_t face)
+{
+  const auto& corners = mesh.faces[face];
+  const auto point = [&](std::size_t i) { return Eigen::Vector3d(mesh.points[corners[i][0]].data()); };
+  const auto uv = [&](std::size_t i) { return Eigen::Vector2d(mesh.uv[corners[i][1]].data()); };
+  Sides best{Eigen::Matrix<double, 3, 2>::Zero(), Eigen::Matrix2d::Zero()};
+  double largest = -1;
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    Sides sides;
+    sides.in_space << point(i - 1) - point(0), point(i) - point(0);
+    sides.in_texture << uv(i - 1) - uv(0), uv(i) - uv(0);
+    const double area = sides.in_space.col(0).cross(sides.in_space.col(1)).norm();
+    if (area > largest) {
+      largest = area;
+      best = sides;
+    }
+  }
+  return best;
+}
+
+// The ratio of the singular values of the map that takes one triangle to the other.
+double distortion(const Sides& sides)
+{
+  const Eigen::Matrix<double, 3, 2> q =
+    sides.in_space.householderQr().householderQ() * Eigen::Matrix<double, 3, 2>::Identity();
+  const Eigen::Matrix2d in_plane = q.transpose() * sides.in_space;
+  const Eigen::Vector2d values =
+    Eigen::JacobiSVD<Eigen::Matrix2d>(sides.in_texture * in_plane.inverse()).singularValues();
+  return values[0] / values[1];
+}
+
+// The area of the image, where flipped triangles count as negative.
+double image_area(const Textured_mesh& mesh)
+{
+  double area = 0;
+  for (const auto& corners : mesh.faces)
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto &p = mesh.uv[corners[i][1]], &q = mesh.uv[corners[(i + 1) % corners.size()][1]];
+      area += (p[0] * q[1] - q[0] * p[1]) / 2;
+    }
+  return area;
+}
+
+std::size_t flipped_faces(const Textured_mesh& mesh)
+{
+  std::size_t flipped = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    flipped += largest_sides(mesh, f).in_texture.determinant() < 0;
+  return flipped;
+}
 
 using Matrix_command = Command_test;
 
@@ -85,31 +185,76 @@ TEST_F(Parameterize_command, maps_a_disk_in_each_way)
   EXPECT_LE(pattern["circle_pattern"]["gradient"], 1e-10);
 }
 
-TEST_F(Parameterize_command, writes_a_textured_mesh)
+// On the dome the extrinsic operator has large negative weights.
+TEST_F(Parameterize_command, only_the_extrinsic_operator_flips_triangles_of_the_dome)
 {
-  write_disk();
-  run("--uv out.obj");
-  std::size_t points = 0, textures = 0, faces = 0;
-  std::istringstream in(content(folder_ / "out.obj"));
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line);
-    std::string word;
-    words >> word;
-    points += word == "v";
-    faces += word == "f";
-    if (word == "vt") {
-      double u = -1, v = -1;
-      words >> u >> v;
-      EXPECT_TRUE(u >= 0 && u <= 1 && v >= 0 && v <= 1) << line;
-      ++textures;
-    }
+  write_disk("bumpy-dome");
+  for (const char* boundary : {"--boundary disk", "--boundary natural"}) {
+    const Json extrinsic = run(std::string("--laplacian extrinsic ") + boundary),
+               intrinsic = run(std::string("--laplacian intrinsic ") + boundary);
+    EXPECT_GT(extrinsic["over_input"]["flipped"], 0);
+    EXPECT_EQ(intrinsic["over_intrinsic"]["flipped"], 0);
+    EXPECT_EQ(intrinsic["over_intrinsic"]["collapsed"], 0);
+    EXPECT_LT(intrinsic["over_intrinsic"]["mean_distortion"], 1.5);
+    EXPECT_GT(extrinsic["over_input"]["mean_distortion"], 2);
   }
-  EXPECT_EQ(points, 1001u);
-  EXPECT_EQ(textures, 1001u);
-  EXPECT_EQ(faces, 1960u);
-  EXPECT_TRUE(contains(content(folder_ / "out.obj"), "mtllib out.mtl"));
-  EXPECT_TRUE(contains(content(folder_ / "out.mtl"), "map_Kd out.png"));
-  EXPECT_EQ(content(folder_ / "out.png").substr(1, 3), "PNG");
+  const Json clipped = run("--method circle-pattern --laplacian extrinsic"),
+             pattern = run("--method circle-pattern");
+  for (const Json& json : {clipped, pattern})
+    EXPECT_LE(json["circle_pattern"]["gradient"], 1e-10);
+  EXPECT_GT(clipped["circle_pattern"]["clipped_edges"], 300);
+  EXPECT_LT(pattern["circle_pattern"]["clipped_edges"], 30);
+  EXPECT_LT(pattern["over_intrinsic"]["mean_distortion"], 1.5);
+  EXPECT_GT(clipped["over_input"]["mean_distortion"], 3);
+}
+
+// The distortion of each face, measured in the files, is that of the map that was promised.
+TEST_F(Parameterize_command, writes_the_map_over_both_triangulations)
+{
+  write_disk("bumpy-dome");
+  const Json json = run("--uv overlay.obj --uv-input input.obj --distortion d.csv");
+  ASSERT_EQ(idt("triangulate disk.off --stats s.json").status, 0);
+  const Json counts = Json::parse(content(folder_ / "s.json"));
+  const Textured_mesh overlay = read_obj(content(folder_ / "overlay.obj")),
+                      input = read_obj(content(folder_ / "input.obj"));
+  EXPECT_EQ(input.points.size(), 433u);
+  EXPECT_EQ(input.faces.size(), 840u);
+  EXPECT_EQ(overlay.points.size(), 433u + counts["crossings"].get<std::size_t>());
+  EXPECT_TRUE(std::equal(input.points.begin(), input.points.end(), overlay.points.begin()));
+  EXPECT_TRUE(std::equal(input.uv.begin(), input.uv.end(), overlay.uv.begin()));
+  for (const auto& [u, v] : overlay.uv)
+    EXPECT_TRUE(u >= 0 && u <= 1 && v >= 0 && v <= 1) << u << ' ' << v;
+
+  // Both cover the same disk, and only one covers it once.
+  EXPECT_NEAR(image_area(overlay), image_area(input), 1e-12);
+  EXPECT_EQ(flipped_faces(overlay), 0u);
+  EXPECT_EQ(flipped_faces(input), json["over_input"]["flipped"].get<std::size_t>());
+  EXPECT_GT(flipped_faces(input), 0u);
+
+  const std::vector<std::string> rows = lines(content(folder_ / "d.csv"));
+  ASSERT_EQ(rows.at(0), "input_face,intrinsic_face,over_input,over_intrinsic");
+  ASSERT_EQ(rows.size(), 1 + overlay.faces.size());
+  std::size_t measured = 0;
+  for (std::size_t f = 0; f < overlay.faces.size(); ++f) {
+    std::size_t input_face = 0, intrinsic_face = 0;
+    double over_input = 0, over_intrinsic = 0;
+    ASSERT_EQ(std::sscanf(rows[1 + f].c_str(), "%zu,%zu,%lf,%lf", &input_face, &intrinsic_face,
+                          &over_input, &over_intrinsic), 4) << rows[1 + f];
+    const Sides sides = largest_sides(overlay, f);
+    if (sides.in_space.col(0).cross(sides.in_space.col(1)).norm() < 1e-6)
+      continue; // too small to be measured
+    ++measured;
+    EXPECT_NEAR(distortion(sides), over_intrinsic, 1e-6 * over_intrinsic) << rows[1 + f];
+    EXPECT_NEAR(distortion(largest_sides(input, input_face)), over_input, 1e-6 * over_input)
+      << rows[1 + f];
+  }
+  EXPECT_GT(measured, 0.9 * double(overlay.faces.size()));
+
+  for (const std::string name : {"overlay", "input"}) {
+    EXPECT_TRUE(contains(content(folder_ / (name + ".obj")), "mtllib " + name + ".mtl"));
+    EXPECT_TRUE(contains(content(folder_ / (name + ".mtl")), "map_Kd " + name + ".png"));
+    EXPECT_EQ(content(folder_ / (name + ".png")).substr(1, 3), "PNG");
+  }
 }
 
 TEST_F(Parameterize_command, says_what_is_wrong)
@@ -122,10 +267,24 @@ TEST_F(Parameterize_command, says_what_is_wrong)
   write_disk();
   for (const char* options :
        {"--method circle-pattern --boundary disk", "--boundary square", "--laplacian both",
-        "--method none", "--uv x.obj --json x.mtl", "--uv disk.off"})
+        "--method none", "--uv x.obj --json x.mtl", "--uv disk.off", "--uv x.obj --uv-input x.obj",
+        "--uv x.obj --distortion x.png"})
     EXPECT_EQ(idt(std::string("parameterize disk.off ") + options).status, 2) << options;
   EXPECT_EQ(idt("parameterize disk.off --uv missing/x.obj").status, 1);
   EXPECT_EQ(files().size(), 2u); // the inputs
+}
+
+TEST_F(Parameterize_command, of_lengths_alone_has_distortion_but_no_picture)
+{
+  write("kite.gluing", "INTRINSIC_GLUING 1\n4 5 2\n0 1 2\n0 2 3\n0 -1 1\n1 -1 1\n2 3 1.8\n4 -1 1\n5 -1 1\n");
+  for (const char* option : {"--uv", "--uv-input"}) {
+    const Command_run run = idt(std::string("parameterize kite.gluing ") + option + " k.obj");
+    EXPECT_EQ(run.status, 2);
+    EXPECT_TRUE(contains(run.err, "kite.gluing has lengths alone")) << run.err;
+  }
+  EXPECT_EQ(files(), std::vector<std::string>{"kite.gluing"});
+  ASSERT_EQ(idt("parameterize kite.gluing --distortion d.csv").status, 0);
+  EXPECT_EQ(lines(content(folder_ / "d.csv")).size(), 1u + 4u); // the diagonals cross
 }
 
 TEST_F(Matrix_command, stiffness_and_mass)

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <thread>
@@ -114,6 +115,45 @@ TEST(Exact_stages, the_multiquadratic_field_proves_ties_across_bent_edges)
   EXPECT_GT(t.stage_counts()[IT::Stage::ALGEBRAIC], 0u);
   EXPECT_GT(IT::verify_Delaunay(t).ties, 0u);
   expect_agreement(t);
+}
+
+// At will, edges may be flipped that are Delaunay: then the hinge may have no other diagonal.
+TEST(Exact_stages, hinges_that_are_not_convex_are_not_flipped)
+{
+  using Outcome = Triangulation::Flip_outcome;
+  const auto flip = [](const std::array<double, 3>& l) {
+    const IT::Indexed_triangles hinge{{{0, 0, 0}, {1, 0, 0}, {3, 1, 0}, l}, {{0, 1, 2}, {1, 0, 3}}};
+    Triangulation t(IT::make_Delta_complex_from_triangles(4, hinge.triangles), hinge.points);
+    for (IT::Edge_index e : t.connectivity().edges())
+      if (t.connectivity().is_flippable(e)) {
+        const IT::Delta_complex before = t.connectivity();
+        const Outcome outcome = t.flip(e);
+        EXPECT_EQ(outcome == Outcome::FLIPPED, t.connectivity() != before);
+        EXPECT_NEAR(t.area(IT::Face_index(0)) + t.area(IT::Face_index(1)), 0.5 - l[1] / 2, 1e-15);
+        return outcome;
+      }
+    return Outcome::UNDECIDED;
+  };
+  EXPECT_EQ(flip({3, -1, 0}), Outcome::NOT_CONVEX);
+  EXPECT_EQ(flip({-2, -1, 0}), Outcome::FLIPPED);
+  // From (3, 1) through (1, 0): straight at (-1, -1), and bent by the smallest amount beside it.
+  EXPECT_EQ(flip({-1, -1, 0}), Outcome::NOT_CONVEX);
+  EXPECT_EQ(flip({std::nextafter(-1, -2), -1, 0}), Outcome::FLIPPED);
+  EXPECT_EQ(flip({std::nextafter(-1, 0), -1, 0}), Outcome::NOT_CONVEX);
+}
+
+// However many bits are taken, the interval around such a length has two ends beside it.
+TEST(Exact_stages, a_length_that_is_a_double_is_found_by_multiple_precision)
+{
+  const IT::Indexed_triangles grid = IT::random_diagonal_grid(3, 3, 1);
+  const Triangulation t(IT::make_Delta_complex_from_triangles(grid.points.size(), grid.triangles),
+                        grid.points);
+  IT::Exact_geometry& geometry = t.exact_geometry();
+  const IT::internal::Late_stages late_stages(t.connectivity(), geometry.correspondence(),
+                                              geometry.input_surface());
+  for (IT::Edge_index e : t.connectivity().edges())
+    EXPECT_NEAR(std::ldexp(late_stages.length(e), t.unit_exponent()), t.length(e),
+                0x1p-52 * t.length(e));
 }
 
 TEST(Exact_stages, triangulations_in_two_threads_do_not_meet)

@@ -217,3 +217,25 @@ TEST(Transfer_matrices, isolated_vertices_keep_their_values)
 }
 
 } // namespace
+
+// The projection does not depend on the unit, but areas may leave the range of double.
+TEST(Transfer_matrices, areas_out_of_range_are_errors)
+{
+  const auto projected = [](double scale) {
+    IT::Indexed_triangles surface = IT::bumpy_sphere(6, 7);
+    for (auto& p : surface.points)
+      for (double& x : p)
+        x *= scale;
+    const Overlaid s(surface);
+    const auto matrices = IT::transfer_mass_matrices(s.triangulation, s.overlay, s.positions);
+    Vector values(s.input().number_of_vertices());
+    for (Eigen::Index v = 0; v < values.size(); ++v)
+      values[v] = double(v % 3);
+    return Vector(IT::L2_projection_to_input(matrices)(values));
+  };
+  const Vector expected = projected(1);
+  for (double scale : {1e-150, 1e150})
+    EXPECT_LT((projected(scale) - expected).norm(), 1e-10);
+  for (double scale : {1e-160, 1e-170, 1e-290, 1e160, 1e300})
+    EXPECT_THROW(projected(scale), IT::Invalid_surface_error) << scale;
+}

@@ -289,6 +289,8 @@ TEST(Sample_surfaces, surfaces_with_boundary)
 {
   check(IT::disk_with_spike(), 1001, 1960, 1, 40);
   check(IT::disk_with_spike(3, 1), 4, 3, 1, 3);
+  check(IT::bumpy_dome(), 433, 840, 1, 24);
+  check(IT::bumpy_dome(3, 1), 4, 3, 1, 3);
   check(IT::Schwarz_lantern(9, 4), 45, 72, 0, 18);
   check(IT::Schwarz_lantern(3, 1), 6, 6, 0, 6);
   for (double bulge : {0.0, 1e-17, 1e-10, 1e-3})
@@ -323,6 +325,7 @@ TEST(Sample_surfaces, faces_are_counterclockwise)
   const double pi = std::acos(-1.0);
   EXPECT_NEAR(volume(IT::latitude_longitude_sphere(100, 100)), 4 * pi / 3, 0.01);
   EXPECT_GT(volume(IT::bumpy_sphere()), 3);
+  EXPECT_GT(volume(IT::bumpy_dome()), 3); // of the cone over it from the centre
   EXPECT_NEAR(volume(IT::torus(100, 100)), 2 * pi * pi * 0.16, 0.01);
   EXPECT_NEAR(volume(IT::bad_torus()), 2 * pi * pi * 0.32 * 0.32, 0.02);
   EXPECT_NEAR(volume(IT::prism(1000)), 5 * pi, 0.001);
@@ -440,7 +443,7 @@ TEST(Sample_surfaces, names)
     const auto surface = IT::make_sample(sample.name);
     EXPECT_EQ(std::holds_alternative<Glued_triangles>(surface), sample.name == "one-vertex-torus");
   }
-  EXPECT_EQ(names.size(), 15u);
+  EXPECT_EQ(names.size(), 16u);
   try {
     IT::make_sample("klein-bottle");
     ADD_FAILURE() << "an unknown name was accepted";

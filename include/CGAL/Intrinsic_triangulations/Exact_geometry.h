@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/Developed_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/Late_stages.h>
 #include <CGAL/Intrinsic_triangulations/internal/Straight_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/area_in_input_unit.h>
 #include <CGAL/Intrinsic_triangulations/internal/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
 
@@ -151,7 +152,8 @@ public:
       return decided(Stage::RATIONAL, internal::sign_of_cotangents(
                                         internal::rational_corner(complex, metric_.points(), h),
                                         internal::rational_corner(complex, metric_.points(), g)));
-    const auto decision = late_stages(complex).sign_of_cotangents(e);
+    const auto decision =
+      late_stages(complex).sign_of_cotangents(internal::corners_beside(complex, e));
     return decided(decision.stage, decision.sign);
   }
 
@@ -160,9 +162,12 @@ public:
   Sign sign_by_unfolding(const Delta_complex& complex, Edge_index e) const
   {
     internal::Double_double_metric metric(*surface_);
-    const Opposite_corners corners = internal::opposite_corners(complex, correspondence_, e, metric);
+    const internal::Two_corners beside = internal::corners_beside(complex, e);
+    const Opposite_corners corners =
+      internal::unfolded_corners(complex, correspondence_, beside, metric);
     const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
-    return is_certain(sign) ? get_certain(sign) : late_stages(complex).sign_of_cotangents(e).sign;
+    return is_certain(sign) ? get_certain(sign)
+                            : late_stages(complex).sign_of_cotangents(beside).sign;
   }
 
   /// as above, without the corners; not counted as a test of the algorithm.
@@ -173,6 +178,25 @@ public:
     const Sign sign = sign_of_cotangents(complex, e, corners);
     counts_ = counts;
     return sign;
+  }
+
+  /// \brief returns whether the two faces of `e` form a strictly convex quadrilateral.
+  /// \pre `prepare()` was called; `e` lies between two different faces
+  /// \exception Undecided_error as `sign_of_cotangents()`
+  bool is_convex(const Delta_complex& complex, Edge_index e)
+  {
+    // At both ends of e the two angles have to sum to less than π.
+    const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+    for (const internal::Two_corners& at_end :
+         {internal::Two_corners{complex.next(h), complex.prev(g)},
+          internal::Two_corners{complex.prev(h), complex.next(g)}}) {
+      const Uncertain<Sign> sign = internal::sign_of_cotangents(
+        corner(complex, at_end.opposite_to_k), corner(complex, at_end.opposite_to_l));
+      if ((is_certain(sign) ? get_certain(sign)
+                            : late_stages(complex).sign_of_cotangents(at_end).sign) != POSITIVE)
+        return false;
+    }
+    return true;
   }
 
   /// returns the sign of the area of `f`, laid out over the input. It is `NEGATIVE` only if
@@ -263,6 +287,8 @@ public:
 
   /// returns the area of `f` in the unit of the input, up to a relative error of `2^-50`.
   /// \pre `prepare()` was called
+  /// \exception Invalid_surface_error if the unit of the input is so small or so large that
+  ///   the area leaves the range of `double`
   double area(const Delta_complex& complex, Face_index f)
   {
     const Halfedge_index h = complex.halfedge(f);
@@ -276,7 +302,7 @@ public:
                                [](double width, double magnitude) {
                                  return width <= 0x1p-51 * magnitude;
                                });
-    return std::ldexp(value, 2 * metric_.unit_exponent() - 2);
+    return internal::area_in_input_unit(value / 4, metric_.unit_exponent(), f);
   }
 
   /// returns whether two vertices coincide: whether `e` has length zero.

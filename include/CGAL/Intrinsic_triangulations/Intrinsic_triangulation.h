@@ -302,10 +302,27 @@ public:
 
   /// \brief flips `e` if its two faces form a strictly convex quadrilateral.
   ///
-  /// Numbers are computed from the old hinge first, then the connectivity is changed and
-  /// they are stored; nothing changes unless the outcome is `FLIPPED`. O(1).
+  /// Nothing changes unless the outcome is `FLIPPED`. O(1); with traits that use exact geometry,
+  /// whether the quadrilateral is convex is decided exactly, in time proportional to the number
+  /// of input edges that its sides cross.
   /// \pre `connectivity().is_flippable(e)`
+  /// \exception Undecided_error as `Exact_geometry::sign_of_cotangents()`
   Flip_outcome flip(Edge_index e)
+  {
+    if constexpr (uses_exact_geometry)
+      if (!exact_geometry().is_convex(connectivity_, e))
+        return Flip_outcome::NOT_CONVEX;
+    return flip_not_Delaunay(e);
+  }
+
+  /// \brief as `flip()`, for an edge that is not Delaunay.
+  ///
+  /// The quadrilateral around such an edge is always strictly convex. So traits whose decisions
+  /// are exact need not look, and the flip takes O(1) unless both new faces may have zero area.
+  /// Numbers are computed from the old hinge first, then the connectivity is changed and
+  /// they are stored.
+  /// \pre `connectivity().is_flippable(e)` and not `is_locally_Delaunay(e)`
+  Flip_outcome flip_not_Delaunay(Edge_index e)
   {
     CGAL_precondition(connectivity_.is_flippable(e));
     typename Traits::Flipped_hinge_data flipped{};

@@ -187,7 +187,8 @@ public:
   /// \brief returns a side of the input face that contains `face(h)`, on which `target(h)` lies.
   ///
   /// Where `target(h)` is a vertex of the surface, the side is the one that begins there,
-  /// in the corner to the left of `h`. \pre `!is_border(h)`
+  /// in the corner to the left of `h`, and the search for it takes as many steps as intrinsic
+  /// edges lie in that corner; else O(1). \pre `!is_border(h)`
   Halfedge_index input_side(Halfedge h) const
   {
     return side(h, [this](Halfedge g) { return input_halfedge(g); });

@@ -82,12 +82,16 @@ public:
   /// returns where on the halfedge `overlay.intrinsic_side(h)` the target of `h` lies, from 0 to 1.
   double on_intrinsic_side(const Overlay& overlay, Overlay::Halfedge h) const
   {
-    return on_side(overlay, h, overlay.intrinsic_side(h), on_intrinsic_edge_);
+    return overlay.is_crossing(overlay.target(h))
+             ? along(overlay.intrinsic_side(h), on_intrinsic_edge(overlay.target(h)))
+             : 0;
   }
   /// returns where on the halfedge `overlay.input_side(h)` the target of `h` lies, from 0 to 1.
   double on_input_side(const Overlay& overlay, Overlay::Halfedge h) const
   {
-    return on_side(overlay, h, overlay.input_side(h), on_input_edge_);
+    return overlay.is_crossing(overlay.target(h))
+             ? along(overlay.input_side(h), on_input_edge(overlay.target(h)))
+             : 0;
   }
 
   /// \brief returns the fraction of its edge that a segment takes: of its intrinsic edge, or of
@@ -139,13 +143,8 @@ private:
     return x.idx() - number_of_original_vertices_;
   }
 
-  double on_side(const Overlay& overlay, Overlay::Halfedge h, Halfedge_index side,
-                 const internal::Large_vector<double>& positions) const
+  static double along(Halfedge_index side, double position)
   {
-    const Overlay::Vertex v = overlay.target(h);
-    if (!overlay.is_crossing(v))
-      return 0;
-    const double position = positions[index(v)];
     return (side.idx() & 1) ? 1 - position : position;
   }
 

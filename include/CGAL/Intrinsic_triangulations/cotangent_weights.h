@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/area_in_input_unit.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
@@ -144,7 +145,7 @@ public:
     if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
       const auto& stored = triangulation_.face_data(f);
       if (stored.error <= stored_number_accuracy * stored.value)
-        return std::ldexp(stored.value, 2 * triangulation_.unit_exponent() - 2);
+        return area_in_input_unit(stored.value / 4, triangulation_.unit_exponent(), f);
     }
     return CGAL::to_double(triangulation_.area(f));
   }
@@ -188,6 +189,8 @@ std::vector<double> cotangent_weights(const Intrinsic_triangulation<Traits>& tri
 ///
 /// With `Filtered_edge_length_traits` up to a relative error of `2^-32`, with other traits
 /// those of the number type. O(size), but for the faces that need the exact geometry.
+/// \exception Invalid_surface_error if the unit of the input is so small or so large that an area
+///   leaves the range of `double` (with `Filtered_edge_length_traits`)
 template <class Traits>
 std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulation)
 {

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/internal/area_in_input_unit.h>
 #include <CGAL/Intrinsic_triangulations/internal/affine_image.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay_layers.h>
 
@@ -54,11 +55,12 @@ struct Areas_in_both
   template <class Traits>
   explicit Areas_in_both(const Intrinsic_triangulation<Traits>& triangulation)
   {
-    const Exact_geometry& geometry = triangulation.exact_geometry();
+    Exact_geometry& geometry = triangulation.exact_geometry();
     const Delta_complex& complex = geometry.correspondence().input();
     for (Face_index f : complex.faces())
-      input.push_back(std::ldexp(geometry.metric().four_areas_double_double(complex, f).hi(),
-                                 2 * geometry.metric().unit_exponent() - 2));
+      input.push_back(
+        area_in_input_unit(geometry.metric().four_areas_double_double(complex, f).hi() / 4,
+                           geometry.metric().unit_exponent(), f));
     for (Face_index f : triangulation.connectivity().faces())
       intrinsic.push_back(geometry.area(triangulation.connectivity(), f));
   }
@@ -94,6 +96,7 @@ void for_each_overlay_fan(const Intrinsic_triangulation<Traits>& triangulation,
 /// \param triangulation a triangulation that keeps its input
 /// \param overlay its overlay
 /// \param positions the positions of the crossings. O(size of the overlay).
+/// \exception Invalid_surface_error as `Exact_geometry::area()`
 template <class Traits>
 std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulation,
                                const Overlay& overlay, const Overlay_positions& positions)

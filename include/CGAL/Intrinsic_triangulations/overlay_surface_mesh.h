@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/convex_polygon_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay_layers.h>
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -59,11 +60,13 @@ constexpr std::uint8_t diagonal_label = 3;
 /// \param overlay the overlay
 /// \param positions the positions of its crossings
 /// \param input the input, as `Correspondence::input()` gives it
+/// \param intrinsic the intrinsic triangulation
 /// \param points a point for each vertex of the surface, in their order
 /// \exception Invalid_surface_error if there are fewer or more points than vertices. O(size).
 template <class PointRange>
 auto overlay_to_surface_mesh(const Overlay& overlay, const Overlay_positions& positions,
-                             const Delta_complex& input, const PointRange& points)
+                             const Delta_complex& input, const Delta_complex& intrinsic,
+                             const PointRange& points)
 {
   using Point = std::decay_t<decltype(*std::begin(points))>;
   using Mesh = CGAL::Surface_mesh<Point>;
@@ -101,15 +104,16 @@ auto overlay_to_surface_mesh(const Overlay& overlay, const Overlay_positions& po
     mesh.template add_property_map<Halfedge, Surface_point>("h:input_point", none).first;
   auto intrinsic_point =
     mesh.template add_property_map<Halfedge, Surface_point>("h:intrinsic_point", none).first;
-  const auto on_side = [](Halfedge_index side, double t) {
-    return Surface_point{side, {1 - t, t, 0}};
+  const internal::Input_layer input_layer{input, overlay, positions};
+  const internal::Intrinsic_layer intrinsic_layer{intrinsic, overlay, positions};
+  const auto on_side = [](const auto& layer, Overlay::Halfedge h) {
+    const double t = layer.on_side(h);
+    return Surface_point{layer.side(h), {1 - t, t, 0}};
   };
   for (Overlay::Halfedge h : overlay.halfedges())
     if (!overlay.is_border(h)) {
-      input_point[Halfedge(h.idx())] =
-        on_side(overlay.input_side(h), positions.on_input_side(overlay, h));
-      intrinsic_point[Halfedge(h.idx())] =
-        on_side(overlay.intrinsic_side(h), positions.on_intrinsic_side(overlay, h));
+      input_point[Halfedge(h.idx())] = on_side(input_layer, h);
+      intrinsic_point[Halfedge(h.idx())] = on_side(intrinsic_layer, h);
     }
   return mesh;
 }
@@ -144,7 +148,7 @@ auto overlay_to_surface_mesh(const Intrinsic_triangulation<Traits>& triangulatio
   const Overlay overlay(triangulation);
   return overlay_to_surface_mesh(overlay, Overlay_positions(triangulation, overlay),
                                  triangulation.exact_geometry().correspondence().input(),
-                                 internal::points_of(mesh, np));
+                                 triangulation.connectivity(), internal::points_of(mesh, np));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsAdaptors

@@ -46,6 +46,8 @@ inline const std::vector<Named_sample>& named_samples()
      []() -> Sample_surface { return bumpy_sphere(); }},
     {"disk-with-spike", "a round disk with a tall thin spike in the middle",
      []() -> Sample_surface { return disk_with_spike(); }},
+    {"bumpy-dome", "an open dome with smooth bumps, whose triangles wind around it",
+     []() -> Sample_surface { return bumpy_dome(); }},
     {"torus", "a torus with a regular grid of triangles",
      []() -> Sample_surface { return torus(); }},
     {"bad-torus", "a torus with random bad triangles",

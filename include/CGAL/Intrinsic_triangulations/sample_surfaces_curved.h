@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Sample surfaces that bend in space: spheres, tori, a disk with a spike,
-// a tube, a lantern. All are smooth shapes; what is bad is the triangulation.
+// Sample surfaces that bend in space: spheres, tori, disks, a tube, a
+// lantern. All are smooth shapes; what is bad is the triangulation.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SAMPLE_SURFACES_CURVED_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SAMPLE_SURFACES_CURVED_H
@@ -9,12 +9,27 @@
 #include <CGAL/Intrinsic_triangulations/internal/sample_surface_tools.h>
 #include <CGAL/Intrinsic_triangulations/sample_surface_types.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// Moves a point of the unit sphere along its radius.
+inline std::array<double, 3> bumped(double x, double y, double z, double bump_height)
+{
+  const double radius =
+    1 + bump_height * std::sin(6 * x + 1) * std::sin(5 * y + 2) * std::sin(7 * z + 0.5);
+  return {radius * x, radius * y, radius * z};
+}
+
+} // namespace internal
+/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsSamples
 /// \brief the unit sphere with meridians and circles of latitude, each cell split in two,
@@ -59,11 +74,6 @@ inline Indexed_triangles bumpy_sphere(std::size_t columns = 100, std::size_t row
 {
   internal::require_sample_argument(columns >= 3 && rows >= 2, "a sphere has 3 columns and 2 rows at least");
   internal::require_sample_argument(bump_height >= 0 && bump_height < 1, "a bump height lies in [0, 1)");
-  const auto bumped = [bump_height](double x, double y, double z) -> std::array<double, 3> {
-    const double radius =
-      1 + bump_height * std::sin(6 * x + 1) * std::sin(5 * y + 2) * std::sin(7 * z + 0.5);
-    return {radius * x, radius * y, radius * z};
-  };
   const double largest_shift = 0.2; // of a cell; below 1/4 all cells stay convex
   const double twist = 1;           // radians from the equator to a pole
   internal::Sample_random random(seed);
@@ -75,14 +85,16 @@ inline Indexed_triangles bumpy_sphere(std::size_t columns = 100, std::size_t row
       const double height = 2 * (row + row_shift) / rows - 1; // in (-1, 1)
       const double latitude = 0.5 * internal::sample_pi * height;
       const double longitude = 2 * internal::sample_pi * (column + column_shift) / columns + twist * height;
-      surface.points.push_back(bumped(std::cos(latitude) * std::cos(longitude),
-                                      std::cos(latitude) * std::sin(longitude), std::sin(latitude)));
+      surface.points.push_back(internal::bumped(std::cos(latitude) * std::cos(longitude),
+                                                std::cos(latitude) * std::sin(longitude),
+                                                std::sin(latitude), bump_height));
     }
   internal::append_grid(surface, columns, rows - 1, true, false, [&random](std::size_t, std::size_t) {
     return random.coin() ? internal::Diagonal::RISING : internal::Diagonal::FALLING;
   });
-  internal::append_fan(surface, 0, columns, bumped(0, 0, -1), false);
-  internal::append_fan(surface, (rows - 2) * columns, columns, bumped(0, 0, 1), true);
+  internal::append_fan(surface, 0, columns, internal::bumped(0, 0, -1, bump_height), false);
+  internal::append_fan(surface, (rows - 2) * columns, columns,
+                       internal::bumped(0, 0, 1, bump_height), true);
   return surface;
 }
 
@@ -117,6 +129,49 @@ inline Indexed_triangles disk_with_spike(std::size_t columns = 40, std::size_t r
   internal::append_grid(surface, columns, rings, true, false,
                         [](std::size_t, std::size_t) { return internal::Diagonal::RISING; });
   internal::append_fan(surface, 0, columns, {0, 0, height}, false);
+  return surface;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsSamples
+/// \brief a dome with smooth bumps, open below, whose triangles wind around its axis.
+///
+/// As `bumpy_sphere()`, but a disk, and with a twist that stretches the triangles across the
+/// bumps. The boundary is even.
+/// Good for parameterization, and for pictures: as it stands the harmonic map to the unit disk by the
+/// extrinsic operator flips 8 triangles; the intrinsic triangulation has no loops and no multiple
+/// edges, and the map by its operator flips none.
+/// Euler characteristic 1; `columns * rows + 1` vertices, `columns * (2 * rows - 1)` faces, `columns`
+/// boundary edges: 433 vertices and 840 faces as it stands.
+/// \param columns the number of vertices of each ring, at least 3
+/// \param rows the number of rings, the boundary included, at least 1
+/// \param bump_height the largest change of the radius 1, in [0, 1)
+/// \param twist of the meridians, in radians from the pole to the boundary
+/// \param seed of the random shifts and diagonals
+inline Indexed_triangles bumpy_dome(std::size_t columns = 24, std::size_t rows = 18, double bump_height = 0.2,
+                                    double twist = 8, std::uint64_t seed = 1)
+{
+  internal::require_sample_argument(columns >= 3 && rows >= 1, "a dome has 3 columns and 1 row at least");
+  internal::require_sample_argument(bump_height >= 0 && bump_height < 1, "a bump height lies in [0, 1)");
+  const double largest_shift = 0.24; // of a cell; below 1/4 all cells stay convex
+  const double boundary = 0.7 * internal::sample_pi; // radians from the pole
+  internal::Sample_random random(seed);
+  Indexed_triangles surface;
+  for (std::size_t row = 1; row <= rows; ++row)
+    for (std::size_t column = 0; column < columns; ++column) {
+      const double row_shift = row < rows ? random.uniform(-largest_shift, largest_shift) : 0;
+      const double column_shift = random.uniform(-largest_shift, largest_shift);
+      const double height = (row + row_shift) / rows; // 0 at the pole, 1 at the boundary
+      // Clockwise, so that triangles are counterclockwise when seen from outside.
+      const double longitude =
+        -2 * internal::sample_pi * (column + column_shift) / columns + twist * height;
+      surface.points.push_back(internal::bumped(std::sin(boundary * height) * std::cos(longitude),
+                                                std::sin(boundary * height) * std::sin(longitude),
+                                                std::cos(boundary * height), bump_height));
+    }
+  internal::append_grid(surface, columns, rows, true, false, [&random](std::size_t, std::size_t) {
+    return random.coin() ? internal::Diagonal::RISING : internal::Diagonal::FALLING;
+  });
+  internal::append_fan(surface, 0, columns, internal::bumped(0, 0, 1, bump_height), false);
   return surface;
 }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay_layers.h>
 
 #include <CGAL/assertions.h>
 
@@ -32,6 +33,7 @@ auto interpolate_at_crossings(const Overlay& overlay, const Delta_complex& compl
 {
   CGAL_precondition(values.size() == complex.number_of_vertices());
   using Value = Value_of<VertexValues>;
+  static_assert(!std::is_integral<Value>::value, "interpolation between integers would cut off");
   std::vector<Value> result;
   result.reserve(overlay.number_of_vertices());
   for (Vertex_index v : complex.vertices())
@@ -58,7 +60,7 @@ auto interpolate_at_crossings(const Overlay& overlay, const Delta_complex& compl
 /// overlay).
 ///
 /// \tparam VertexValues a random access range with `size()`; values can be added and multiplied by
-///   a `double` from the left
+///   a `double` from the left, and are no integers
 /// \param overlay the overlay
 /// \param positions the positions of the crossings
 /// \param input the input, as `Correspondence::input()` gives it
@@ -96,8 +98,7 @@ auto interpolate_intrinsic_values(const Overlay& overlay, const Overlay_position
 /// input face, with given values at its corners, as texture coordinates are.
 ///
 /// Where the values at two sides of an input edge differ, which is a seam, they differ in the
-/// same way along the segments of that edge, and nowhere else. O(size of the overlay), plus the
-/// degrees of the vertices.
+/// same way along the segments of that edge, and nowhere else. O(size of the overlay).
 ///
 /// \tparam CornerValues a random access range with `size()`; values can be added, multiplied by a
 ///   `double` from the left, and default constructed
@@ -114,11 +115,12 @@ auto interpolate_input_corner_values(const Overlay& overlay, const Overlay_posit
 {
   CGAL_precondition(values.size() == input.number_of_halfedges());
   using Value = internal::Value_of<CornerValues>;
+  static_assert(!std::is_integral<Value>::value, "interpolation between integers would cut off");
   std::vector<Value> result(overlay.number_of_halfedges());
   for (Overlay::Halfedge h : overlay.halfedges()) {
     if (overlay.is_border(h))
       continue;
-    const Halfedge_index side = overlay.input_side(h);
+    const Halfedge_index side = internal::input_side(input, overlay, h);
     const double t = positions.on_input_side(overlay, h);
     result[h.idx()] =
       Value((1 - t) * values[input.prev(side).idx()] + t * values[side.idx()]);

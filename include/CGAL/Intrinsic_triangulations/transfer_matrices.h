@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/overlay_areas.h>
 
 #include <CGAL/assertions.h>
@@ -103,6 +104,7 @@ struct Transfer_mass_matrices
 /// \param triangulation a triangulation that keeps its input
 /// \param overlay its overlay
 /// \param positions the positions of the crossings
+/// \exception Invalid_surface_error as `Exact_geometry::area()`
 template <class Traits>
 Transfer_mass_matrices transfer_mass_matrices(const Intrinsic_triangulation<Traits>& triangulation,
                                               const Overlay& overlay,
@@ -162,6 +164,7 @@ public:
   /// A vertex around which there is no area, as an isolated one, keeps its value.
   /// \param target_mass the Galerkin mass matrix of the target
   /// \param mixed_mass the mixed one, with rows for the vertices of the target
+  /// \exception Numerical_error if the masses leave the range of `double`
   L2_projection(Eigen::SparseMatrix<double> target_mass, Eigen::SparseMatrix<double> mixed_mass)
     : target_mass_(std::move(target_mass)), mixed_mass_(std::move(mixed_mass))
   {
@@ -169,9 +172,10 @@ public:
       if (!(target_mass_.coeff(v, v) > 0))
         target_mass_.coeffRef(v, v) = mixed_mass_.coeffRef(v, v) = 1;
     // Scaled by its diagonal, the matrix has eigenvalues in [1/2, 2] (Wathen 1987): no pivot
-    // can fail.
+    // can fail, unless the entries leave the range of double.
     solver_.compute(target_mass_);
-    CGAL_postcondition(solver_.info() == Eigen::Success);
+    if (solver_.info() != Eigen::Success || !solver_.vectorD().allFinite())
+      throw Numerical_error("the masses leave the range of double; scale the surface");
   }
 
   /// returns the projection of vertex values: of each column, if there are several.

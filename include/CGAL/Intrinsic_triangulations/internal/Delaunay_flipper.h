@@ -207,12 +207,14 @@ private:
         candidates_.push_if(true, e);
         continue;
       }
+      if (!goes_further(report_.tests))
+        return false;
       marks_[e.idx()] = Mark::SETTLED;
       if (report_.flips == budget_) {
         report_.status = Flip_status::BUDGET_EXHAUSTED;
         return false;
       }
-      switch (triangulation_.flip(e)) {
+      switch (triangulation_.flip_not_Delaunay(e)) {
       case Flip_outcome::FLIPPED:
         ++report_.flips;
         if constexpr (!Triangulation::Traits::Has_exact_decisions::value)

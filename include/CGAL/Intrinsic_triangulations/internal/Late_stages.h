@@ -27,7 +27,19 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// Two corners, named by the halfedges that they are opposite to.
+struct Two_corners
+{
+  Halfedge_index opposite_to_k, opposite_to_l;
+};
+
 // The corners opposite to an edge, k to its left and l to its right.
+inline Two_corners corners_beside(const Delta_complex& complex, Edge_index e)
+{
+  const Halfedge_index h = complex.halfedge(e);
+  return {h, complex.opposite(h)};
+}
+
 template <class Metric>
 struct Opposite_corners
 {
@@ -35,13 +47,13 @@ struct Opposite_corners
 };
 
 template <class Metric>
-Opposite_corners<Metric> opposite_corners(const Delta_complex& complex,
-                                          const Correspondence& correspondence, Edge_index e,
-                                          Metric& metric)
+Opposite_corners<Metric> unfolded_corners(const Delta_complex& complex,
+                                          const Correspondence& correspondence,
+                                          const Two_corners& corners, Metric& metric)
 {
   const Unfolding<Metric> unfolding(complex, correspondence, metric);
-  const Halfedge_index h = complex.halfedge(e);
-  return {unfolding.opposite_corner(h), unfolding.opposite_corner(complex.opposite(h))};
+  return {unfolding.opposite_corner(corners.opposite_to_k),
+          unfolding.opposite_corner(corners.opposite_to_l)};
 }
 
 class Late_stages
@@ -58,22 +70,23 @@ public:
     Stage stage;
   };
 
+  // The sign of the sum of the cotangents of two corners.
+  //
   // A tie is more likely than a difference below 2^-80, and its proof is cheap while there are
   // few roots. With many it is the last resort.
-  Decision sign_of_cotangents(Edge_index e) const
+  Decision sign_of_cotangents(const Two_corners& corners) const
   {
-    if (const std::optional<Sign> tie = proven_tie(e, few_roots))
+    if (const std::optional<Sign> tie = proven_tie(corners, few_roots))
       return {*tie, Stage::ALGEBRAIC};
     for (long precision = 128; precision <= 2048; precision *= 4)
-      if (const auto sign = approximate_sign(e, precision); is_certain(sign))
+      if (const auto sign = approximate_sign(corners, precision); is_certain(sign))
         return {get_certain(sign), Stage::MULTIPRECISION};
-    if (const std::optional<Sign> tie = proven_tie(e, Root_mask().size()))
+    if (const std::optional<Sign> tie = proven_tie(corners, Root_mask().size()))
       return {*tie, Stage::ALGEBRAIC};
     for (long precision = 8192; precision <= largest_precision; precision *= 2)
-      if (const auto sign = approximate_sign(e, precision); is_certain(sign))
+      if (const auto sign = approximate_sign(corners, precision); is_certain(sign))
         return {get_certain(sign), Stage::MULTIPRECISION};
-    throw Undecided_error("edge " + std::to_string(e.idx()) +
-                          ": the sum of the opposite angles differs from pi by less than 2^-" +
+    throw Undecided_error(name(corners) + ": the sum of their angles differs from pi by less than 2^-" +
                           std::to_string(largest_precision) +
                           " and cannot be proven to be pi: too many independent square roots");
   }
@@ -113,20 +126,22 @@ public:
     return Unfolding<Mpfr_metric>(complex_, correspondence_, metric).squared_length(e);
   }
 
-  // The length of e, within one unit in the last place.
+  // The length of e, within one unit in the last place. An interval around a double is two units
+  // in its last place wide, however high the precision: then the middle is taken.
   double length(Edge_index e) const
   {
-    for (long precision = 128;; precision *= 2) {
+    for (long precision = 128; precision <= 2 * largest_precision; precision *= 2) {
       const Mpfr_interval l = sqrt(squared_length(e, precision));
       const double low = l.lower_double(), high = l.upper_double();
-      if (high <= std::nextafter(low, high) || precision > largest_precision)
-        return mpfr_get_d(l.lower(), MPFR_RNDN);
+      const double next = std::nextafter(low, high);
+      if (high <= std::nextafter(next, high))
+        return next;
     }
+    throw Undecided_error("edge " + std::to_string(e.idx()) + ": its length cannot be computed");
   }
 
   // The middle of an interval around evaluate(corner opposite to h) that is narrow enough, as
-  // is_narrow(width, magnitude) says. An interval around a double is two units in its last
-  // place wide, however high the precision.
+  // is_narrow(width, magnitude) says.
   template <class Evaluate, class IsNarrow>
   double number_of_corner(Halfedge_index h, const Evaluate& evaluate,
                           const IsNarrow& is_narrow) const
@@ -152,47 +167,55 @@ private:
     return Unfolding<Mpfr_metric>(complex_, correspondence_, metric).opposite_corner(h);
   }
 
-  Opposite_corners<Mpfr_metric> approximate_corners(Edge_index e, long precision) const
+  Opposite_corners<Mpfr_metric> approximate_corners(const Two_corners& corners, long precision) const
   {
     Mpfr_metric metric(surface_, {precision});
-    return opposite_corners(complex_, correspondence_, e, metric);
+    return unfolded_corners(complex_, correspondence_, corners, metric);
   }
 
-  Uncertain<Sign> approximate_sign(Edge_index e, long precision) const
+  Uncertain<Sign> approximate_sign(const Two_corners& corners, long precision) const
   {
-    const auto corners = approximate_corners(e, precision);
-    return internal::sign_of_cotangents(corners.k, corners.l);
+    const auto approximate = approximate_corners(corners, precision);
+    return internal::sign_of_cotangents(approximate.k, approximate.l);
   }
 
   // The sign if the edge is proven to be a tie; none says nothing.
-  std::optional<Sign> proven_tie(Edge_index e, std::size_t maximum_number_of_roots) const
+  std::optional<Sign> proven_tie(const Two_corners& corners, std::size_t maximum_number_of_roots) const
   {
     try {
       Square_root_basis basis(maximum_number_of_roots);
       Multiquadratic_metric field(surface_, {basis});
-      const auto exact = opposite_corners(complex_, correspondence_, e, field);
+      const auto exact = unfolded_corners(complex_, correspondence_, corners, field);
       if (!(exact.k.p * exact.l.four_areas + exact.l.p * exact.k.four_areas).is_zero())
         return std::nullopt;
       // Angles that sum to π, unless both areas are zero.
       return !exact.k.four_areas.is_zero() || exact.k.p.is_zero() || exact.l.p.is_zero()
                ? ZERO
-               : sign_between_faces_without_area(e);
+               : sign_between_faces_without_area(corners);
     } catch (const Too_many_roots&) {
       return std::nullopt;
     }
   }
 
   // The signs of the scalar products tell which of the angles are π.
-  Sign sign_between_faces_without_area(Edge_index e) const
+  Sign sign_between_faces_without_area(const Two_corners& corners) const
   {
     for (long precision = 128; precision <= largest_precision; precision *= 2) {
-      const auto corners = approximate_corners(e, precision);
-      const Uncertain<Sign> k = corners.k.p.sign(), l = corners.l.p.sign();
+      const auto approximate = approximate_corners(corners, precision);
+      const Uncertain<Sign> k = approximate.k.p.sign(), l = approximate.l.p.sign();
       if (is_certain(k) && is_certain(l))
         return sign_of_tie(get_certain(k), get_certain(l));
     }
-    throw Undecided_error("edge " + std::to_string(e.idx()) +
-                          ": the opposite angles are too near to pi/2");
+    throw Undecided_error(name(corners) + ": their angles are too near to pi/2");
+  }
+
+  std::string name(const Two_corners& corners) const
+  {
+    const auto vertex = [this](Halfedge_index h) {
+      return std::to_string(complex_.target(complex_.next(h)).idx());
+    };
+    return "the corners at vertices " + vertex(corners.opposite_to_k) + " and " +
+           vertex(corners.opposite_to_l);
   }
 
   // A proof that the area of the face of h is zero; `false` proves nothing.

@@ -17,6 +17,42 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// The side of a face that begins at a vertex; null if there are several.
+inline Halfedge_index only_side_from(const Delta_complex& complex, Face_index f, Vertex_index v)
+{
+  Halfedge_index result;
+  const Halfedge_index first = complex.halfedge(f);
+  for (Halfedge_index h : {first, complex.next(first), complex.prev(first)})
+    if (complex.source(h) == v) {
+      if (result.is_valid())
+        return Halfedge_index();
+      result = h;
+    }
+  return result;
+}
+
+// As `search()`, which walks around the target of h if that is a vertex of the surface: through
+// all segments of the other layer there, of which each corner between them would do the same.
+// That is needed only if the face of the layer has the vertex several times.
+template <class Search>
+Halfedge_index side_at_target(const Delta_complex& complex, const Overlay& overlay, Face_index f,
+                              Overlay::Halfedge h, const Search& search)
+{
+  const Overlay::Vertex v = overlay.target(h);
+  if (overlay.is_crossing(v))
+    return search();
+  const Halfedge_index side = only_side_from(complex, f, overlay.original_vertex(v));
+  return side.is_valid() ? side : search();
+}
+
+// The side of the input face on which the target of h lies: `Overlay::input_side()`.
+inline Halfedge_index input_side(const Delta_complex& input, const Overlay& overlay,
+                                 Overlay::Halfedge h)
+{
+  return side_at_target(input, overlay, overlay.input_face(overlay.face(h)), h,
+                        [&] { return overlay.input_side(h); });
+}
+
 struct Input_layer
 {
   const Delta_complex& complex;
@@ -38,7 +74,7 @@ struct Input_layer
   }
   Halfedge_index halfedge(Overlay::Halfedge h) const { return overlay.input_halfedge(h); }
   Face_index face(Overlay::Face f) const { return overlay.input_face(f); }
-  Halfedge_index side(Overlay::Halfedge h) const { return overlay.input_side(h); }
+  Halfedge_index side(Overlay::Halfedge h) const { return input_side(complex, overlay, h); }
   double on_side(Overlay::Halfedge h) const { return positions.on_input_side(overlay, h); }
 };
 
@@ -62,7 +98,11 @@ struct Intrinsic_layer
   }
   Halfedge_index halfedge(Overlay::Halfedge h) const { return overlay.intrinsic_halfedge(h); }
   Face_index face(Overlay::Face f) const { return overlay.intrinsic_face(f); }
-  Halfedge_index side(Overlay::Halfedge h) const { return overlay.intrinsic_side(h); }
+  Halfedge_index side(Overlay::Halfedge h) const
+  {
+    return side_at_target(complex, overlay, face(overlay.face(h)), h,
+                          [&] { return overlay.intrinsic_side(h); });
+  }
   double on_side(Overlay::Halfedge h) const { return positions.on_intrinsic_side(overlay, h); }
 };
 

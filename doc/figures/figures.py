@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The figures of the paper, redone: each function draws one of them on any surface."""
+
+import numpy as np
+from matplotlib import pyplot
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import LogNorm
+from matplotlib.lines import Line2D
+
+from idt_files import read_obj
+from pages import page_of_images
+from scene import polygons, render, textured, tubes
+
+WHITE, BLACK, RED = (1, 1, 1), (0, 0, 0), (0.85, 0.05, 0.05)
+KEPT = (WHITE, "in both")
+GONE = (BLACK, "in the input alone")
+NEW = (RED, "in the intrinsic Delaunay triangulation (iDT) alone")
+
+
+def _edges(surface, triangulation):
+    """The paths of the edges that stay, of those that go and of those that are new."""
+    kept = {tuple(pair) for pair in triangulation.ends[triangulation.original]}
+    pairs, _ = surface.edges()
+    stay = [surface.points[pair] for pair in pairs if tuple(pair) in kept]
+    gone = [surface.points[pair] for pair in pairs if tuple(pair) not in kept]
+    new = [path for path, original in zip(triangulation.paths, triangulation.original) if not original]
+    return stay, gone, new
+
+
+def _draw(surface, layers, camera, radius):
+    """The surface with layers of lines, each of paths and a color."""
+    size = radius * np.linalg.norm(np.ptp(surface.points, axis=0))
+    lines = [tubes(paths, color, size) for paths, color in layers if paths]
+    return render([polygons(surface.points, surface.faces), *lines], camera)
+
+
+def _legend(page, entries):
+    lines = [Line2D([], [], color=color, linewidth=3) for color, _ in entries]
+    legend = page.legend(lines, [text for _, text in entries], loc="lower center", ncol=len(entries),
+                         frameon=True, facecolor="0.72", edgecolor="none", handlelength=1.5)
+    legend.set_in_layout(False)
+
+
+def edges_before_and_after(surface, triangulation, camera, radius):
+    """Figures 1 and 2: the input and its intrinsic Delaunay triangulation on the same surface."""
+    stay, gone, new = _edges(surface, triangulation)
+    images = [_draw(surface, [(stay, WHITE), (gone, BLACK)], camera, radius),
+              _draw(surface, [(stay, WHITE), (new, RED)], camera, radius)]
+    titles = [f"input: {len(stay)} edges stay, {len(gone)} go", f"iDT: {len(new)} edges are new"]
+    width, height = camera.size
+    page = page_of_images(images, titles, columns=1 if width > 2 * height else 2)
+    _legend(page, [KEPT, GONE, NEW])
+    return page
+
+
+def overlays(subjects):
+    """Figure 7: the edges of both triangulations on several surfaces.
+
+    `subjects` are tuples of surface, triangulation, camera, radius of the lines.
+    """
+    images, titles = [], []
+    for surface, triangulation, camera, radius in subjects:
+        stay, gone, new = _edges(surface, triangulation)
+        images.append(_draw(surface, [(stay, WHITE), (gone, BLACK), (new, RED)], camera, radius))
+        titles.append(f"{surface.name}: {len(new):,} of {len(new) + len(stay):,} edges are new")
+    page = page_of_images(images, titles, columns=2)
+    _legend(page, [KEPT, GONE, NEW])
+    return page
+
+
+def input_weights(surface):
+    """The cotangent weights of the interior edges of the input, from its points."""
+    pairs, on_border = surface.edges()
+    weights = dict.fromkeys(map(tuple, pairs), 0.0)
+    for turn in range(3):
+        i, j, k = np.roll(surface.faces, turn, axis=1).T
+        u, v = surface.points[i] - surface.points[k], surface.points[j] - surface.points[k]
+        cotangents = (u * v).sum(axis=1) / np.linalg.norm(np.cross(u, v), axis=1)
+        for pair, cotangent in zip(np.sort(np.stack([i, j], axis=1), axis=1), cotangents):
+            weights[tuple(pair)] += cotangent
+    return np.array([weights[tuple(pair)] for pair, border in zip(pairs, on_border) if not border])
+
+
+def weight_histogram(surface, triangulation):
+    """Figure 6: the coefficients of the two operators."""
+    pairs, on_border = surface.edges()
+    border = {tuple(pair) for pair in pairs[on_border]}
+    inner = np.array([not (original and tuple(pair) in border)
+                      for pair, original in zip(triangulation.ends, triangulation.original)])
+    page, all_axes = pyplot.subplots(1, 2, figsize=(9.6, 3.4), sharey=True, layout="constrained")
+    for axes, weights, title in [
+            (all_axes[0], input_weights(surface), "input"),
+            (all_axes[1], triangulation.weights[inner], "iDT")]:
+        bins = np.linspace(-10, 10, 41)
+        inside = np.clip(weights, -9.99, 9.99)
+        axes.hist(inside[weights >= 0], bins, color="0.45")
+        axes.hist(inside[weights < 0], bins, color=RED)
+        axes.set_yscale("log")
+        axes.set_title(f"{title}: {(weights < 0).sum():,} of {len(weights):,} weights are negative")
+        axes.set_xlabel(f"cot + cot, from {weights.min():.3g} to {weights.max():.3g}")
+    all_axes[0].set_ylabel("number of edges")
+    return page
+
+
+def maps_to_the_plane(triangulation, maps):
+    """Figure 8: the triangles in the plane, by the extrinsic and by the intrinsic operator.
+
+    `maps` has for each kind of boundary its name and the two parameterizations.
+    """
+    page, all_axes = pyplot.subplots(len(maps), 2, figsize=(9.6, 4.9 * len(maps)), layout="constrained",
+                                     squeeze=False)
+    for row, (boundary, extrinsic, intrinsic) in zip(all_axes, maps):
+        _, uv, faces = read_obj(extrinsic.over_input)
+        corners = uv[np.array(faces)]
+        u, v = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+        flipped = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0] < 0
+        row[0].triplot(*uv.T, faces, color="0.25", linewidth=0.5)
+        for triangle in corners[flipped]:
+            row[0].fill(*triangle.T, facecolor=RED, edgecolor=RED, linewidth=1.5)
+        row[0].set_title(f"extrinsic, {boundary}: {flipped.sum()} triangles flipped")
+        # Intrinsic edges are straight lines in the plane.
+        _, uv, _ = read_obj(intrinsic.over_intrinsic)
+        for ends, original in zip(triangulation.ends, triangulation.original):
+            row[1].plot(*uv[ends].T, color="0.25" if original else RED, linewidth=0.5)
+        count = intrinsic.report["over_intrinsic"]["flipped"]
+        row[1].set_title(f"intrinsic, {boundary}: {count} triangles flipped")
+        for axes in row:
+            axes.set_aspect("equal")
+            axes.set_axis_off()
+    return page
+
+
+def _distortion_text(quality):
+    mean, percentile = quality["mean_distortion"], quality["percentile_99_distortion"]
+    return f"{mean:.3f} in the mean, {percentile:.2f} at 99 %"
+
+
+def interpolations(parameterization, camera):
+    """Figure 9: the same images of the vertices, interpolated over the input and over the iDT."""
+    images = [render([textured(path)], camera)
+              for path in (parameterization.over_input, parameterization.over_intrinsic)]
+    titles = ["over the input: distortion " + _distortion_text(parameterization.report["over_input"]),
+              "over the iDT: distortion " + _distortion_text(parameterization.report["over_intrinsic"])]
+    return page_of_images(images, titles, columns=2)
+
+
+def circle_patterns(clipped, intrinsic, camera):
+    """Figure 10: circle patterns with the angles of the input, clipped, and with those of the iDT."""
+    norm, shades = LogNorm(1, 10), pyplot.get_cmap("YlOrRd")
+    images, titles = [], []
+    for parameterization, column, key, title in [(clipped, 0, "over_input", "input"),
+                                                 (intrinsic, 1, "over_intrinsic", "iDT")]:
+        points, _, faces = read_obj(parameterization.over_intrinsic)
+        values = np.minimum(parameterization.distortion[:, column], 10)
+        images.append(render([polygons(points, faces, shades(norm(values)))], camera))
+        edges = parameterization.report["circle_pattern"]["clipped_edges"]
+        titles.append(f"{title} ({edges} edges clipped): "
+                      + _distortion_text(parameterization.report[key]))
+    page = page_of_images(images, titles, columns=2)
+    _, height = page.get_size_inches()
+    bar = page.add_axes([0.3, 0.3 / height, 0.4, 0.12 / height])
+    page.colorbar(ScalarMappable(norm, shades), cax=bar, orientation="horizontal",
+                  ticks=[1, 2, 3, 5, 10], format="%g")
+    bar.tick_params(labelsize=8, pad=1, length=2)
+    bar.minorticks_off()
+    page.text(0.29, 0.36 / height, "distortion", horizontalalignment="right", verticalalignment="center")
+    return page

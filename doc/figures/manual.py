@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which figure is drawn of which surface, and from where it is seen."""
+
+from dataclasses import dataclass
+from typing import Callable
+
+import figures
+import surfaces
+from idt_files import read_off
+from pages import save
+from scene import Camera
+
+
+@dataclass
+class Subject:
+    """A surface, made or read when it is wanted, and a view of it."""
+    surface: Callable  # from an Idt
+    camera: Camera = None
+    radius: float = 0.0018  # of the lines, relative to the size of the surface
+
+
+def sample(name):
+    return lambda idt: idt.sample(name)
+
+
+def part(direction, center, height):
+    """A view of a part of a surface, for one panel of four."""
+    return Camera(direction, center=center, height=height, size=(400, 360))
+
+
+DOME = sample("bumpy-dome")
+
+SAMPLES = {
+    "edges": Subject(DOME, Camera((1, -1.2, 0.9))),
+    "thin-tube": Subject(lambda idt: surfaces.thin_tube(idt.folder / "thin-tube.off"),
+                         Camera((1, 0.2, 0.1), up=(0.1, -1, 0), size=(960, 190)), 0.0028),
+    "overlays": [
+        Subject(sample("bumpy-sphere"), part((1, -1, 0.7), center=(0.5, -0.5, 0.4), height=0.9), 0.001),
+        Subject(sample("bad-torus"), part((0.1, -1, 0.5), center=(0, -1.2, 0.2), height=0.4), 0.0004),
+        Subject(sample("Schwarz-lantern"), part((1, 0, 0), center=(1, 0, 0.5), height=0.45), 0.0005),
+        Subject(sample("disk-with-spike"), part((1, -1, 2), center=(0, 0, 0.3), height=1.7), 0.0008)],
+    "weights": Subject(sample("bumpy-sphere")),
+    "maps": Subject(DOME),
+    "interpolation": Subject(DOME, Camera((1, -1.2, 0.1), center=(0.6, -0.7, -0.15), height=0.95)),
+    "circle-patterns": Subject(DOME, Camera((1, -1.2, 0.9))),
+}
+
+
+def table_1(folder):
+    """The same figures of the meshes of the paper."""
+    def model(name):
+        return lambda idt: read_off(folder / f"{name}.off")
+
+    def upper_half_of_hygeia(idt):
+        return surfaces.half(model("hygeia")(idt), idt.folder / "half-of-hygeia.off", axis=1, fraction=0.5)
+
+    return {
+        "edges": Subject(model("cathead"), Camera((0.3, 0.3, 1), up=(0, 1, 0))),
+        "overlays": [Subject(model("bunnyhead"), Camera((0.3, 0.3, 1), up=(0, 1, 0))),
+                     Subject(model("beautiful_freak"), Camera((0.3, 0.3, 1), up=(0, 1, 0))),
+                     Subject(model("hygeia"), Camera((0.3, 0.3, 1), up=(0, 1, 0)), 0.0006),
+                     Subject(model("horse"), Camera((1, 0.3, 0.3)), 0.0003)],
+        "weights": Subject(model("hygeia")),
+        "maps": Subject(model("beautiful_freak")),
+        "interpolation": Subject(model("bunnyhead"), Camera((0.3, 0.3, 1), up=(0, 1, 0))),
+        "circle-patterns": Subject(upper_half_of_hygeia, Camera((0.3, 0.3, -1), up=(0, 1, 0))),
+    }
+
+
+def draw_edges(idt, subject):
+    surface = subject.surface(idt)
+    return figures.edges_before_and_after(surface, idt.triangulate(surface), subject.camera, subject.radius)
+
+
+def draw_overlays(idt, subjects):
+    def panel(subject):
+        surface = subject.surface(idt)
+        return surface, idt.triangulate(surface), subject.camera, subject.radius
+    return figures.overlays([panel(subject) for subject in subjects])
+
+
+def draw_weights(idt, subject):
+    surface = subject.surface(idt)
+    return figures.weight_histogram(surface, idt.triangulate(surface))
+
+
+def draw_maps(idt, subject):
+    surface = subject.surface(idt)
+    maps = [(title, *(idt.parameterize(surface, f"{boundary}-{operator}", "--boundary", boundary,
+                                       "--laplacian", operator)
+                      for operator in ("extrinsic", "intrinsic")))
+            for boundary, title in [("disk", "boundary on a circle"), ("natural", "natural boundary")]]
+    return figures.maps_to_the_plane(idt.triangulate(surface), maps)
+
+
+def draw_interpolation(idt, subject):
+    return figures.interpolations(idt.parameterize(subject.surface(idt), "map"), subject.camera)
+
+
+def draw_circle_patterns(idt, subject):
+    surface = subject.surface(idt)
+    patterns = [idt.parameterize(surface, operator, "--method", "circle-pattern", "--laplacian", operator)
+                for operator in ("extrinsic", "intrinsic")]
+    return figures.circle_patterns(*patterns, subject.camera)
+
+
+# The names of the pictures, in the order of the paper: figures 1, 2, 6, 7, 8, 9 and 10.
+DRAW = {"edges": draw_edges, "thin-tube": draw_edges, "weights": draw_weights, "overlays": draw_overlays,
+        "maps": draw_maps, "interpolation": draw_interpolation, "circle-patterns": draw_circle_patterns}
+LINE_DRAWINGS = ("weights", "maps")  # these have few colors
+
+
+def draw(idt, subjects, output, only):
+    """Draws the picture `only` of these subjects, or each one that has a subject."""
+    for name, function in DRAW.items():
+        if name in subjects and only in (None, name):
+            save(function(idt, subjects[name]), output / f"{name}.png",
+                 colors=16 if name in LINE_DRAWINGS else 64)
