@@ -306,7 +306,7 @@ public:
   /// whether the quadrilateral is convex is decided exactly, in time proportional to the number
   /// of input edges that its sides cross.
   /// \pre `connectivity().is_flippable(e)`
-  /// \exception Undecided_error as `Exact_geometry::sign_of_cotangents()`
+  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
   Flip_outcome flip(Edge_index e)
   {
     if constexpr (uses_exact_geometry)

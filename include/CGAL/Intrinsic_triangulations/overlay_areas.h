@@ -96,7 +96,7 @@ void for_each_overlay_fan(const Intrinsic_triangulation<Traits>& triangulation,
 /// \param triangulation a triangulation that keeps its input
 /// \param overlay its overlay
 /// \param positions the positions of the crossings. O(size of the overlay).
-/// \exception Invalid_surface_error as `Exact_geometry::area()`
+/// \exception Invalid_surface_error as `area()` of `Exact_geometry`
 template <class Traits>
 std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulation,
                                const Overlay& overlay, const Overlay_positions& positions)

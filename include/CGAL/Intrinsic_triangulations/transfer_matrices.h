@@ -104,7 +104,7 @@ struct Transfer_mass_matrices
 /// \param triangulation a triangulation that keeps its input
 /// \param overlay its overlay
 /// \param positions the positions of the crossings
-/// \exception Invalid_surface_error as `Exact_geometry::area()`
+/// \exception Invalid_surface_error as `area()` of `Exact_geometry`
 template <class Traits>
 Transfer_mass_matrices transfer_mass_matrices(const Intrinsic_triangulation<Traits>& triangulation,
                                               const Overlay& overlay,
