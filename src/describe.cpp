@@ -5,7 +5,6 @@
 
 #include "commands.h"
 
-#include <algorithm>
 #include <memory>
 
 namespace idt {
@@ -44,6 +43,13 @@ std::string escaped(const std::string& text)
   return result;
 }
 
+// Without what a validator adds to it.
+std::string type_name(const CLI::Option& option)
+{
+  const std::string name = option.get_type_name();
+  return name.substr(0, name.find(':'));
+}
+
 void write_literally(std::ostream& os, const std::string& text)
 {
   if (!text.empty())
@@ -66,9 +72,9 @@ void write_manual_page(std::ostream& os, const CLI::App& app)
     os << ".SS idt " << command->get_name() << '\n' << escaped(command->get_description()) << ".\n";
     for (const bool are_positional : {true, false})
       for (const CLI::Option* option : options(*command, are_positional)) {
-        os << ".TP\n\\fB" << escaped(option->get_name(are_positional)) << "\\fR";
+        os << ".TP\n\\fB" << escaped(option->get_name(are_positional, !are_positional)) << "\\fR";
         if (!are_positional && option->get_items_expected_max() > 0)
-          os << " \\fI" << escaped(option->get_type_name()) << "\\fR";
+          os << " \\fI" << escaped(type_name(*option)) << "\\fR";
         os << '\n' << escaped(option->get_description()) << '\n';
       }
     write_literally(os, command->get_footer());
