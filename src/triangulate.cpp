@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -147,7 +148,7 @@ std::string number_type_help()
   text << "Number types:\n";
   for (Number_type number_type : number_types()) {
     const std::string title = name(number_type);
-    text << "  " << title << std::string(20 - title.size(), ' ') << description(number_type)
+    text << "  " << std::left << std::setw(19) << title << ' ' << description(number_type)
          << (number_type == default_number_type ? " (default)" : "") << '\n';
   }
   return text.str();

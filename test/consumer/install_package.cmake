@@ -6,16 +6,22 @@ execute_process(
   COMMAND_ERROR_IS_FATAL ANY)
 
 foreach(file include/CGAL/Intrinsic_triangulations/errors.h
-    share/cmake/Intrinsic_triangulations/Intrinsic_triangulationsConfig.cmake)
+    share/cmake/Intrinsic_triangulations/Intrinsic_triangulationsConfig.cmake
+    share/pkgconfig/Intrinsic_triangulations.pc)
   if(NOT EXISTS ${PREFIX}/${file})
     message(FATAL_ERROR "${file} is not installed")
   endif()
 endforeach()
-if(INSTALLED_COMMAND AND NOT EXISTS ${INSTALLED_COMMAND})
-  message(FATAL_ERROR "${INSTALLED_COMMAND} is not installed")
+if(INSTALLED_COMMAND)
+  foreach(file ${INSTALLED_COMMAND} ${PREFIX}/share/man/man1/idt.1
+      ${PREFIX}/share/bash-completion/completions/idt)
+    if(NOT EXISTS ${file})
+      message(FATAL_ERROR "${file} is not installed")
+    endif()
+  endforeach()
 endif()
 # The installed files must not know where they were built.
-file(GLOB_RECURSE files ${PREFIX}/share/cmake/*.cmake)
+file(GLOB_RECURSE files ${PREFIX}/share/*.cmake ${PREFIX}/share/*.pc)
 foreach(file IN LISTS files)
   file(READ ${file} text)
   string(FIND "${text}" "${BINARY_DIR}" position)
