@@ -69,7 +69,9 @@ void check(Parameterize_options& options)
   }
   std::vector<std::string> outputs{options.json_path, options.distortion_path};
   for (const std::string& obj_path : {options.uv_path, options.uv_input_path})
-    if (!obj_path.empty())
+    if (!obj_path.empty() && find_mesh_format(obj_path) != Mesh_format::OBJ)
+      throw Usage_error(obj_path + ": the map is written as an OBJ file, whose name ends in .obj");
+    else if (!obj_path.empty())
       for (const std::string& path : textured_mesh_paths(obj_path))
         outputs.push_back(path);
   check_output_paths(outputs, {options.input});

@@ -267,7 +267,7 @@ TEST_F(Parameterize_command, says_what_is_wrong)
   write_disk();
   for (const char* options :
        {"--method circle-pattern --boundary disk", "--boundary square", "--laplacian both",
-        "--method none", "--uv x.obj --json x.mtl", "--uv disk.off", "--uv x.obj --uv-input x.obj",
+        "--method none", "--uv x.obj --json x.mtl", "--uv disk.off", "--uv x.ply", "--uv x.obj --uv-input x.obj",
         "--uv x.obj --distortion x.png"})
     EXPECT_EQ(idt(std::string("parameterize disk.off ") + options).status, 2) << options;
   EXPECT_EQ(idt("parameterize disk.off --uv missing/x.obj").status, 1);

@@ -61,6 +61,10 @@ TEST(Condition_number, dense_eigenvalues_of_closed_and_open_surfaces)
   expect_dense(from_triangles("disk", IT::disk_with_spike(12, 9)));
   expect_dense(from_triangles("small sphere", IT::bumpy_sphere(4, 4)));
   expect_dense(from_triangles("small disk", IT::disk_with_spike(4, 3)));
+  IT::Indexed_triangles thin = IT::random_diagonal_grid(9, 9, 1);
+  for (auto& p : thin.points) // so that all eigenvalues are about 1e17
+    p[1] *= 1e-17;
+  expect_dense(from_triangles("thin sheet", thin));
 }
 
 TEST(Condition_number, each_closed_component_has_a_zero_that_does_not_count)

@@ -211,7 +211,7 @@ TEST(Overlay_to_surface_mesh, exact_kernel_and_point_map)
 TEST(Overlay_to_surface_mesh, keeps_loops_and_multiple_edges_apart)
 {
   // A tetrahedron whose vertex 3 ends up inside of a loop.
-  const IT::Indexed_triangles sample{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+  const IT::Indexed_triangles sample{{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, 1, 8}},
                                      {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
   const Mesh input = mesh_of(sample);
   Triangulation t = IT::intrinsic_triangulation(input);
@@ -219,6 +219,8 @@ TEST(Overlay_to_surface_mesh, keeps_loops_and_multiple_edges_apart)
     const IT::Delta_complex& c = t.connectivity();
     ASSERT_EQ(t.flip(c.edge(c.halfedge(IT::Vertex_index(3)))), Triangulation::Flip_outcome::FLIPPED);
   }
+  ASSERT_TRUE(t.connectivity().is_loop(IT::Edge_index(
+    t.connectivity().edge(t.connectivity().prev(t.connectivity().halfedge(IT::Vertex_index(3)))))));
   Mesh mesh = IT::overlay_to_surface_mesh(t, input);
   ASSERT_TRUE(mesh.is_valid());
   expect_right_places(mesh, input, t);

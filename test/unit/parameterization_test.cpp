@@ -168,6 +168,19 @@ TEST(Boundary_positions, only_on_convex_polygons)
   for (const Planar_points& polygon : {clockwise, straight, concave, two, star})
     EXPECT_THROW(IT::positions_on_polygon(lengths, polygon), IT::Error);
   EXPECT_THROW(IT::positions_on_polygon({1, 1, 1}, square), IT::Error);
+  for (double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e308})
+    EXPECT_THROW(IT::positions_on_polygon(lengths, {{0, 0}, {1, 0}, {x, 1}}), IT::Error);
+}
+
+// Lengths whose sum overflows, and lengths that vanish beside those before.
+TEST(Boundary_positions, whatever_the_lengths)
+{
+  const Planar_points triangle{{0, 0}, {1, 0}, {0, 1}};
+  for (const std::vector<double>& lengths : {std::vector<double>{1, 1, 1e-20}, {1, 1e-17, 1}, {1e308, 1e308, 1e308}}) {
+    EXPECT_EQ(IT::positions_on_polygon(lengths, triangle), triangle);
+    for (const auto& p : IT::positions_on_circle(lengths))
+      EXPECT_NEAR(std::hypot(p[0], p[1]), 1, 1e-15);
+  }
 }
 
 // Linear functions are harmonic on any flat triangulation.
@@ -241,6 +254,22 @@ TEST(Natural_parameterization, a_flat_sheet_comes_out_similar)
   }
 }
 
+// Each area is in the range of double, their sum is not.
+TEST(Natural_parameterization, of_a_sheet_as_large_as_can_be)
+{
+  IT::Indexed_triangles sheet = flat_sheet();
+  const Planar_points unit = IT::natural_parameterization(triangulation_of(sheet, true));
+  for (auto& p : sheet.points)
+    for (double& x : p)
+      x = std::ldexp(x, 511);
+  const Triangulation t = triangulation_of(sheet, true);
+  Planar_points uv = IT::natural_parameterization(t);
+  EXPECT_NEAR(distortion(t, uv).mean, 1, 1e-6);
+  for (auto& p : uv)
+    p = {std::ldexp(p[0], -511), std::ldexp(p[1], -511)};
+  EXPECT_LE(largest_distance(uv, unit), 1e-9);
+}
+
 // The derivative of Dirichlet energy minus area of the image vanishes but for the two vertices
 // that are held.
 TEST(Natural_parameterization, is_stationary)
@@ -283,6 +312,8 @@ TEST(Parameterization_quality, orientation_is_decided_exactly)
   // On a line in the reals, where a rounded determinant is not zero.
   EXPECT_EQ(check({{0.5, 0.5}, {12, 12}, {24, 24}}).collapsed.size(), 1u);
   EXPECT_EQ(check({{0.5, 0.5}, {12, 12}, {24, std::nextafter(24., 25.)}}).collapsed.size(), 0u);
+  for (double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(check({{0, 0}, {1, 0}, {0.5, x}}), IT::Numerical_error);
 }
 
 TEST(Parameterization_quality, distortion_of_known_maps)
@@ -295,7 +326,7 @@ TEST(Parameterization_quality, distortion_of_known_maps)
       uv.push_back({a * p[0] + b * p[1], c * p[0] + d * p[1]});
     return distortion(t, uv);
   };
-  for (double scale : {1e-8, 1., 1e8}) {
+  for (double scale : {1e-300, 1e-161, 1e-8, 1., 1e8, 1e160, 1e305}) {
     EXPECT_NEAR(mapped(3 * scale, 4 * scale, -4 * scale, 3 * scale).maximum, 1, 1e-9);
     EXPECT_NEAR(mapped(3 * scale, 0, 0, scale).mean, 3, 1e-9);
     EXPECT_NEAR(mapped(scale, 0, 0, -2 * scale).percentile_99, 2, 1e-9); // a reflection

@@ -258,7 +258,9 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 /// Then the radii for which the circles fit together are found as the minimum of a convex
 /// energy, by Newton's method with sparse Cholesky factorizations, until no component of the
 /// gradient exceeds 1e-10. The boundary goes where it may; the map preserves the orientation
-/// of each triangle, but the image can overlap itself.
+/// of each triangle, but the image can overlap itself. Where circles differ in size by more than
+/// the spacing of doubles in the image allows, rounding collapses or flips the small
+/// triangles: `check_parameterization()` tells.
 ///
 /// An intrinsic Delaunay triangulation has no angles to clip, and so less distortion than its
 /// input.
@@ -287,9 +289,7 @@ inline Circle_pattern circle_pattern_parameterization(const Delta_complex& compl
   internal::minimize(energy, rho, result);
   result.uv = internal::lay_out(complex, energy, rho);
 
-  double area = 0, image_area = 0;
-  for (double a : areas)
-    area += a;
+  double image_area = 0;
   for (Halfedge_index h : boundary) {
     const auto &p = result.uv[complex.source(h).idx()], &q = result.uv[complex.target(h).idx()];
     image_area += (p[0] * q[1] - q[0] * p[1]) / 2;
@@ -297,14 +297,14 @@ inline Circle_pattern circle_pattern_parameterization(const Delta_complex& compl
   if (!(image_area > 0))
     throw Numerical_error("the circle pattern cannot be laid out: its circles differ in size by "
                           "more than double can hold");
-  const double scale = std::sqrt(area / image_area);
+  const double scale = internal::root_of_sum(areas) / std::sqrt(image_area);
   for (std::array<double, 2>& p : result.uv)
     p = {scale * p[0], scale * p[1]};
   return result;
 }
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// as above, for a triangulation; exceptions also as for `cotangent_weights()`.
+/// as above, for a triangulation; exceptions also as for `face_areas()`.
 template <class Traits>
 Circle_pattern
 circle_pattern_parameterization(const Intrinsic_triangulation<Traits>& triangulation)

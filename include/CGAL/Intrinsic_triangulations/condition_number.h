@@ -19,6 +19,7 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -208,7 +209,7 @@ inline Extreme_eigenvalues extreme_eigenvalues(const Delta_complex& complex,
     throw Invalid_surface_error(Invalid_surface_error::Defect::WRONG_TOPOLOGY, 0, 1,
                                 "the surface has too few inner vertices for an operator with a "
                                 "condition number");
-  const Eigen::SparseMatrix<double> interior = domain.interior(stiffness);
+  Eigen::SparseMatrix<double> interior = domain.interior(stiffness);
   if (interior.rows() <= 32) { // the least that leaves room for a Krylov space
     const Eigen::VectorXd all =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(interior),
@@ -216,9 +217,14 @@ inline Extreme_eigenvalues extreme_eigenvalues(const Delta_complex& complex,
         .eigenvalues();
     return {all[domain.number_of_closed_components()], all[all.size() - 1]};
   }
+  // Spectra takes eigenvalues far below 1 for zeros. With a largest one of about 1, those of
+  // the matrix and of the pseudoinverse that are wanted are at least about 1.
+  const double unit = std::ldexp(1., std::ilogb(interior.diagonal().maxCoeff()));
+  interior /= unit;
   Spectra::SparseSymMatProd<double> product(interior);
-  internal::Pseudoinverse pseudoinverse(domain, stiffness);
-  return {1 / internal::largest_eigenvalue(pseudoinverse), internal::largest_eigenvalue(product)};
+  internal::Pseudoinverse pseudoinverse(domain, stiffness / unit);
+  return {unit / internal::largest_eigenvalue(pseudoinverse),
+          unit * internal::largest_eigenvalue(product)};
 }
 
 } // namespace Intrinsic_triangulations

@@ -96,6 +96,25 @@ inline Orientation planar_orientation(const std::array<double, 2>& p,
   return CGAL::orientation(Point(p[0], p[1]), Point(q[0], q[1]), Point(r[0], r[1]));
 }
 
+// The lengths over the largest of them: their sum does not overflow.
+inline std::vector<double> over_largest(std::vector<double> lengths)
+{
+  const double largest = lengths.empty() ? 0 : *std::max_element(lengths.begin(), lengths.end());
+  if (largest > 0)
+    for (double& l : lengths)
+      l /= largest;
+  return lengths;
+}
+
+// The square root of the sum of areas, which may overflow itself.
+inline double root_of_sum(const std::vector<double>& areas)
+{
+  double sum = 0;
+  for (double a : over_largest(areas))
+    sum += a;
+  return std::sqrt(sum) * std::sqrt(*std::max_element(areas.begin(), areas.end()));
+}
+
 } // namespace internal
 /// \endcond
 
@@ -141,10 +160,11 @@ inline std::vector<Halfedge_index> disk_boundary(const Delta_complex& complex)
 /// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief spreads the vertices of a boundary over the unit circle, by arc length.
 ///
-/// \param lengths the lengths of the boundary's edges in order
+/// \param boundary_lengths the lengths of the boundary's edges in order. \pre they are positive
 /// \return the position where each edge begins; the first is (1, 0). O(size).
-inline Planar_points positions_on_circle(const std::vector<double>& lengths)
+inline Planar_points positions_on_circle(const std::vector<double>& boundary_lengths)
 {
+  const std::vector<double> lengths = internal::over_largest(boundary_lengths);
   double total = 0;
   for (double l : lengths)
     total += l;
@@ -167,15 +187,21 @@ inline Planar_points positions_on_circle(const std::vector<double>& lengths)
 /// that a corner before it has or one after it needs. On each side the vertices between
 /// are spread by arc length.
 ///
-/// \param lengths the lengths of the boundary's edges in order
+/// \param boundary_lengths the lengths of the boundary's edges in order. \pre they are positive
 /// \param corners the corners of the polygon, counterclockwise and strictly convex
 /// \return the position where each edge begins
-/// \exception Error if the polygon is not strictly convex and counterclockwise, or has more
-///   corners than the boundary has vertices. O(size).
-inline Planar_points positions_on_polygon(const std::vector<double>& lengths,
+/// \exception Error if the polygon is not strictly convex and counterclockwise, has a coordinate
+///   that is not finite or beyond 1e300, or has more corners than the boundary has vertices. O(size).
+inline Planar_points positions_on_polygon(const std::vector<double>& boundary_lengths,
                                           const Planar_points& corners)
 {
+  const std::vector<double> lengths = internal::over_largest(boundary_lengths);
   const std::size_t n = lengths.size(), m = corners.size();
+  for (std::size_t i = 0; i < m; ++i)
+    for (double x : corners[i])
+      if (!(std::abs(x) <= 1e300))
+        throw Error("corner " + std::to_string(i) +
+                    " of the polygon: a coordinate is not finite, or beyond 1e300");
   for (std::size_t i = 0; i < m; ++i) {
     const bool turns_left = m >= 3 && internal::planar_orientation(
                                         corners[i], corners[(i + 1) % m], corners[(i + 2) % m]) ==
@@ -215,11 +241,14 @@ inline Planar_points positions_on_polygon(const std::vector<double>& lengths,
   positions.reserve(n);
   for (std::size_t i = 0; i < m; ++i) {
     const auto &p = corners[i], &q = corners[(i + 1) % m];
-    const double start = along_boundary[vertex_at[i]],
-                 side = along_boundary[vertex_at[i + 1]] - start;
+    // Summed up for each side alone, so that short edges count after long ones.
+    double side = 0, along_side = 0;
+    for (std::size_t v = vertex_at[i]; v < vertex_at[i + 1]; ++v)
+      side += lengths[v];
     for (std::size_t v = vertex_at[i]; v < vertex_at[i + 1]; ++v) {
-      const double t = (along_boundary[v] - start) / side;
+      const double t = along_side / side;
       positions.push_back({p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])});
+      along_side += lengths[v];
     }
   }
   return positions;

@@ -83,10 +83,11 @@ inline void solve_with_fixed_values(const Eigen::SparseMatrix<double>& matrix,
 /// \brief returns the discrete harmonic map of a disk whose boundary is fixed.
 ///
 /// Each inner vertex is the average of its neighbours, weighted with the cotangent weights.
-/// If these are not negative, and the boundary is that of a convex polygon, the map is
-/// one-to-one, by the theorem of Tutte and Floater; `check_parameterization()` tells what
-/// rounding, loops, or edges that cut the disk in two have left of that. Negative weights can
-/// fold it.
+/// If these are positive, and the boundary is that of a convex polygon, the map is
+/// one-to-one, by the theorem of Tutte and Floater. Negative weights can fold it. An edge with
+/// weight zero, as a tie has, does not count: where the neighbours that are left of a vertex lie on
+/// a line, or loops or edges between the same vertices cut the disk in two, triangles
+/// are collapsed, and rounding may flip such a triangle. `check_parameterization()` tells.
 ///
 /// \param complex the triangles of a disk
 /// \param weights `cot k + cot l` for each edge, as `cotangent_weights()` returns them
@@ -146,7 +147,8 @@ Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& t
 /// \brief returns the discrete harmonic map of a disk to a convex polygon, with the boundary as
 /// `positions_on_polygon()` places it.
 ///
-/// A triangle with all three corners on one side of the polygon is collapsed.
+/// A triangle with all three corners on one side of the polygon is collapsed, up to rounding:
+/// on a side that is parallel to no axis, the check may find it flipped.
 /// As above otherwise; exceptions also as for `positions_on_polygon()`.
 template <class Traits>
 Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& triangulation,
@@ -167,7 +169,8 @@ Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& t
 /// Dirichlet energy minus area of the image is minimized, a quadratic energy that is zero for
 /// conformal maps and positive otherwise. Two boundary vertices, half the boundary apart,
 /// are fixed for that; afterwards the map is scaled, so that the image has the area of the
-/// surface. Nothing keeps triangles from being flipped.
+/// surface. Nothing keeps triangles from being flipped. Where triangles are so thin that weights
+/// differ by a factor of 1e10 and more, rounding spoils the result.
 ///
 /// \param complex the triangles of a disk
 /// \param weights `cot k + cot l` for each edge
@@ -204,7 +207,8 @@ inline Planar_points natural_parameterization(const Delta_complex& complex,
   Eigen::SparseMatrix<double> energy(Eigen::Index(2 * n), Eigen::Index(2 * n));
   energy.setFromTriplets(entries.begin(), entries.end());
 
-  const std::vector<double> sides = internal::boundary_lengths(complex, boundary, lengths);
+  const std::vector<double> sides =
+    internal::over_largest(internal::boundary_lengths(complex, boundary, lengths));
   double total = 0, sum = 0;
   for (double l : sides)
     total += l;
@@ -222,7 +226,7 @@ inline Planar_points natural_parameterization(const Delta_complex& complex,
   x(Eigen::Index(second), 0) = 1;
   internal::solve_with_fixed_values(energy, is_fixed, x, "the conformal energy");
 
-  double image_area = 0, area = 0;
+  double image_area = 0;
   Planar_points uv;
   uv.reserve(n);
   for (std::size_t v = 0; v < n; ++v)
@@ -231,11 +235,9 @@ inline Planar_points natural_parameterization(const Delta_complex& complex,
     const auto &p = uv[complex.source(h).idx()], &q = uv[complex.target(h).idx()];
     image_area += (p[0] * q[1] - q[0] * p[1]) / 2;
   }
-  for (double a : areas)
-    area += a;
   if (!(image_area > 0))
     throw Numerical_error("the map with natural boundary conditions collapses the surface");
-  const double scale = std::sqrt(area / image_area);
+  const double scale = internal::root_of_sum(areas) / std::sqrt(image_area);
   for (std::array<double, 2>& p : uv)
     p = {scale * p[0], scale * p[1]};
   return uv;

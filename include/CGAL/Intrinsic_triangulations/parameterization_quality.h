@@ -8,6 +8,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/disk_boundary.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <CGAL/assertions.h>
 
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -38,10 +40,14 @@ struct Parameterization_check
 /// A face whose corners are not three vertices counts as collapsed.
 /// \param complex the triangles
 /// \param uv the position of each vertex. \pre there is one for each. O(size).
+/// \exception Numerical_error if a coordinate is not finite
 inline Parameterization_check check_parameterization(const Delta_complex& complex,
                                                      const Planar_points& uv)
 {
   CGAL_precondition(uv.size() == complex.number_of_vertices());
+  for (std::size_t v = 0; v < uv.size(); ++v)
+    if (!std::isfinite(uv[v][0]) || !std::isfinite(uv[v][1]))
+      throw Numerical_error("the position of vertex " + std::to_string(v) + " is not finite");
   Parameterization_check check;
   for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f);
@@ -83,11 +89,20 @@ inline std::vector<double> quasi_conformal_distortion(const Delta_complex& compl
                  l_ki = lengths[complex.edge(ki).idx()];
     const auto &i = uv[complex.source(ij).idx()], &j = uv[complex.source(jk).idx()],
                &k = uv[complex.source(ki).idx()];
-    // With i at the origin and j on the first axis, k is (x, y).
-    const double x = ((l_ki - l_jk) * (l_ki + l_jk) / l_ij + l_ij) / 2,
-                 y = 2 * areas[f.idx()] / l_ij;
-    const double a = (j[0] - i[0]) / l_ij, c = (j[1] - i[1]) / l_ij,
-                 b = (k[0] - i[0] - a * x) / y, d = (k[1] - i[1] - c * x) / y;
+    if (internal::planar_orientation(i, j, k) == COLLINEAR) {
+      result.push_back(std::numeric_limits<double>::infinity());
+      continue;
+    }
+    // The ratio does not depend on the size of the image, whose squares may leave the range.
+    double size = 0;
+    for (int c : {0, 1})
+      size = (std::max)({size, std::abs(j[c] / 2 - i[c] / 2), std::abs(k[c] / 2 - i[c] / 2)});
+    const auto between = [size](double from, double to) { return (to / 2 - from / 2) / size; };
+    // With i at the origin and j at (1, 0), k is (x, y).
+    const double x = ((l_ki / l_ij - l_jk / l_ij) * (l_ki / l_ij + l_jk / l_ij) + 1) / 2,
+                 y = 2 * (areas[f.idx()] / l_ij / l_ij);
+    const double a = between(i[0], j[0]), c = between(i[1], j[1]),
+                 b = (between(i[0], k[0]) - a * x) / y, d = (between(i[1], k[1]) - c * x) / y;
     // Half the sum and half the difference of the singular values.
     const double half_sum = std::hypot(a + d, c - b) / 2, half_difference = std::hypot(a - d, b + c) / 2;
     const double larger = (std::max)(half_sum, half_difference) +
@@ -117,11 +132,12 @@ inline Distortion_summary summarize_distortion(const std::vector<double>& distor
 {
   CGAL_precondition(distortion.size() == areas.size());
   std::vector<std::size_t> order;
+  const std::vector<double> shares = internal::over_largest(areas);
   double total = 0;
   for (std::size_t f = 0; f < areas.size(); ++f)
     if (areas[f] > 0) {
       order.push_back(f);
-      total += areas[f];
+      total += shares[f];
     }
   std::sort(order.begin(), order.end(), [&](std::size_t f, std::size_t g) {
     return distortion[f] < distortion[g];
@@ -133,8 +149,8 @@ inline Distortion_summary summarize_distortion(const std::vector<double>& distor
   double sum = 0;
   bool is_found = false;
   for (std::size_t f : order) {
-    summary.mean += distortion[f] * (areas[f] / total);
-    sum += areas[f];
+    summary.mean += distortion[f] * (shares[f] / total);
+    sum += shares[f];
     if (!is_found && sum >= 0.99 * total) {
       summary.percentile_99 = distortion[f];
       is_found = true;
