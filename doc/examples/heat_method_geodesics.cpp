@@ -28,12 +28,10 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 using Matrix = Eigen::SparseMatrix<double>;
-using Vector_2 = Eigen::Vector2d;
 
 constexpr std::size_t n = 40;
 
-// From vertex 0.
-Eigen::VectorXd distance_by_heat(const Triangulation& t)
+Eigen::VectorXd distance_from_vertex_0(const Triangulation& t)
 {
   const IT::Delta_complex& complex = t.connectivity();
   const Matrix stiffness = IT::stiffness_matrix(t), mass = IT::lumped_mass_matrix(t);
@@ -44,19 +42,18 @@ Eigen::VectorXd distance_by_heat(const Triangulation& t)
     // The face in the plane, from its lengths: no points are needed.
     const IT::Halfedge_index h = complex.halfedge(f), next = complex.next(h);
     const double base = t.length(complex.edge(h)), area = t.area(f), height = 2 * area / base;
-    const Vector_2 corner[] = {{0, 0}, {base, 0}, {t.cotangent(next) * height, height}};
+    const Eigen::Vector2d corner[] = {{0, 0}, {base, 0}, {t.cotangent(next) * height, height}};
     const Eigen::Index vertex[] = {complex.source(h).idx(), complex.target(h).idx(),
                                    complex.target(next).idx()};
-    Vector_2 hat_gradient[3], gradient = Vector_2::Zero();
+    Eigen::Vector2d hat_gradient[3], gradient = Eigen::Vector2d::Zero();
     for (int i = 0; i < 3; ++i) {
-      const Vector_2 opposite = corner[(i + 2) % 3] - corner[(i + 1) % 3];
-      hat_gradient[i] = Vector_2(-opposite[1], opposite[0]) / (2 * area);
+      const Eigen::Vector2d opposite = corner[(i + 2) % 3] - corner[(i + 1) % 3];
+      hat_gradient[i] = Eigen::Vector2d(-opposite[1], opposite[0]) / (2 * area);
       gradient += u[vertex[i]] * hat_gradient[i];
     }
     for (int i = 0; i < 3; ++i) // the integral of X · ∇(hat function)
       divergence[vertex[i]] -= area * hat_gradient[i].dot(gradient.normalized());
   }
-  // Constants are in the kernel: the source fixes them.
   const Eigen::VectorXd phi =
     Eigen::SimplicialLDLT<Matrix>(stiffness + 1e-12 * mass).solve(divergence);
   return phi.array() - phi[0];
@@ -85,7 +82,7 @@ int main()
 {
   Triangulation t = sheared_torus();
   IT::flip_to_Delaunay(t);
-  const Eigen::VectorXd distance = distance_by_heat(t);
+  const Eigen::VectorXd distance = distance_from_vertex_0(t);
   double error = 0;
   for (std::size_t v = 0; v < n * n; ++v) {
     const std::size_t x = (v % n + 5 * (v / n)) % n, y = v / n;
@@ -93,7 +90,6 @@ int main()
     error = (std::max)(error, std::abs(distance[Eigen::Index(v)] - exact));
   }
   std::cout << "error up to " << error << ", of distances up to " << std::hypot(n / 2, n / 2) << '\n';
-
   // Back on the input triangles, cut by the intrinsic edges, it is the same function.
   const IT::Overlay overlay(t);
   const IT::Overlay_positions positions(t, overlay);
