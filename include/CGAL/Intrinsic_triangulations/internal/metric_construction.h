@@ -256,10 +256,10 @@ void construct_metric_from_points(const Delta_complex& complex, const Traits& tr
     const Point_data& p = point[complex.target(h).idx()];
     return {p[0], p[1], p[2]};
   };
-  const auto is_zero = [&](const Edge_data& e) {
-    return !possibly(compute_squared_length(e) > FT(0));
+  const auto is_zero = [&](const Edge_data& e) { // 0 or 1, to be combined without a branch
+    return int(!possibly(compute_squared_length(e) > FT(0)));
   };
-  bool has_zero = false;
+  int has_zero = 0;
   for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f), next = complex.next(h), prev = complex.prev(h);
     const Point_data p = corner(prev), q = corner(h), r = corner(next);
@@ -273,10 +273,10 @@ void construct_metric_from_points(const Delta_complex& complex, const Traits& tr
     bound_corners(traits, h, next, prev, *face, pq, qr, pr, bounds);
     ++face;
   }
-  if (has_zero) {
+  if (has_zero != 0) {
     Offenders offenders;
     for (std::size_t e = 0; e < edges.size(); ++e)
-      if (is_zero(edges[e]))
+      if (is_zero(edges[e]) != 0)
         offenders.add(e);
     throw_zero_length(complex, points, offenders);
   }
