@@ -134,6 +134,8 @@ public:
       const Mpfr_interval l = sqrt(squared_length(e, precision));
       const double low = l.lower_double(), high = l.upper_double();
       const double next = std::nextafter(low, high);
+      if (high <= next)
+        return mpfr_get_d(l.lower(), MPFR_RNDN);
       if (high <= std::nextafter(next, high))
         return next;
     }
