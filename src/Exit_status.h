@@ -14,7 +14,7 @@ enum class Exit_status {
   OUTPUT_FAILED = 1, // a result could not be written, or there was no memory for it
   WRONG_USAGE = 2,   // the command line is wrong
   UNUSABLE_INPUT = 3,
-  NOT_FINISHED = 4   // undecided, not flippable, out of budget or cancelled
+  NOT_FINISHED = 4 // undecided, not flippable, out of budget or cancelled
 };
 
 // The command line asks for something that does not make sense.

@@ -39,9 +39,9 @@ const char* description(Number_type number_type)
 const std::vector<Number_type>& number_types()
 {
   static const std::vector<Number_type> all = {
-    Number_type::FILTERED, Number_type::DOUBLE,   Number_type::FLOAT,
+    Number_type::FILTERED, Number_type::DOUBLE, Number_type::FLOAT,
     Number_type::LONG_DOUBLE, Number_type::INTERVAL, Number_type::MPFR,
-    Number_type::CORE,     Number_type::HALF_ANGLE_DOUBLE, Number_type::HALF_ANGLE_CORE};
+    Number_type::CORE, Number_type::HALF_ANGLE_DOUBLE, Number_type::HALF_ANGLE_CORE};
   return all;
 }
 

@@ -56,7 +56,11 @@ void write_mass(std::ostream& os, const Triangulation_result& result);
 void write_crossings(std::ostream& os, const Triangulation_result& result);
 
 // The files in which the overlay can be written as a mesh of polygons.
-enum class Mesh_format { PLY, OFF, OBJ };
+enum class Mesh_format {
+  PLY,
+  OFF,
+  OBJ
+};
 
 // The format that the end of a file name tells.
 std::optional<Mesh_format> find_mesh_format(const std::string& path);

@@ -53,7 +53,8 @@ std::string type_name(const CLI::Option& option)
 void write_literally(std::ostream& os, const std::string& text)
 {
   if (!text.empty())
-    os << ".PP\n.nf\n" << escaped(text) << (text.back() == '\n' ? "" : "\n") << ".fi\n";
+    os << ".PP\n.nf\n"
+       << escaped(text) << (text.back() == '\n' ? "" : "\n") << ".fi\n";
 }
 
 void write_manual_page(std::ostream& os, const CLI::App& app)
@@ -69,17 +70,20 @@ void write_manual_page(std::ostream& os, const CLI::App& app)
   }
   os << ".SH COMMANDS\n";
   for (const CLI::App* command : subcommands(app)) {
-    os << ".SS idt " << command->get_name() << '\n' << escaped(command->get_description()) << ".\n";
+    os << ".SS idt " << command->get_name() << '\n'
+       << escaped(command->get_description()) << ".\n";
     for (const bool are_positional : {true, false})
       for (const CLI::Option* option : options(*command, are_positional)) {
         os << ".TP\n\\fB" << escaped(option->get_name(are_positional, !are_positional)) << "\\fR";
         if (!are_positional && option->get_items_expected_max() > 0)
           os << " \\fI" << escaped(type_name(*option)) << "\\fR";
-        os << '\n' << escaped(option->get_description()) << '\n';
+        os << '\n'
+           << escaped(option->get_description()) << '\n';
       }
     write_literally(os, command->get_footer());
   }
-  os << ".SH EXIT STATUS\n" << escaped(app.get_footer());
+  os << ".SH EXIT STATUS\n"
+     << escaped(app.get_footer());
 }
 
 std::string long_names(const CLI::App& app)

@@ -221,8 +221,7 @@ void write_files(const Parameterize_options& options, const Result& result)
   if (!options.json_path.empty()) {
     Output_file file(options.json_path);
     // A file name need not be valid UTF-8.
-    file.stream() << json_value(options, result).dump(2, ' ', false,
-                                                      Json::error_handler_t::replace)
+    file.stream() << json_value(options, result).dump(2, ' ', false, Json::error_handler_t::replace)
                   << '\n';
     file.commit();
   }

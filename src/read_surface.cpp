@@ -32,6 +32,7 @@ typedef CGAL::Simple_cartesian<double>::Point_3 Point;
 class Corners : public boost::container::small_vector<std::uint32_t, 4>
 {
   typedef boost::container::small_vector<std::uint32_t, 4> Base;
+
 public:
   void resize(const std::size_t size)
   {
@@ -132,7 +133,12 @@ private:
   std::size_t line_ = 1;
 };
 
-enum class Number_state { GOOD, NOT_FINITE, TOO_LARGE, NOT_A_NUMBER };
+enum class Number_state {
+  GOOD,
+  NOT_FINITE,
+  TOO_LARGE,
+  NOT_A_NUMBER
+};
 
 Number_state read_number(const std::string& word, double& number)
 {
@@ -183,8 +189,8 @@ double check_coordinate(const std::string& path, const std::string& word, const 
 
 struct Off_header
 {
-  bool is_plain;                // no normals, colors, textures or fourth coordinate
-  bool is_homogeneous;          // a fourth coordinate, by which the three are divided
+  bool is_plain;       // no normals, colors, textures or fourth coordinate
+  bool is_homogeneous; // a fourth coordinate, by which the three are divided
   std::size_t numbers_per_vertex;
   std::size_t vertices;
   std::size_t faces;
@@ -214,12 +220,12 @@ Off_header read_off_header(const std::string& path, Scanner& scanner, const std:
     homogeneous = 1;
   }
   if (keyword != "OFF")
-    refuse(path, "line " + std::to_string(scanner.line()) + ": the file begins with " + quote(first)
-           + " where OFF is expected");
+    refuse(path, "line " + std::to_string(scanner.line()) + ": the file begins with " + quote(first) +
+                   " where OFF is expected");
   numbers += homogeneous + normals * (3 + homogeneous) + pairs * (2 + homogeneous);
 
   long long sizes[3]; // vertices, faces, edges
-  static const char* const names[3] = { "vertices", "faces", "edges" };
+  static const char* const names[3] = {"vertices", "faces", "edges"};
   for (int i = 0; i < 3; ++i) {
     const std::string word = scanner.word();
     if (i == 0 && word == "BINARY")
@@ -227,17 +233,17 @@ Off_header read_off_header(const std::string& path, Scanner& scanner, const std:
     if (word.empty())
       refuse(path, std::string("the file ends before the number of ") + names[i]);
     if (!read_integer(word, sizes[i]) || sizes[i] < 0)
-      refuse(path, "line " + std::to_string(scanner.line()) + ": " + quote(word) + " is not a number of "
-             + names[i] + " (the header is OFF, then the numbers of vertices, faces and edges)");
+      refuse(path, "line " + std::to_string(scanner.line()) + ": " + quote(word) + " is not a number of " +
+                     names[i] + " (the header is OFF, then the numbers of vertices, faces and edges)");
   }
   // A vertex takes at least "0 0 0" and a line end, a face at least "0" and one.
   const std::uintmax_t vertices = static_cast<std::uintmax_t>(sizes[0]);
   const std::uintmax_t faces = static_cast<std::uintmax_t>(sizes[1]);
   if (vertices > file_size / 6 + 1 || faces > file_size / 2 + 1)
-    refuse(path, "the header announces " + std::to_string(vertices) + " vertices and " + std::to_string(faces)
-           + " faces, more than fit into the " + std::to_string(file_size) + " bytes of the file");
-  return Off_header{ first == "OFF", homogeneous == 1, numbers, static_cast<std::size_t>(vertices),
-                     static_cast<std::size_t>(faces) };
+    refuse(path, "the header announces " + std::to_string(vertices) + " vertices and " + std::to_string(faces) +
+                   " faces, more than fit into the " + std::to_string(file_size) + " bytes of the file");
+  return Off_header{first == "OFF", homogeneous == 1, numbers, static_cast<std::size_t>(vertices),
+                    static_cast<std::size_t>(faces)};
 }
 
 // Goes through a text line by line and refuses the first line that is not as
@@ -251,13 +257,17 @@ void diagnose_off(const std::string& path, const std::string& text)
     refuse(path, "there is no face (" + std::to_string(header.vertices) + " vertices)", Defect::EMPTY);
   for (std::size_t v = 0; v < header.vertices; ++v) {
     if (!scanner.skip_to_word())
-      refuse(path, "the file ends after " + std::to_string(v) + " of " + std::to_string(header.vertices)
-             + " vertices", Defect::UNREADABLE, v);
+      refuse(path,
+             "the file ends after " + std::to_string(v) + " of " + std::to_string(header.vertices) +
+               " vertices",
+             Defect::UNREADABLE, v);
     for (std::size_t i = 0; i < header.numbers_per_vertex; ++i) {
       const std::string word = scanner.word_on_line();
       if (word.empty())
-        refuse(path, place(scanner, "vertex", v) + ": there are " + std::to_string(i) + " numbers where "
-               + std::to_string(header.numbers_per_vertex) + " are needed", Defect::UNREADABLE, v);
+        refuse(path,
+               place(scanner, "vertex", v) + ": there are " + std::to_string(i) + " numbers where " +
+                 std::to_string(header.numbers_per_vertex) + " are needed",
+               Defect::UNREADABLE, v);
       const double number = check_coordinate(path, word, place(scanner, "vertex", v), v);
       if (i == 3 && header.is_homogeneous && number == 0)
         refuse(path, place(scanner, "vertex", v) + ": the fourth coordinate is zero", Defect::NOT_FINITE, v);
@@ -282,16 +292,16 @@ void diagnose_off(const std::string& path, const std::string& text)
       const std::string word = scanner.word_on_line();
       long long index = 0;
       if (word.empty())
-        trouble = place(scanner, "face", f) + ": there are " + std::to_string(i) + " vertices where "
-                  + std::to_string(size) + " are announced";
+        trouble = place(scanner, "face", f) + ": there are " + std::to_string(i) + " vertices where " +
+                  std::to_string(size) + " are announced";
       else if (!read_integer(word, index))
         trouble = place(scanner, "face", f) + ": " + quote(word) + " is not the index of a vertex";
       else if (index < 0 || index >= static_cast<long long>(header.vertices)) {
         is_bad = true;
         if (first_bad_index.empty()) {
           first_bad_face = f;
-          first_bad_index = place(scanner, "face", f) + ": the face names vertex " + word + ", but there are "
-                            + std::to_string(header.vertices) + " vertices (counted from 0)";
+          first_bad_index = place(scanner, "face", f) + ": the face names vertex " + word + ", but there are " +
+                            std::to_string(header.vertices) + " vertices (counted from 0)";
         }
       }
     }
@@ -303,8 +313,8 @@ void diagnose_off(const std::string& path, const std::string& text)
     scanner.skip_line();
   }
   if (bad_faces > 1)
-    first_bad_index += ", and " + std::to_string(bad_faces - 1)
-                       + (bad_faces == 2 ? " more face like it" : " more faces like it");
+    first_bad_index += ", and " + std::to_string(bad_faces - 1) +
+                       (bad_faces == 2 ? " more face like it" : " more faces like it");
   if (bad_faces != 0)
     refuse(path, first_bad_index, Defect::BAD_INDEX, first_bad_face, bad_faces);
 }
@@ -331,16 +341,28 @@ void check_off(const std::string& path, const std::uintmax_t file_size)
 
 // ---- PLY -------------------------------------------------------------------
 
-struct Ply_property { std::string name, type, size_type; }; // size_type: lists only
-struct Ply_element { std::string name; std::size_t count; std::vector<Ply_property> properties; };
+struct Ply_property
+{
+  std::string name, type, size_type;
+}; // size_type: lists only
+struct Ply_element
+{
+  std::string name;
+  std::size_t count;
+  std::vector<Ply_property> properties;
+};
 
 // The number of bytes of a type, 0 if there is no such type.
 std::size_t ply_type_size(const std::string& type)
 {
-  static const struct { const char* name; std::size_t size; } table[] = {
-    { "char", 1 }, { "int8", 1 }, { "uchar", 1 }, { "uint8", 1 }, { "short", 2 }, { "int16", 2 },
-    { "ushort", 2 }, { "uint16", 2 }, { "int", 4 }, { "int32", 4 }, { "uint", 4 }, { "uint32", 4 },
-    { "float", 4 }, { "float32", 4 }, { "double", 8 }, { "float64", 8 } };
+  // clang-format off: it would join the rows
+  static const struct
+  {
+    const char* name;
+    std::size_t size;
+  } table[] = {
+    {"char", 1}, {"int8", 1}, {"uchar", 1}, {"uint8", 1}, {"short", 2}, {"int16", 2}, {"ushort", 2}, {"uint16", 2}, {"int", 4}, {"int32", 4}, {"uint", 4}, {"uint32", 4}, {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
+  // clang-format on
   for (const auto& row : table)
     if (type == row.name)
       return row.size;
@@ -364,14 +386,12 @@ void check_ply(const std::string& path)
     if (number == 1) {
       if (keyword != "ply")
         refuse(path, "the file begins with " + quote(line) + " where ply is expected");
-    }
-    else if (number == 2) {
+    } else if (number == 2) {
       words >> format;
-      if (keyword != "format" || (format != "ascii" && format != "binary_little_endian"
-                                  && format != "binary_big_endian"))
+      if (keyword != "format" || (format != "ascii" && format != "binary_little_endian" &&
+                                  format != "binary_big_endian"))
         refuse(path, where + quote(line) + " is not a format (ascii, binary_little_endian or binary_big_endian)");
-    }
-    else if (keyword == "element") {
+    } else if (keyword == "element") {
       Ply_element element;
       std::string count;
       words >> element.name >> count;
@@ -380,8 +400,7 @@ void check_ply(const std::string& path)
         refuse(path, where + quote(line) + " has no number of elements");
       element.count = static_cast<std::size_t>(value);
       elements.push_back(element);
-    }
-    else if (keyword == "property") {
+    } else if (keyword == "property") {
       Ply_property property;
       words >> property.type;
       if (property.type == "list")
@@ -389,12 +408,12 @@ void check_ply(const std::string& path)
       words >> property.name;
       if (elements.empty())
         refuse(path, where + "a property comes before any element");
-      if (property.name.empty() || ply_type_size(property.type) == 0
-          || (!property.size_type.empty() && (ply_type_size(property.size_type) == 0 || is_real(property.size_type))))
+      if (property.name.empty() || ply_type_size(property.type) == 0 ||
+          (!property.size_type.empty() &&
+           (ply_type_size(property.size_type) == 0 || is_real(property.size_type))))
         refuse(path, where + quote(line) + " has a type that is not known");
       elements.back().properties.push_back(property);
-    }
-    else if (keyword == "end_header")
+    } else if (keyword == "end_header")
       is_ended = true;
     else if (keyword != "comment" && keyword != "obj_info")
       refuse(path, where + quote(line) + " is not understood");
@@ -415,7 +434,7 @@ void check_ply(const std::string& path)
     has_vertices = has_vertices || is_vertex;
     has_faces = has_faces || is_face;
     if (is_vertex)
-      for (const char* const name : { "x", "y", "z" }) {
+      for (const char* const name : {"x", "y", "z"}) {
         const Ply_property* const property = find(element, name);
         if (property == nullptr || !property->size_type.empty() || !is_real(property->type))
           refuse(path, std::string("the vertices have no coordinate ") + name + " of type float or double");
@@ -427,20 +446,20 @@ void check_ply(const std::string& path)
       if (property == nullptr || property->size_type.empty())
         refuse(path, "the faces have no list vertex_indices or vertex_index");
       if (ply_type_size(property->type) != 4 || is_real(property->type))
-        refuse(path, "the list " + property->name + " of the faces has the type " + property->type
-               + ", only int and uint are read");
+        refuse(path, "the list " + property->name + " of the faces has the type " + property->type +
+                       ", only int and uint are read");
     }
     // The reader takes the type of a color from the first channel that it finds.
     if (is_vertex || is_face)
-      for (const char* const name : { "red", "green", "blue", "r", "g", "b" }) {
+      for (const char* const name : {"red", "green", "blue", "r", "g", "b"}) {
         const Ply_property* const property = find(element, name);
         const Ply_property* const red = find(element, name[1] == '\0' ? "r" : "red");
-        if (property != nullptr && red != nullptr
-            && (property->type != red->type || property->size_type != red->size_type))
+        if (property != nullptr && red != nullptr &&
+            (property->type != red->type || property->size_type != red->size_type))
           refuse(path, "the color channels of element " + element.name + " have different types");
       }
     if (element.name == "halfedge")
-      for (const char* const name : { "source", "target" }) {
+      for (const char* const name : {"source", "target"}) {
         const Ply_property* const property = find(element, name);
         if (property != nullptr && (property->type != "uint" && property->type != "uint32"))
           refuse(path, std::string("the property ") + name + " of element halfedge is not of type uint");
@@ -471,8 +490,7 @@ void check_ply(const std::string& path)
           if (format == "ascii") {
             if (!read_integer(scanner.word(), value))
               return; // the reader will stop here too
-          }
-          else {
+          } else {
             if (text.size() < position + bytes)
               return;
             unsigned long long bits = 0;
@@ -493,8 +511,7 @@ void check_ply(const std::string& path)
           position += size * ply_type_size(property.type);
           if (position > text.size())
             return;
-        }
-        else
+        } else
           for (std::size_t k = 0; k < size; ++k)
             if (scanner.word().empty())
               return;
@@ -506,8 +523,8 @@ void check_ply(const std::string& path)
 bool is_text_stl(const std::string& text)
 {
   const std::size_t begin = text.find_first_not_of(" \t\n\v\f\r");
-  return begin != std::string::npos && text.compare(begin, 5, "solid") == 0 && begin + 5 < text.size()
-         && (text[begin + 5] == ' ' || text[begin + 5] == '\n' || text[begin + 5] == '\r');
+  return begin != std::string::npos && text.compare(begin, 5, "solid") == 0 && begin + 5 < text.size() &&
+         (text[begin + 5] == ' ' || text[begin + 5] == '\n' || text[begin + 5] == '\r');
 }
 
 // Goes through a text word by word and refuses the first facet that is not as
@@ -524,28 +541,29 @@ void diagnose_stl(const std::string& path, const std::string& text)
     if (word == "facet") {
       is_in_facet = true;
       corners = 0;
-    }
-    else if (word == "endfacet" || (word == "vertex" && corners == 3)) {
+    } else if (word == "endfacet" || (word == "vertex" && corners == 3)) {
       if (word == "vertex" || corners != 3)
         refuse(path, place(scanner, "facet", facet) + ": the facet does not have three vertices",
                Defect::NOT_A_TRIANGLE, facet);
       is_in_facet = false;
       ++facet;
-    }
-    else if (word == "vertex" && is_in_facet) {
+    } else if (word == "vertex" && is_in_facet) {
       ++corners;
       for (int i = 0; i < 3; ++i) {
         const std::string coordinate = scanner.word_on_line();
         if (coordinate.empty())
-          refuse(path, place(scanner, "facet", facet) + ": a vertex has " + std::to_string(i)
-                 + " numbers where 3 are needed", Defect::UNREADABLE, facet);
+          refuse(path,
+                 place(scanner, "facet", facet) + ": a vertex has " + std::to_string(i) +
+                   " numbers where 3 are needed",
+                 Defect::UNREADABLE, facet);
         check_coordinate(path, coordinate, place(scanner, "facet", facet), facet);
       }
     }
   }
   if (is_in_facet || !is_ended)
-    refuse(path, "the file ends " + std::string(is_in_facet ? "within" : "after") + " facet "
-           + std::to_string(facet - (is_in_facet || facet == 0 ? 0 : 1)) + ", without a line endsolid",
+    refuse(path,
+           "the file ends " + std::string(is_in_facet ? "within" : "after") + " facet " +
+             std::to_string(facet - (is_in_facet || facet == 0 ? 0 : 1)) + ", without a line endsolid",
            Defect::UNREADABLE, facet);
 }
 
@@ -565,10 +583,12 @@ void check_stl(const std::string& path, const std::uintmax_t file_size)
         diagnose_stl(path, head);
       return;
     }
-    refuse(path, "neither text STL (the first word is not solid) nor binary STL (" + (head.size() < 84
-           ? std::string("shorter than the header of 84 bytes")
-           : "the header announces " + std::to_string(facets) + " facets, the file has room for "
-             + std::to_string((file_size - 84) / 50)) + ")");
+    refuse(path, "neither text STL (the first word is not solid) nor binary STL (" +
+                   (head.size() < 84
+                      ? std::string("shorter than the header of 84 bytes")
+                      : "the header announces " + std::to_string(facets) + " facets, the file has room for " +
+                          std::to_string((file_size - 84) / 50)) +
+                   ")");
   }
   const std::string text = load(path);
   for (std::size_t f = 0; f < facets; ++f) {
@@ -623,8 +643,8 @@ void diagnose_by_position(const std::string& path, const std::string& extension)
   const std::streamoff told = in.tellg();
   const std::size_t position = told < 0 ? text.size() : static_cast<std::size_t>(told);
   const bool is_at_end = text.find_first_not_of(" \t\n\v\f\r", position) == std::string::npos;
-  const std::string so_far = std::to_string(points.size()) + " vertices and " + std::to_string(polygons.size())
-                             + " faces";
+  const std::string so_far =
+    std::to_string(points.size()) + " vertices and " + std::to_string(polygons.size()) + " faces";
 
   if (extension == "ply") {
     // Numbers follow each other: the reader is at the one that it did not like.
@@ -638,8 +658,9 @@ void diagnose_by_position(const std::string& path, const std::string& extension)
       refuse(path, "the binary data cannot be read after " + so_far);
     // The line of that word: it may be behind white space.
     const std::size_t begin = text.find_first_not_of(" \t\n\v\f\r", position);
-    const std::string where = "line " + std::to_string(
-      1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
+    const std::string where =
+      "line " +
+      std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
     check_coordinate(path, word, where + " (after " + so_far + ")", points.size());
     refuse(path, where + ": " + quote(word) + " cannot be read (after " + so_far + ")");
   }
@@ -651,8 +672,9 @@ void diagnose_by_position(const std::string& path, const std::string& extension)
   std::string line = text.substr(line_begin, end_of_line - line_begin);
   while (!line.empty() && (line.back() == '\r' || line.back() == ' '))
     line.pop_back();
-  const std::string where = "line " + std::to_string(
-    1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(line_begin), '\n'));
+  const std::string where =
+    "line " + std::to_string(
+                1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(line_begin), '\n'));
   if (!is_at_end || line.compare(0, 2, "v ") == 0 || line.compare(0, 4, "VRTX") == 0) {
     std::istringstream words(line);
     std::string word;
@@ -674,8 +696,10 @@ void diagnose_by_position(const std::string& path, const std::string& extension)
       refuse(path, where + ": " + quote(line) + " is not understood (after " + so_far + ")");
   }
   if (polygons.empty() || points.empty())
-    refuse(path, "there is " + std::string(points.empty() ? "no vertex" : "no face") + " in the file ("
-           + so_far + ")", Defect::EMPTY);
+    refuse(path,
+           "there is " + std::string(points.empty() ? "no vertex" : "no face") + " in the file (" + so_far +
+             ")",
+           Defect::EMPTY);
   std::size_t first = 0, count = 0;
   std::uint32_t index = 0;
   for (std::size_t f = 0; f < polygons.size(); ++f)
@@ -688,10 +712,13 @@ void diagnose_by_position(const std::string& path, const std::string& extension)
         break;
       }
   if (count != 0)
-    refuse(path, "face " + std::to_string(first) + " names vertex " + (index > 0x7fffffffu
-             ? "-" + std::to_string(0x100000000ull - index) : std::to_string(index))
-           + " (counted from 0), but there are " + std::to_string(points.size()) + " vertices" + (count == 1 ? ""
-             : ", and " + std::to_string(count - 1) + (count == 2 ? " more face like it" : " more faces like it")),
+    refuse(path,
+           "face " + std::to_string(first) + " names vertex " +
+             (index > 0x7fffffffu ? "-" + std::to_string(0x100000000ull - index) : std::to_string(index)) +
+             " (counted from 0), but there are " + std::to_string(points.size()) + " vertices" +
+             (count == 1 ? ""
+                         : ", and " + std::to_string(count - 1) +
+                             (count == 2 ? " more face like it" : " more faces like it")),
            Defect::BAD_INDEX, first, count);
   if (extension == "ts")
     refuse(path, "the file has no line END, or not as many as it has parts");
@@ -727,15 +754,15 @@ std::string check_file(const std::string& path, std::uintmax_t& size)
     refuse(path, "this is not a regular file");
   errno = 0;
   if (!std::ifstream(path, std::ios::binary))
-    refuse(path, std::string("the file cannot be opened")
-           + (errno == 0 ? "" : std::string(" (") + std::strerror(errno) + ")"));
+    refuse(path, std::string("the file cannot be opened") +
+                   (errno == 0 ? "" : std::string(" (") + std::strerror(errno) + ")"));
   size = fs::file_size(path, error);
   if (error)
     refuse(path, "the file cannot be read (" + error.message() + ")");
 
   static const std::string known = "known are .off, .obj, .ply, .stl, .ts"
 #ifdef CGAL_USE_VTK
-    ", .vtp"
+                                   ", .vtp"
 #endif
     ;
   const std::string name = path.substr(path.find_last_of('/') + 1);
@@ -776,8 +803,7 @@ Surface_input read_surface(const std::string& path)
     std::string reason;
     try {
       is_read = read_soup(path, extension, points, polygons);
-    }
-    catch (const std::length_error& error) {
+    } catch (const std::length_error& error) {
       reason = std::string(": ") + error.what();
     }
     if (!is_read) {
@@ -790,17 +816,16 @@ Surface_input read_surface(const std::string& path)
         diagnose_stl(path, load(path));
       else if (extension != "vtp" && reason.empty())
         diagnose_by_position(path, extension);
-      refuse(path, "the file cannot be read" + reason + (extension == "off" ? std::string() : " (stopped after "
-             + std::to_string(vertices) + " vertices and " + std::to_string(faces) + " faces)"));
+      refuse(path, "the file cannot be read" + reason +
+                     (extension == "off" ? std::string()
+                                         : " (stopped after " + std::to_string(vertices) + " vertices and " +
+                                             std::to_string(faces) + " faces)"));
     }
-  }
-  catch (const Invalid_surface_error&) {
+  } catch (const Invalid_surface_error&) {
     throw;
-  }
-  catch (const std::bad_alloc&) {
+  } catch (const std::bad_alloc&) {
     refuse(path, "there is not enough memory for this file");
-  }
-  catch (const std::exception& error) {
+  } catch (const std::exception& error) {
     refuse(path, std::string("the file cannot be read: ") + error.what());
   }
 
@@ -808,13 +833,13 @@ Surface_input read_surface(const std::string& path)
   input.path = path;
   input.points.reserve(points.size());
   for (const Point& p : points)
-    input.points.push_back({{ p.x(), p.y(), p.z() }});
+    input.points.push_back({{p.x(), p.y(), p.z()}});
   const bool is_triangulated = std::all_of(polygons.begin(), polygons.end(),
                                            [](const Corners& c) { return c.size() == 3; });
   if (is_triangulated) {
     input.triangles.reserve(polygons.size());
     for (const Corners& c : polygons)
-      input.triangles.push_back({{ c[0], c[1], c[2] }});
+      input.triangles.push_back({{c[0], c[1], c[2]}});
     return input;
   }
   input.first_corner.reserve(polygons.size() + 1);

@@ -32,9 +32,9 @@ struct Surface_input
   };
 
   std::string path;
-  std::vector<std::array<double, 3> > points;
+  std::vector<std::array<double, 3>> points;
   // All faces if all are triangles; empty otherwise.
-  std::vector<std::array<std::uint32_t, 3> > triangles;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
   // All faces if not all are triangles; empty otherwise. Polygon i has the
   // corners from first_corner[i] to before first_corner[i + 1].
   std::vector<std::uint32_t> corners;
@@ -49,8 +49,8 @@ struct Surface_input
   Polygon polygon(std::size_t face) const
   {
     if (is_triangulated())
-      return Polygon{ triangles[face].data(), triangles[face].data() + 3 };
-    return Polygon{ corners.data() + first_corner[face], corners.data() + first_corner[face + 1] };
+      return Polygon{triangles[face].data(), triangles[face].data() + 3};
+    return Polygon{corners.data() + first_corner[face], corners.data() + first_corner[face + 1]};
   }
 };
 

@@ -32,7 +32,8 @@ struct Sample_options
 
 void write_surface(std::ostream& os, const IT::Indexed_triangles& surface)
 {
-  os << "OFF\n" << surface.points.size() << ' ' << surface.triangles.size() << " 0\n";
+  os << "OFF\n"
+     << surface.points.size() << ' ' << surface.triangles.size() << " 0\n";
   for (const auto& p : surface.points)
     os << in_full(p[0]) << ' ' << in_full(p[1]) << ' ' << in_full(p[2]) << '\n';
   for (const auto& t : surface.triangles)

@@ -132,7 +132,8 @@ int main(int argc, char** argv)
               "of the triangulation over what it were without them; input: to recover it, over the\n"
               "time of the triangulation; heat: over the time that the class of CGAL's Heat_method_3\n"
               "takes for its triangulation\n\n"
-              "%-20s %11s %9s %7s %9s %9s %9s %9s %9s\n", "surface", "elements", "ms", "ns", "ns with",
+              "%-20s %11s %9s %7s %9s %9s %9s %9s %9s\n",
+              "surface", "elements", "ms", "ns", "ns with",
               "integers", "input", "heat", "heat with");
   std::printf("%-20s %11s %9s %7s %9s %9s %9s %9s %9s\n", "", "", "", "graph", "positions", "", "",
               "graph", "positions");

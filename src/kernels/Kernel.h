@@ -115,11 +115,11 @@ struct Numbers
 struct Outcome
 {
   CGAL::Intrinsic_triangulations::Delta_complex connectivity;
-  Numbers numbers;                      // of the result
-  Numbers input_numbers;                // before the flips
-  std::vector<std::int64_t> crossings;  // for each edge: -1 if it is an input edge
-  std::vector<double> exact_lengths;    // for each edge, correctly rounded but for one unit
-  std::vector<std::uint8_t> is_tie;     // for each edge
+  Numbers numbers;                     // of the result
+  Numbers input_numbers;               // before the flips
+  std::vector<std::int64_t> crossings; // for each edge: -1 if it is an input edge
+  std::vector<double> exact_lengths;   // for each edge, correctly rounded but for one unit
+  std::vector<std::uint8_t> is_tie;    // for each edge
   CGAL::Intrinsic_triangulations::Flip_report report;
   std::string failure; // what ended the flips, or kept something from being found out
   // How many tests each stage decided, for the number type that has stages.

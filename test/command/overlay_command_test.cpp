@@ -71,7 +71,9 @@ protected:
   void expect_consistent_files(const std::string& input_name) const
   {
     ASSERT_EQ(idt("triangulate " + input_name +
-                  " --overlay o.ply --crossings c.csv --edges e.csv --stats s.json").status, 0);
+                  " --overlay o.ply --crossings c.csv --edges e.csv --stats s.json")
+                .status,
+              0);
     const Mesh input = read(input_name), mesh = read("o.ply");
     const Json stats = Json::parse(content(folder_ / "s.json"));
     const std::size_t number_of_crossings = stats["crossings"];
@@ -253,7 +255,8 @@ TEST_F(Overlay_command, refuses_a_wrong_command_line)
     const Command_run run = idt(std::string("triangulate ") + arguments);
     EXPECT_EQ(run.status, 2) << arguments;
     EXPECT_TRUE(contains(run.err, "--overlay") || contains(run.err, "kite.off") ||
-                contains(run.err, "same file") || contains(run.err, "must not be empty")) << run.err;
+                contains(run.err, "same file") || contains(run.err, "must not be empty"))
+      << run.err;
   }
   EXPECT_EQ(files(), std::vector<std::string>{"kite.off"});
 }

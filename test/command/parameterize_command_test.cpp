@@ -239,7 +239,9 @@ TEST_F(Parameterize_command, writes_the_map_over_both_triangulations)
     std::size_t input_face = 0, intrinsic_face = 0;
     double over_input = 0, over_intrinsic = 0;
     ASSERT_EQ(std::sscanf(rows[1 + f].c_str(), "%zu,%zu,%lf,%lf", &input_face, &intrinsic_face,
-                          &over_input, &over_intrinsic), 4) << rows[1 + f];
+                          &over_input, &over_intrinsic),
+              4)
+      << rows[1 + f];
     const Sides sides = largest_sides(overlay, f);
     if (sides.in_space.col(0).cross(sides.in_space.col(1)).norm() < 1e-6)
       continue; // too small to be measured

@@ -361,8 +361,8 @@ TEST_F(Triangulate_command, can_be_interrupted)
 {
   ASSERT_EQ(idt("sample strip -o strip.off").status, 0);
   const Command_run run = shell("'" + command_path() +
-                        "' triangulate strip.off --number-type core --stats s.json & "
-                        "process=$!; sleep 1; kill -INT $process; wait $process");
+                                "' triangulate strip.off --number-type core --stats s.json & "
+                                "process=$!; sleep 1; kill -INT $process; wait $process");
   EXPECT_EQ(run.status, 4);
   EXPECT_TRUE(contains(run.err, "cancelled"));
   EXPECT_LT(Json::parse(content(folder_ / "s.json"))["flips"], 298110);
@@ -374,7 +374,7 @@ TEST_F(Triangulate_command, mollifies_if_asked_to)
   std::size_t changed[2] = {0, 0};
   for (const int is_local : {0, 1}) {
     const Command_run run = idt(std::string("triangulate cap.off --stats s.json --mollify 1e-4") +
-                        (is_local ? " --mollify-local" : ""));
+                                (is_local ? " --mollify-local" : ""));
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_TRUE(contains(run.out, "mollified"));
     const Json report = Json::parse(content(folder_ / "s.json"))["mollification"];

@@ -41,7 +41,8 @@ constexpr bool is_exact = CGAL::Algebraic_structure_traits<Number_type>::Is_exac
 constexpr bool is_float = std::is_same<Number_type, float>::value;
 constexpr bool is_interval =
   std::is_same<IT::Edge_length_traits<Number_type>::Boolean, CGAL::Uncertain<bool>>::value;
-constexpr double tolerance = is_float ? 1e-3 : is_interval ? 1e-6 : 1e-9; // of an interval, the middle
+constexpr double tolerance = is_float ? 1e-3 : is_interval ? 1e-6
+                                                           : 1e-9; // of an interval, the middle
 
 // Remembers the flips and checks what it is told.
 struct Recorder

@@ -85,7 +85,8 @@ std::vector<Edge_record> expected_edges(const IT::Indexed_triangles& triangles)
 }
 
 template <class Input>
-class Mesh_input : public testing::Test {};
+class Mesh_input : public testing::Test
+{};
 TYPED_TEST_SUITE(Mesh_input, Inputs);
 
 struct Counter

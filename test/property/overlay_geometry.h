@@ -38,7 +38,7 @@ constexpr double tolerance = 1e-12;
 
 struct Overlay_numbers
 {
-  std::uint32_t simple = 0; // intrinsic edges that cross one input edge
+  std::uint32_t simple = 0;  // intrinsic edges that cross one input edge
   std::uint32_t longest = 0; // the most segments of an intrinsic edge
   std::uint32_t crossings = 0;
 };

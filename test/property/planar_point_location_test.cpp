@@ -70,7 +70,8 @@ int side(const Planar_mesh& mesh, const IT::Delta_complex& complex, IT::Halfedge
   const Integer_point &a = mesh.points[complex.source(h).idx()], &b = mesh.points[complex.target(h).idx()];
   const Integer d = Integer(b[0] - a[0]) * (p.y - Integer(a[1]) * p.w) -
                     Integer(b[1] - a[1]) * (p.x - Integer(a[0]) * p.w);
-  return d > 0 ? 1 : d < 0 ? -1 : 0;
+  return d > 0 ? 1 : d < 0 ? -1
+                           : 0;
 }
 
 class Planar_location

@@ -36,8 +36,9 @@ double longest_side(const IT::Delta_complex& complex, IT::Halfedge_index h,
 double input_distance(const Overlaid& s, const IT::Surface_point& p, const IT::Surface_point& q)
 {
   const auto corners =
-    test_surfaces::laid_out(s.input(), p.halfedge, [&](IT::Halfedge_index h) { return s.input_length(h); },
-                            s.input_area(s.input().face(p.halfedge)));
+    test_surfaces::laid_out(
+      s.input(), p.halfedge, [&](IT::Halfedge_index h) { return s.input_length(h); },
+      s.input_area(s.input().face(p.halfedge)));
   const auto b = test_surfaces::coordinates_from(s.input(), q, p.halfedge);
   return test_surfaces::distance({0, 0}, test_surfaces::combination(
                                            corners, {b[0] - p.coordinates[0], b[1] - p.coordinates[1],

@@ -40,7 +40,7 @@ struct Recorder
 
 struct Counts
 {
-  std::size_t between_positive = 0;   // flips by the areas of the two faces before
+  std::size_t between_positive = 0; // flips by the areas of the two faces before
   std::size_t with_one_degenerate = 0;
   std::size_t between_degenerate = 0;
 };

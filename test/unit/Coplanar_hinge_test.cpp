@@ -33,7 +33,8 @@ CGAL::Sign by_determinant(const std::array<Point_2, 4>& p)
   const Rational determinant = m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]) +
                                m[1][2] * (m[2][0] * m[0][1] - m[2][1] * m[0][0]) +
                                m[2][2] * (m[0][0] * m[1][1] - m[0][1] * m[1][0]);
-  return determinant > 0 ? CGAL::NEGATIVE : determinant < 0 ? CGAL::POSITIVE : CGAL::ZERO;
+  return determinant > 0 ? CGAL::NEGATIVE : determinant < 0 ? CGAL::POSITIVE
+                                                            : CGAL::ZERO;
 }
 
 // In a plane parallel to two of the axes, any two.

@@ -82,7 +82,8 @@ void expect_refused(const std::string& text, Defect defect, std::size_t line, co
 {
   try {
     read(text);
-    FAIL() << "was accepted:\n" << text;
+    FAIL() << "was accepted:\n"
+           << text;
   } catch (const IT::Invalid_surface_error& e) {
     EXPECT_EQ(e.defect(), defect) << e.what();
     EXPECT_EQ(e.element(), line) << e.what();
@@ -256,11 +257,21 @@ TEST(Delta_complex_io, random_mutations_do_no_harm)
       const std::size_t at = below(text.size() + 1);
       const char c = alphabet[below(alphabet.size())];
       switch (below(6)) {
-      case 0: text.insert(at, 1, c); break;
-      case 1: text.erase(at, 1); break;
-      case 2: text.resize(std::max<std::size_t>(at, 1)); break;
-      case 3: text.insert(at, text.substr(below(text.size()), 1 + below(12))); break;
-      default: text[at < text.size() ? at : 0] = c; break;
+      case 0:
+        text.insert(at, 1, c);
+        break;
+      case 1:
+        text.erase(at, 1);
+        break;
+      case 2:
+        text.resize(std::max<std::size_t>(at, 1));
+        break;
+      case 3:
+        text.insert(at, text.substr(below(text.size()), 1 + below(12)));
+        break;
+      default:
+        text[at < text.size() ? at : 0] = c;
+        break;
       }
       if (text.empty())
         text = " ";

@@ -234,9 +234,9 @@ TEST(Make_Delta_complex_from_triangles, refuses_what_is_no_oriented_surface)
   expect_defect(build(4, {{0, 1, 2}, {0, 1, 3}}), Defect::INCONSISTENT_ORIENTATION, 1, "edge 0-1");
   expect_defect(build(5, {{0, 1, 2}, {2, 3, 4}}), Defect::NON_MANIFOLD_VERTEX, 2, "vertex 2");
   // two tetrahedra that share vertex 0
-  expect_defect(build(7, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0},
-                          {0, 4, 5}, {0, 6, 4}, {4, 6, 5}, {5, 6, 0}}),
-                Defect::NON_MANIFOLD_VERTEX, 0, "vertex 0");
+  expect_defect(
+    build(7, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}, {0, 4, 5}, {0, 6, 4}, {4, 6, 5}, {5, 6, 0}}),
+    Defect::NON_MANIFOLD_VERTEX, 0, "vertex 0");
 }
 
 TEST(Make_Delta_complex_from_gluing, refuses_sides_that_cannot_be_glued)
@@ -271,7 +271,8 @@ TEST(Make_Delta_complex, agrees_with_the_corners_of_a_surface_mesh)
   CGAL::make_icosahedron(sphere, Point(0, 0, 0), 1.);
   expect_same_as_from_triangles(sphere);
   Mesh grid;
-  CGAL::make_grid(3, 4, grid, [](int i, int j) { return Point(i, j, 0); }, true);
+  CGAL::make_grid(
+    3, 4, grid, [](int i, int j) { return Point(i, j, 0); }, true);
   expect_same_as_from_triangles(grid);
   const Delta_complex c = IT::make_Delta_complex(grid);
   for (auto h : grid.halfedges())
@@ -498,7 +499,8 @@ TEST(Delta_complex_flip, keeps_many_random_flips_valid)
 {
   std::mt19937 random(3);
   Mesh grid;
-  CGAL::make_grid(4, 4, grid, [](int i, int j) { return Point(i, j, 0); }, true);
+  CGAL::make_grid(
+    4, 4, grid, [](int i, int j) { return Point(i, j, 0); }, true);
   for (Delta_complex c : {tetrahedron(), IT::make_Delta_complex(grid)}) {
     const int chi = euler_characteristic(c);
     std::uniform_int_distribution<std::uint32_t> any_edge(0, c.number_of_edges() - 1);

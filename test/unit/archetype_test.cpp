@@ -237,7 +237,8 @@ public:
 namespace {
 
 template <class Boolean>
-class Archetype : public testing::Test {};
+class Archetype : public testing::Test
+{};
 using Booleans = testing::Types<bool, CGAL::Uncertain<bool>>;
 TYPED_TEST_SUITE(Archetype, Booleans);
 

@@ -244,9 +244,9 @@ TEST(Hinge_formulas, decide_on_faces_without_area)
                                double b) {
     return traits.is_locally_Delaunay_object()({s_ij, s_jk, s_ki, s_il, s_lj, a, b});
   };
-  EXPECT_FALSE(is_Delaunay(16, 4, 4, 9, 1, 0, 0)); // k and l between i and j
-  EXPECT_TRUE(is_Delaunay(4, 16, 4, 1, 1, 0, 0));  // k beyond i
-  EXPECT_TRUE(is_Delaunay(4, 16, 4, 9, 1, 0, 0));  // k beyond i, l beyond j
+  EXPECT_FALSE(is_Delaunay(16, 4, 4, 9, 1, 0, 0));                // k and l between i and j
+  EXPECT_TRUE(is_Delaunay(4, 16, 4, 1, 1, 0, 0));                 // k beyond i
+  EXPECT_TRUE(is_Delaunay(4, 16, 4, 9, 1, 0, 0));                 // k beyond i, l beyond j
   EXPECT_FALSE(is_Delaunay(4, 1, 1, 9, 9, 0, 4 * std::sqrt(8.))); // k between i and j
   EXPECT_TRUE(is_Delaunay(4, 16, 4, 9, 9, 0, 4 * std::sqrt(8.)));
 }
@@ -266,8 +266,8 @@ TEST(Kahan_formula, has_the_sign_of_the_triangle_inequality)
       a = std::nextafter(a, steps > 0 ? 4. : 0.);
     const int sign = CGAL::sign(Real(b) + Real(c) - Real(a)); // exact: fewer than 200 bits
     ++signs[sign + 1];
-    for (const std::array<double, 3>& l : {std::array<double, 3>{a, b, c}, {a, c, b}, {b, a, c},
-                                           {b, c, a}, {c, a, b}, {c, b, a}})
+    for (const std::array<double, 3>& l :
+         {std::array<double, 3>{a, b, c}, {a, c, b}, {b, a, c}, {b, c, a}, {c, a, b}, {c, b, a}})
       ASSERT_EQ(int(CGAL::sign(IT::squared_four_areas_from_lengths(l[0], l[1], l[2]))), sign)
         << a << " " << b << " " << c;
   }

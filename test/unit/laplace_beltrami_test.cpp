@@ -159,8 +159,8 @@ TEST(Cotangent_weights, as_near_to_the_exact_ones_as_stated)
 {
   std::vector<Surface> surfaces = generic_surfaces(false);
   for (Surface& surface : std::vector<Surface>{from_triangles("strip", IT::strip(300, 20)),
-                           from_triangles("sliver sheet", IT::sliver_sheet(12)),
-                           from_triangles("cap", IT::cap())})
+                                               from_triangles("sliver sheet", IT::sliver_sheet(12)),
+                                               from_triangles("cap", IT::cap())})
     surfaces.push_back(std::move(surface));
   for (const Surface& surface : surfaces) {
     SCOPED_TRACE(surface.name);

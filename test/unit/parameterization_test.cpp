@@ -230,7 +230,8 @@ TEST(Harmonic_parameterization, folds_with_the_extrinsic_operator_and_not_with_t
   }
   const Triangulation extrinsic = triangulation_of(sheet, false), intrinsic = triangulation_of(sheet, true);
   EXPECT_GT(IT::check_parameterization(extrinsic.connectivity(), IT::harmonic_parameterization(extrinsic))
-              .flipped.size(), 0u);
+              .flipped.size(),
+            0u);
   EXPECT_TRUE(IT::check_parameterization(intrinsic.connectivity(), IT::harmonic_parameterization(intrinsic))
                 .is_locally_injective());
   EXPECT_TRUE(IT::check_parameterization(intrinsic.connectivity(),

@@ -29,8 +29,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 namespace fs = std::filesystem;
 typedef IT::Finding_kind Kind;
 typedef IT::Invalid_surface_error::Defect Defect;
-typedef std::vector<std::array<double, 3> > Points;
-typedef std::vector<std::array<std::uint32_t, 3> > Triangles;
+typedef std::vector<std::array<double, 3>> Points;
+typedef std::vector<std::array<std::uint32_t, 3>> Triangles;
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -41,8 +41,8 @@ protected:
   void SetUp() override
   {
     const ::testing::TestInfo* const info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / ("idt_read_surface_" + std::to_string(std::random_device()())
-                                           + "_" + info->name());
+    folder_ = fs::temp_directory_path() / ("idt_read_surface_" + std::to_string(std::random_device()()) +
+                                           "_" + info->name());
     fs::create_directories(folder_);
   }
   void TearDown() override
@@ -65,8 +65,7 @@ protected:
   {
     try {
       idt::read_surface(file);
-    }
-    catch (const IT::Invalid_surface_error& error) {
+    } catch (const IT::Invalid_surface_error& error) {
       const std::string message = error.what();
       EXPECT_EQ(message.compare(0, file.size() + 2, file + ": "), 0) << message;
       EXPECT_TRUE(contains(message, text)) << message;
@@ -106,11 +105,11 @@ Points hard_numbers()
       } while (!std::isfinite(x));
     points.push_back(p);
   }
-  points.push_back({{ 0.1, -0.0, 1.0 / 3.0 }});
-  points.push_back({{ std::numeric_limits<double>::denorm_min(), (std::numeric_limits<double>::max)(),
-                      -(std::numeric_limits<double>::min)() }});
+  points.push_back({{0.1, -0.0, 1.0 / 3.0}});
+  points.push_back({{std::numeric_limits<double>::denorm_min(), (std::numeric_limits<double>::max)(),
+                     -(std::numeric_limits<double>::min)()}});
   while (points.size() % 3 != 0)
-    points.push_back({{ 1.0 * static_cast<double>(points.size()), 1, 1 }});
+    points.push_back({{1.0 * static_cast<double>(points.size()), 1, 1}});
   return points;
 }
 
@@ -118,7 +117,7 @@ Triangles consecutive_triangles(const std::size_t n)
 {
   Triangles triangles;
   for (std::uint32_t i = 0; i + 2 < n; i += 3)
-    triangles.push_back({{ i, i + 1, i + 2 }});
+    triangles.push_back({{i, i + 1, i + 2}});
   return triangles;
 }
 
@@ -131,9 +130,9 @@ void append(std::string& text, const T& value)
 std::string ply_header(const std::string& format, const std::size_t points, const std::size_t faces,
                        const std::string& real = "double", const std::string& list = "uchar int")
 {
-  return "ply\nformat " + format + " 1.0\nelement vertex " + std::to_string(points) + "\nproperty " + real
-         + " x\nproperty " + real + " y\nproperty " + real + " z\nelement face " + std::to_string(faces)
-         + "\nproperty list " + list + " vertex_indices\nend_header\n";
+  return "ply\nformat " + format + " 1.0\nelement vertex " + std::to_string(points) + "\nproperty " + real +
+         " x\nproperty " + real + " y\nproperty " + real + " z\nelement face " + std::to_string(faces) +
+         "\nproperty list " + list + " vertex_indices\nend_header\n";
 }
 
 void expect_same_bits(const Points& a, const Points& b)
@@ -177,11 +176,11 @@ TEST_F(Read_surface, seventeen_digits_come_back)
     append(ply, t);
   }
   const std::string files[] = {
-    write("a.off", "OFF\n" + std::to_string(points.size()) + " " + std::to_string(triangles.size()) + " 0\n"
-                   + vertices + off_faces),
+    write("a.off", "OFF\n" + std::to_string(points.size()) + " " + std::to_string(triangles.size()) + " 0\n" +
+                     vertices + off_faces),
     write("a.OBJ", obj), write("a.stl", stl + "endsolid\n"), write("a.ts", ts + "END\n"),
     write("a.ply", ply_header("ascii", points.size(), triangles.size()) + vertices + off_faces),
-    write("b.ply", ply) };
+    write("b.ply", ply)};
   for (const std::string& file : files) {
     SCOPED_TRACE(file);
     const idt::Surface_input input = idt::read_surface(file);
@@ -201,17 +200,17 @@ TEST_F(Read_surface, polygons_are_kept)
   ASSERT_EQ(input.number_of_faces(), 3u);
   const idt::Surface_input::Polygon quadrangle = input.polygon(1);
   EXPECT_EQ(std::vector<std::uint32_t>(quadrangle.begin(), quadrangle.end()),
-            (std::vector<std::uint32_t>{ 3, 2, 1, 0 }));
+            (std::vector<std::uint32_t>{3, 2, 1, 0}));
   EXPECT_EQ(input.polygon(2).size(), 0u);
   const IT::Surface_report report = idt::examine(input);
   ASSERT_NE(report.find(Kind::NOT_A_TRIANGLE), nullptr);
-  EXPECT_EQ(report.find(Kind::NOT_A_TRIANGLE)->elements, (std::vector<std::size_t>{ 1, 2 }));
+  EXPECT_EQ(report.find(Kind::NOT_A_TRIANGLE)->elements, (std::vector<std::size_t>{1, 2}));
 }
 
 TEST_F(Read_surface, forms_that_are_read)
 {
-  const Triangles triangle = { {{ 0, 1, 2 }} };
-  const Points points = { {{ 0, 0, 0 }}, {{ 1, 0, 0 }}, {{ 0, 1, 0 }} };
+  const Triangles triangle = {{{0, 1, 2}}};
+  const Points points = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}};
   const std::string files[] = {
     write("comments.off", "# one\nOFF # two\n\n3 1 0\n\n0 0 0 # three\n1 0 0\n\n#four\n0 1 0\n3 0 1 2"),
     write("windows.off", "OFF\r\n3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2\r\n"),
@@ -223,7 +222,7 @@ TEST_F(Read_surface, forms_that_are_read)
     write("negative.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n"),
     write("tabs.obj", "v\t0\t0\t0\nv\t1 0\t0\nv 0\t1 0\nf 1\t2\t3\n"),
     write("float.ply", ply_header("ascii", 3, 1, "float") + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
-    write("list.ply", ply_header("ascii", 3, 1, "float", "int uint") + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") };
+    write("list.ply", ply_header("ascii", 3, 1, "float", "int uint") + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")};
   for (const std::string& file : files) {
     SCOPED_TRACE(file);
     const idt::Surface_input input = idt::read_surface(file);
@@ -232,12 +231,12 @@ TEST_F(Read_surface, forms_that_are_read)
   }
 }
 
-std::string binary_stl(const std::vector<std::array<float, 9> >& facets, const std::size_t announced)
+std::string binary_stl(const std::vector<std::array<float, 9>>& facets, const std::size_t announced)
 {
   std::string text(80, 'x');
   append(text, static_cast<std::uint32_t>(announced));
   for (const std::array<float, 9>& facet : facets) {
-    append(text, std::array<float, 3>{{ 0, 0, 1 }});
+    append(text, std::array<float, 3>{{0, 0, 1}});
     append(text, facet);
     append(text, std::uint16_t(0));
   }
@@ -247,11 +246,13 @@ std::string binary_stl(const std::vector<std::array<float, 9> >& facets, const s
 TEST_F(Read_surface, corners_of_stl_are_merged_by_position)
 {
   const float tenth = 0.1f, next = std::nextafter(0.1f, 1.0f);
-  const idt::Surface_input input = idt::read_surface(write("a.stl", binary_stl(
-    { {{ 0, 0, 0, tenth, 0, 0, 0, 1, 0 }}, {{ 0, 1, 0, tenth, 0, 0, 1, 1, 0 }}, {{ next, 0, 0, 1, 1, 0, 2, 2, 2 }} },
-    3)));
+  const idt::Surface_input input =
+    idt::read_surface(write("a.stl", binary_stl({{{0, 0, 0, tenth, 0, 0, 0, 1, 0}},
+                                                 {{0, 1, 0, tenth, 0, 0, 1, 1, 0}},
+                                                 {{next, 0, 0, 1, 1, 0, 2, 2, 2}}},
+                                                3)));
   EXPECT_EQ(input.points.size(), 6u);
-  EXPECT_EQ(input.triangles, (Triangles{ {{ 0, 1, 2 }}, {{ 2, 1, 3 }}, {{ 4, 3, 5 }} }));
+  EXPECT_EQ(input.triangles, (Triangles{{{0, 1, 2}}, {{2, 1, 3}}, {{4, 3, 5}}}));
   EXPECT_EQ(input.points[1][0], static_cast<double>(tenth));
 }
 
@@ -284,8 +285,9 @@ TEST_F(Read_surface, broken_off)
   refused("a.off", "OFF\n2000000000 2000000000 0\n", "more than fit into the 28 bytes of the file");
   refused("a.off", "OFF BINARY\nxxxxxxxxxxxxxxxx", "binary OFF is not read");
 
-  IT::Invalid_surface_error error = refused("a.off", head + "0 0 0\n\n# x\n1 nan 0\n0 1 0\n3 0 1 2\n",
-    "line 6 (vertex 1): the coordinate \"nan\" is not finite", Defect::NOT_FINITE);
+  IT::Invalid_surface_error error =
+    refused("a.off", head + "0 0 0\n\n# x\n1 nan 0\n0 1 0\n3 0 1 2\n",
+            "line 6 (vertex 1): the coordinate \"nan\" is not finite", Defect::NOT_FINITE);
   EXPECT_EQ(error.element(), 1u);
   refused("a.off", head + "0 0 0\n1 0 0\n0 1 -inf\n3 0 1 2\n",
           "line 5 (vertex 2): the coordinate \"-inf\" is not finite", Defect::NOT_FINITE);
@@ -305,8 +307,9 @@ TEST_F(Read_surface, broken_off)
   refused("a.off", head + points + "x 0 1 2\n", "line 6 (face 0): \"x\" is not a number of corners");
   refused("a.off", head + points + "3 0 1 x\n", "line 6 (face 0): \"x\" is not the index of a vertex");
   error = refused("a.off", "OFF\n3 4 0\n" + points + "3 0 1 2\n3 0 1 3\n3 -1 1 2\n3 7 8 9\n",
-    "line 7 (face 1): the face names vertex 3, but there are 3 vertices (counted from 0), and 2 more faces like it",
-    Defect::BAD_INDEX);
+                  "line 7 (face 1): the face names vertex 3, but there are 3 vertices (counted from 0), and "
+                  "2 more faces like it",
+                  Defect::BAD_INDEX);
   EXPECT_EQ(error.element(), 1u);
   EXPECT_EQ(error.count(), 3u);
   refused("a.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 nan\n", "there is no face (3 vertices)", Defect::EMPTY);
@@ -323,12 +326,14 @@ TEST_F(Read_surface, broken_obj)
           "line 2 (vertex 1): there are 2 numbers where 3 are needed");
   refused("a.obj", points + "f 1 2 3\nrubbish\nf 1 2 3\n",
           "line 5: \"rubbish\" is not understood (after 3 vertices and 1 faces)");
-  const IT::Invalid_surface_error error = refused("a.obj", points + "f 1 2 3\nf 1 2 9\nf 1 8 3\n",
-    "face 1 names vertex 8 (counted from 0), but there are 3 vertices, and 1 more face like it", Defect::BAD_INDEX);
+  const IT::Invalid_surface_error error =
+    refused("a.obj", points + "f 1 2 3\nf 1 2 9\nf 1 8 3\n",
+            "face 1 names vertex 8 (counted from 0), but there are 3 vertices, and 1 more face like it",
+            Defect::BAD_INDEX);
   EXPECT_EQ(error.element(), 1u);
   EXPECT_EQ(error.count(), 2u);
   // Indices that the reader lets through are found afterwards.
-  for (const char* const face : { "f 1 2 4\n", "f 1 2 0\n" }) {
+  for (const char* const face : {"f 1 2 4\n", "f 1 2 0\n"}) {
     const IT::Surface_report report = idt::examine(idt::read_surface(write("a.obj", points + face)));
     EXPECT_NE(report.find(Kind::BAD_INDEX), nullptr) << face;
   }
@@ -356,7 +361,7 @@ TEST_F(Read_surface, broken_ply)
           "element face 0: the list vertex_indices claims more entries than the file has");
   refused("a.ply", header("double", "int int") + points + "-3 0 1 2\n",
           "element face 0: the list vertex_indices claims more entries than the file has");
-  for (const char* const format : { "binary_little_endian", "binary_big_endian" }) {
+  for (const char* const format : {"binary_little_endian", "binary_big_endian"}) {
     std::string binary = ply_header(format, 3, 1, "double", "uint int");
     for (int i = 0; i < 9; ++i)
       append(binary, 1.0);
@@ -368,24 +373,24 @@ TEST_F(Read_surface, broken_ply)
   for (int i = 0; i < 9; ++i)
     append(binary, i == 5 ? std::numeric_limits<double>::quiet_NaN() : 1.0 * i * i);
   binary += '\3';
-  append(binary, std::array<std::int32_t, 3>{{ 0, 1, -1 }});
+  append(binary, std::array<std::int32_t, 3>{{0, 1, -1}});
   const IT::Surface_report report = idt::examine(idt::read_surface(write("a.ply", binary)));
   ASSERT_NE(report.find(Kind::NOT_FINITE), nullptr);
-  EXPECT_EQ(report.find(Kind::NOT_FINITE)->elements, std::vector<std::size_t>{ 1 });
+  EXPECT_EQ(report.find(Kind::NOT_FINITE)->elements, std::vector<std::size_t>{1});
   ASSERT_NE(report.find(Kind::BAD_INDEX), nullptr);
   EXPECT_TRUE(contains(report.find(Kind::BAD_INDEX)->description, "names vertex -1"));
 }
 
 TEST_F(Read_surface, broken_stl)
 {
-  const std::array<float, 9> good = {{ 0, 0, 0, 1, 0, 0, 0, 1, 0 }};
+  const std::array<float, 9> good = {{0, 0, 0, 1, 0, 0, 0, 1, 0}};
   std::array<float, 9> bad = good;
   bad[4] = std::numeric_limits<float>::quiet_NaN();
   refused("a.stl", "abc", "shorter than the header of 84 bytes");
-  refused("a.stl", binary_stl({ good, good }, 1000000000), "the header announces 1000000000 facets, the file has"
-                                                           " room for 2");
-  const IT::Invalid_surface_error error = refused("a.stl", binary_stl({ good, bad }, 2),
-    "facet 1: a coordinate is not finite", Defect::NOT_FINITE);
+  refused("a.stl", binary_stl({good, good}, 1000000000), "the header announces 1000000000 facets, the file has"
+                                                         " room for 2");
+  const IT::Invalid_surface_error error = refused("a.stl", binary_stl({good, bad}, 2),
+                                                  "facet 1: a coordinate is not finite", Defect::NOT_FINITE);
   EXPECT_EQ(error.element(), 1u);
 
   const std::string begin = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n";
@@ -397,7 +402,7 @@ TEST_F(Read_surface, broken_stl)
   refused("a.stl", begin + end, "line 7 (facet 0): the facet does not have three vertices", Defect::NOT_A_TRIANGLE);
   refused("a.stl", begin + "vertex 1 0 0\n", "the file ends within facet 0");
   // A binary file may begin with the word of a text file.
-  std::string binary = binary_stl({ good }, 1);
+  std::string binary = binary_stl({good}, 1);
   binary.replace(0, 6, "solid ");
   EXPECT_EQ(idt::read_surface(write("a.stl", binary)).triangles.size(), 1u);
 }
@@ -419,17 +424,18 @@ TEST_F(Read_surface, damaged_files)
   std::string binary = ply_header("binary_little_endian", 3, 1, "double", "int int");
   for (int i = 0; i < 9; ++i)
     append(binary, 1.0 * i * i);
-  append(binary, std::array<std::int32_t, 4>{{ 3, 0, 1, 2 }});
+  append(binary, std::array<std::int32_t, 4>{{3, 0, 1, 2}});
   const std::map<std::string, std::string> good = {
-    { "a.off", "OFF\n3 1 0\n0 0 0\n1 0.5 0\n0 1 0\n3 0 1 2\n" },
-    { "b.off", "STCN4OFF\n3 1 0\n0 0 0 1 0 0 1 1 1 1 1 0 0 1\n1 0 0 1 0 0 1 1 1 1 1 0 0 1\n"
-               "0 1 0 1 0 0 1 1 1 1 1 0 0 1\n3 0 1 2 1 1 1\n" },
-    { "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/2 -1/3\n" },
-    { "a.ply", ply_header("ascii", 3, 1) + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n" }, { "b.ply", binary },
-    { "a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
-               "endfacet\nendsolid a\n" },
-    { "b.stl", binary_stl({ {{ 0, 0, 0, 1, 0, 0, 0, 1, 0 }}, {{ 0, 1, 0, 1, 0, 0, 0, 1, 1 }} }, 2) },
-    { "a.ts", "GOCAD TSurf 1\nTFACE\nVRTX 0 0 0 0\nVRTX 1 1 0 0\nVRTX 2 0 1 0\nTRGL 0 1 2\nEND\n" } };
+    {"a.off", "OFF\n3 1 0\n0 0 0\n1 0.5 0\n0 1 0\n3 0 1 2\n"},
+    {"b.off", "STCN4OFF\n3 1 0\n0 0 0 1 0 0 1 1 1 1 1 0 0 1\n1 0 0 1 0 0 1 1 1 1 1 0 0 1\n"
+              "0 1 0 1 0 0 1 1 1 1 1 0 0 1\n3 0 1 2 1 1 1\n"},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/2 -1/3\n"},
+    {"a.ply", ply_header("ascii", 3, 1) + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+    {"b.ply", binary},
+    {"a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+              "endfacet\nendsolid a\n"},
+    {"b.stl", binary_stl({{{0, 0, 0, 1, 0, 0, 0, 1, 0}}, {{0, 1, 0, 1, 0, 0, 0, 1, 1}}}, 2)},
+    {"a.ts", "GOCAD TSurf 1\nTFACE\nVRTX 0 0 0 0\nVRTX 1 1 0 0\nVRTX 2 0 1 0\nTRGL 0 1 2\nEND\n"}};
   std::mt19937 random(11);
   for (const std::pair<const std::string, std::string>& file : good) {
     SCOPED_TRACE(file.first);
@@ -437,10 +443,10 @@ TEST_F(Read_surface, damaged_files)
       const std::string name = write(file.first, content);
       try {
         IT::message(idt::examine(idt::read_surface(name)));
-      }
-      catch (const IT::Invalid_surface_error& error) {
+      } catch (const IT::Invalid_surface_error& error) {
         ASSERT_EQ(std::string(error.what()).compare(0, name.size(), name), 0);
-        ASSERT_FALSE(contains(error.what(), "CGAL ERROR")) << error.what() << "\n" << content;
+        ASSERT_FALSE(contains(error.what(), "CGAL ERROR")) << error.what() << "\n"
+                                                           << content;
       }
     };
     EXPECT_NO_THROW(idt::read_surface(write(file.first, file.second)));
@@ -478,7 +484,11 @@ fs::path data_folder()
   return fs::path("..") / "shared" / "data";
 }
 
-struct Manifest_row { std::string name; std::map<std::string, std::string> fields; };
+struct Manifest_row
+{
+  std::string name;
+  std::map<std::string, std::string> fields;
+};
 
 std::vector<Manifest_row> read_manifest(const fs::path& path)
 {
@@ -527,12 +537,17 @@ TEST(Bad_files, are_refused_or_merely_ugly)
   const fs::path manifest = folder / "MANIFEST.csv";
   if (!fs::exists(manifest))
     GTEST_SKIP() << "no evaluation data: set IDT_DATA_DIR to the folder with MANIFEST.csv and bad/";
-  static const std::map<std::string, Kind> kinds = {
-    { "no_faces", Kind::EMPTY }, { "bad_index", Kind::BAD_INDEX }, { "nonfinite", Kind::NOT_FINITE },
-    { "polygons", Kind::NOT_A_TRIANGLE }, { "repeated_index", Kind::REPEATED_CORNER },
-    { "duplicate_faces", Kind::DUPLICATE_FACE }, { "nonmanifold_edges", Kind::NON_MANIFOLD_EDGE },
-    { "misoriented", Kind::INCONSISTENT_ORIENTATION }, { "nonmanifold_vertices", Kind::NON_MANIFOLD_VERTEX },
-    { "unreferenced", Kind::UNREFERENCED_VERTEX }, { "zero_area", Kind::ZERO_AREA_FACE } };
+  static const std::map<std::string, Kind> kinds = {{"no_faces", Kind::EMPTY},
+                                                    {"bad_index", Kind::BAD_INDEX},
+                                                    {"nonfinite", Kind::NOT_FINITE},
+                                                    {"polygons", Kind::NOT_A_TRIANGLE},
+                                                    {"repeated_index", Kind::REPEATED_CORNER},
+                                                    {"duplicate_faces", Kind::DUPLICATE_FACE},
+                                                    {"nonmanifold_edges", Kind::NON_MANIFOLD_EDGE},
+                                                    {"misoriented", Kind::INCONSISTENT_ORIENTATION},
+                                                    {"nonmanifold_vertices", Kind::NON_MANIFOLD_VERTEX},
+                                                    {"unreferenced", Kind::UNREFERENCED_VERTEX},
+                                                    {"zero_area", Kind::ZERO_AREA_FACE}};
   std::size_t files = 0;
   for (const Manifest_row& row : read_manifest(manifest)) {
     if (row.fields.at("folder") != "bad")
@@ -551,30 +566,31 @@ TEST(Bad_files, are_refused_or_merely_ugly)
       if (defects.count("no_faces") != 0)
         defects.erase("unreferenced"); // goes without saying
       if (defects.count("repeated_index") != 0)
-        defects.erase("zero_area");    // the same face
+        defects.erase("zero_area"); // the same face
       for (const std::pair<const std::string, Kind>& kind : kinds) {
         const IT::Finding* const finding = report.find(kind.second);
         EXPECT_EQ(finding == nullptr ? 0 : finding->count,
-                  defects.count(kind.first) == 0 ? 0 : defects[kind.first]) << kind.first;
+                  defects.count(kind.first) == 0 ? 0 : defects[kind.first])
+          << kind.first;
       }
       try {
         IT::throw_if_fatal(report, path);
         EXPECT_EQ(report.first_fatal(), nullptr);
         ADD_FAILURE() << "a file of bad/ was taken: " << IT::message(report);
-      }
-      catch (const IT::Invalid_surface_error& error) {
+      } catch (const IT::Invalid_surface_error& error) {
         const std::string message = error.what();
         EXPECT_EQ(message.compare(0, path.size() + 2, path + ": "), 0) << message;
-        EXPECT_TRUE(contains(message, "face ") || contains(message, "edge ") || contains(message, "vertex ")
-                    || defects.count("no_faces") != 0) << message;
+        EXPECT_TRUE(contains(message, "face ") || contains(message, "edge ") || contains(message, "vertex ") ||
+                    defects.count("no_faces") != 0)
+          << message;
       }
-    }
-    catch (const IT::Invalid_surface_error& error) {
+    } catch (const IT::Invalid_surface_error& error) {
       const std::string message = error.what();
       EXPECT_EQ(message.compare(0, path.size() + 2, path + ": "), 0) << message;
       EXPECT_TRUE(contains(message, "(face ") || contains(message, "(vertex ")) << message;
-      const char* const defect = error.defect() == Defect::BAD_INDEX ? "bad_index"
-                               : error.defect() == Defect::NOT_FINITE ? "nonfinite" : "another";
+      const char* const defect = error.defect() == Defect::BAD_INDEX    ? "bad_index"
+                                 : error.defect() == Defect::NOT_FINITE ? "nonfinite"
+                                                                        : "another";
       ASSERT_EQ(defects.count(defect), 1u) << message;
       EXPECT_EQ(error.count(), defects[defect]) << message;
     }

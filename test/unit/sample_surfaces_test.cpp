@@ -243,7 +243,8 @@ Flip_result flip_to_Delaunay(const Indexed_triangles& surface, bool newest_first
     const std::size_t jk = next[h], ki = next[jk], il = next[g], lj = next[il];
     const double s = squared_length[h], first_area = area[face[h]], second_area = area[face[g]];
     if ((squared_length[jk] + squared_length[ki] - s) * second_area +
-          (squared_length[il] + squared_length[lj] - s) * first_area >= 0)
+          (squared_length[il] + squared_length[lj] - s) * first_area >=
+        0)
       continue;
     const double x_k = squared_length[ki] + s - squared_length[jk], x_l = squared_length[il] + s - squared_length[lj];
     squared_length[h] = squared_length[g] =
@@ -252,8 +253,12 @@ Flip_result flip_to_Delaunay(const Indexed_triangles& surface, bool newest_first
     area[face[g]] = first_area + second_area - area[face[h]];
     source[h] = source[lj];
     source[g] = source[ki];
-    next[il] = h; next[h] = ki; next[ki] = il;
-    next[lj] = jk; next[jk] = g; next[g] = lj;
+    next[il] = h;
+    next[h] = ki;
+    next[ki] = il;
+    next[lj] = jk;
+    next[jk] = g;
+    next[g] = lj;
     face[il] = face[h];
     face[jk] = face[g];
     ++result.flips;

@@ -24,7 +24,7 @@ typedef IT::Finding_kind Kind;
 typedef IT::Invalid_surface_error::Defect Defect;
 typedef std::array<double, 3> Point;
 typedef std::vector<Point> Points;
-typedef std::vector<std::vector<std::size_t> > Polygons;
+typedef std::vector<std::vector<std::size_t>> Polygons;
 typedef std::vector<std::size_t> Indices;
 
 // n points in general position, on a curve.
@@ -32,11 +32,11 @@ Points curve(const int n)
 {
   Points points;
   for (int i = 0; i < n; ++i)
-    points.push_back({{ 1.0 * i, 1.0 * i * i, 1.0 * i * i * i }});
+    points.push_back({{1.0 * i, 1.0 * i * i, 1.0 * i * i * i}});
   return points;
 }
 
-Polygons tetrahedron() { return { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 } }; }
+Polygons tetrahedron() { return {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}; }
 
 // Expects one fatal finding, of this kind, and returns it.
 IT::Finding only_fatal(const IT::Surface_report& report, const Kind kind, const Defect defect,
@@ -58,8 +58,7 @@ IT::Finding only_fatal(const IT::Surface_report& report, const Kind kind, const 
   try {
     IT::throw_if_fatal(report, "name");
     ADD_FAILURE() << "nothing was thrown";
-  }
-  catch (const IT::Invalid_surface_error& error) {
+  } catch (const IT::Invalid_surface_error& error) {
     EXPECT_EQ(error.defect(), defect);
     EXPECT_EQ(error.element(), elements.empty() ? 0 : elements.front());
     EXPECT_EQ(error.count(), count);
@@ -76,13 +75,13 @@ void grid(const std::size_t n, Points& points, Polygons& triangles)
   for (std::size_t i = 0; i <= n; ++i)
     for (std::size_t j = 0; j <= n; ++j) {
       const double x = static_cast<double>(i), y = static_cast<double>(j);
-      points.push_back({{ x, y, x * x + y * y }});
+      points.push_back({{x, y, x * x + y * y}});
     }
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) {
       const std::size_t a = i * (n + 1) + j, b = a + n + 1;
-      triangles.push_back({ a, b, b + 1 });
-      triangles.push_back({ a, b + 1, a + 1 });
+      triangles.push_back({a, b, b + 1});
+      triangles.push_back({a, b + 1, a + 1});
     }
 }
 
@@ -114,11 +113,11 @@ TEST(Validate_triangles, clean_surfaces_have_no_finding)
 TEST(Validate_triangles, any_ranges_of_points_and_indices)
 {
   typedef CGAL::Simple_cartesian<double>::Point_3 Point_3;
-  const std::vector<Point_3> points = { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0) };
-  const std::vector<std::array<int, 3> > triangles = { {{ 0, 1, 2 }} };
+  const std::vector<Point_3> points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0)};
+  const std::vector<std::array<int, 3>> triangles = {{{0, 1, 2}}};
   EXPECT_TRUE(IT::examine_polygons(points, triangles).findings.empty());
-  const std::vector<std::array<int, 3> > negative = { {{ 0, 1, -1 }} };
-  only_fatal(IT::examine_polygons(points, negative), Kind::BAD_INDEX, Defect::BAD_INDEX, { 0 }, 1);
+  const std::vector<std::array<int, 3>> negative = {{{0, 1, -1}}};
+  only_fatal(IT::examine_polygons(points, negative), Kind::BAD_INDEX, Defect::BAD_INDEX, {0}, 1);
 }
 
 TEST(Validate_triangles, empty)
@@ -132,27 +131,28 @@ TEST(Validate_triangles, empty)
 TEST(Validate_triangles, bad_index)
 {
   Polygons triangles = tetrahedron();
-  triangles.push_back({ 0, 1, 4 });
-  triangles.push_back({ 0, static_cast<std::size_t>(-1), 2 });
+  triangles.push_back({0, 1, 4});
+  triangles.push_back({0, static_cast<std::size_t>(-1), 2});
   const IT::Finding finding = only_fatal(IT::examine_polygons(curve(4), triangles), Kind::BAD_INDEX,
-                                         Defect::BAD_INDEX, { 4, 5 }, 2);
+                                         Defect::BAD_INDEX, {4, 5}, 2);
   EXPECT_EQ(finding.description, "face 4 names vertex 4, but there are 4 vertices");
   EXPECT_TRUE(contains(IT::message(finding), "and 1 more face like it; "));
   // Faces, but no vertex at all.
-  only_fatal(IT::examine_polygons(Points(), tetrahedron()), Kind::BAD_INDEX, Defect::BAD_INDEX, { 0, 1, 2, 3 }, 4);
+  only_fatal(IT::examine_polygons(Points(), tetrahedron()), Kind::BAD_INDEX, Defect::BAD_INDEX, {0, 1, 2, 3},
+             4);
 }
 
 TEST(Validate_triangles, polygons)
 {
-  const Polygons faces = { { 0, 1, 2 }, { 0, 2, 3, 4 }, {}, { 5 }, { 5, 6 } };
+  const Polygons faces = {{0, 1, 2}, {0, 2, 3, 4}, {}, {5}, {5, 6}};
   const IT::Surface_report report = IT::examine_polygons(curve(7), faces);
   const IT::Finding finding =
-    only_fatal(report, Kind::NOT_A_TRIANGLE, Defect::NOT_A_TRIANGLE, { 1, 2, 3, 4 }, 4);
+    only_fatal(report, Kind::NOT_A_TRIANGLE, Defect::NOT_A_TRIANGLE, {1, 2, 3, 4}, 4);
   EXPECT_EQ(finding.description, "face 1 (corners 0, 2, 3, 4) has 4 corners instead of 3");
   EXPECT_TRUE(contains(IT::message(finding), "triangulate"));
   EXPECT_EQ(report.number_of_edges, 6u);
   // At most ten elements are named.
-  const IT::Surface_report many = IT::examine_polygons(curve(48), Polygons(12, { 0, 1, 2, 3 }));
+  const IT::Surface_report many = IT::examine_polygons(curve(48), Polygons(12, {0, 1, 2, 3}));
   ASSERT_NE(many.find(Kind::NOT_A_TRIANGLE), nullptr);
   EXPECT_EQ(many.find(Kind::NOT_A_TRIANGLE)->elements.size(), 10u);
   EXPECT_EQ(many.find(Kind::NOT_A_TRIANGLE)->count, 12u);
@@ -160,27 +160,27 @@ TEST(Validate_triangles, polygons)
 
 TEST(Validate_triangles, repeated_corner)
 {
-  const Polygons faces = { { 0, 1, 2 }, { 3, 4, 3 } };
+  const Polygons faces = {{0, 1, 2}, {3, 4, 3}};
   IT::Finding finding = only_fatal(IT::examine_polygons(curve(5), faces), Kind::REPEATED_CORNER,
-                                   Defect::REPEATED_CORNER, { 1 }, 1);
+                                   Defect::REPEATED_CORNER, {1}, 1);
   EXPECT_EQ(finding.description, "face 1 (corners 3, 4, 3) names a vertex twice");
-  const IT::Surface_report polygon = IT::examine_polygons(curve(5), Polygons{ { 0, 1, 2, 3, 0, 4 } });
+  const IT::Surface_report polygon = IT::examine_polygons(curve(5), Polygons{{0, 1, 2, 3, 0, 4}});
   ASSERT_NE(polygon.find(Kind::REPEATED_CORNER), nullptr);
   EXPECT_EQ(polygon.find(Kind::REPEATED_CORNER)->count, 1u);
   // One vertex three times.
-  const IT::Surface_report point = IT::examine_polygons(curve(1), Polygons{ { 0, 0, 0 } });
-  EXPECT_EQ(point.find(Kind::REPEATED_CORNER)->elements, Indices{ 0 });
+  const IT::Surface_report point = IT::examine_polygons(curve(1), Polygons{{0, 0, 0}});
+  EXPECT_EQ(point.find(Kind::REPEATED_CORNER)->elements, Indices{0});
 }
 
 TEST(Validate_triangles, not_finite)
 {
-  for (const double bad : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
-                            -std::numeric_limits<double>::infinity() })
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                           -std::numeric_limits<double>::infinity()})
     for (int i = 0; i < 3; ++i) {
       Points points = curve(4);
       points[2][static_cast<std::size_t>(i)] = bad;
       const IT::Finding finding = only_fatal(IT::examine_polygons(points, tetrahedron()), Kind::NOT_FINITE,
-                                             Defect::NOT_FINITE, { 2 }, 1);
+                                             Defect::NOT_FINITE, {2}, 1);
       EXPECT_TRUE(contains(finding.description, "vertex 2 has the coordinates ("));
     }
 }
@@ -188,36 +188,36 @@ TEST(Validate_triangles, not_finite)
 TEST(Validate_triangles, duplicate_faces)
 {
   // A triangle and its back side: closed, but the same three corners.
-  IT::Finding finding = only_fatal(IT::examine_polygons(curve(3), Polygons{ { 0, 1, 2 }, { 2, 1, 0 } }),
-                                   Kind::DUPLICATE_FACE, Defect::DUPLICATE_FACE, { 1 }, 1);
+  IT::Finding finding = only_fatal(IT::examine_polygons(curve(3), Polygons{{0, 1, 2}, {2, 1, 0}}),
+                                   Kind::DUPLICATE_FACE, Defect::DUPLICATE_FACE, {1}, 1);
   EXPECT_EQ(finding.description, "face 1 (corners 2, 1, 0) has the same corners as face 0");
   // At edges with more than two faces.
   Polygons faces = tetrahedron();
-  faces.push_back({ 2, 3, 0 });
-  faces.push_back({ 3, 2, 0 });
-  faces.push_back({ 0, 1, 2 });
+  faces.push_back({2, 3, 0});
+  faces.push_back({3, 2, 0});
+  faces.push_back({0, 1, 2});
   const IT::Surface_report report = IT::examine_polygons(curve(4), faces);
   ASSERT_NE(report.find(Kind::DUPLICATE_FACE), nullptr);
-  EXPECT_EQ(report.find(Kind::DUPLICATE_FACE)->elements, (Indices{ 4, 5, 6 }));
+  EXPECT_EQ(report.find(Kind::DUPLICATE_FACE)->elements, (Indices{4, 5, 6}));
   EXPECT_EQ(report.find(Kind::DUPLICATE_FACE)->count, 3u);
 }
 
 TEST(Validate_triangles, non_manifold_edge)
 {
-  const Polygons fan = { { 0, 2, 4 }, { 3, 4, 2 }, { 2, 4, 1 } };
+  const Polygons fan = {{0, 2, 4}, {3, 4, 2}, {2, 4, 1}};
   const IT::Surface_report report = IT::examine_polygons(curve(5), fan);
   const IT::Finding finding =
-    only_fatal(report, Kind::NON_MANIFOLD_EDGE, Defect::NON_MANIFOLD_EDGE, { 0 }, 1);
-  EXPECT_EQ(finding.edges, (std::vector<std::array<std::size_t, 2> >{ {{ 2, 4 }} }));
+    only_fatal(report, Kind::NON_MANIFOLD_EDGE, Defect::NON_MANIFOLD_EDGE, {0}, 1);
+  EXPECT_EQ(finding.edges, (std::vector<std::array<std::size_t, 2>>{{{2, 4}}}));
   EXPECT_EQ(finding.description, "edge 2-4 has 3 faces (faces 0, 1, 2)");
   EXPECT_EQ(report.number_of_edges, 7u);
   EXPECT_EQ(report.number_of_border_edges, 6u);
   // More edges, and more faces than are named.
   Polygons book;
   for (std::size_t i = 0; i < 12; ++i)
-    book.push_back({ 0, 1, i + 2 });
-  book.push_back({ 14, 1, 2 });
-  book.push_back({ 15, 1, 2 });
+    book.push_back({0, 1, i + 2});
+  book.push_back({14, 1, 2});
+  book.push_back({15, 1, 2});
   const IT::Surface_report pages = IT::examine_polygons(curve(16), book);
   ASSERT_NE(pages.find(Kind::NON_MANIFOLD_EDGE), nullptr);
   EXPECT_TRUE(contains(IT::message(*pages.find(Kind::NON_MANIFOLD_EDGE)),
@@ -230,7 +230,7 @@ TEST(Validate_triangles, inconsistent_orientation)
   std::swap(faces[2][0], faces[2][1]);
   const IT::Surface_report report = IT::examine_polygons(curve(4), faces);
   const IT::Finding finding = only_fatal(report, Kind::INCONSISTENT_ORIENTATION,
-                                         Defect::INCONSISTENT_ORIENTATION, { 0, 1, 2 }, 3);
+                                         Defect::INCONSISTENT_ORIENTATION, {0, 1, 2}, 3);
   EXPECT_TRUE(report.is_orientable);
   EXPECT_TRUE(contains(finding.description, "edge 0-1 ")) << finding.description;
   EXPECT_TRUE(contains(finding.description, "(faces 0, 2)")) << finding.description;
@@ -239,7 +239,7 @@ TEST(Validate_triangles, inconsistent_orientation)
   // A Moebius strip of five triangles.
   Polygons strip;
   for (std::size_t i = 0; i < 5; ++i)
-    strip.push_back({ i, (i + 1) % 5, (i + 2) % 5 });
+    strip.push_back({i, (i + 1) % 5, (i + 2) % 5});
   const IT::Surface_report moebius = IT::examine_polygons(curve(5), strip);
   EXPECT_FALSE(moebius.is_orientable);
   ASSERT_NE(moebius.first_fatal(), nullptr);
@@ -251,20 +251,20 @@ TEST(Validate_triangles, non_manifold_vertex)
 {
   // Two triangles that touch, two tetrahedra that touch, a triangle on top of a tetrahedron.
   IT::Finding finding =
-    only_fatal(IT::examine_polygons(curve(5), Polygons{ { 1, 0, 2 }, { 3, 4, 2 } }),
-               Kind::NON_MANIFOLD_VERTEX, Defect::NON_MANIFOLD_VERTEX, { 2 }, 1);
+    only_fatal(IT::examine_polygons(curve(5), Polygons{{1, 0, 2}, {3, 4, 2}}),
+               Kind::NON_MANIFOLD_VERTEX, Defect::NON_MANIFOLD_VERTEX, {2}, 1);
   EXPECT_EQ(finding.description, "the faces around vertex 2 form 2 fans that touch only there"
                                  " (one with face 0, another with face 1)");
   Polygons pair = tetrahedron();
   for (const std::vector<std::size_t>& face : tetrahedron())
-    pair.push_back({ face[0] + 3, face[1] + 3, face[2] + 3 });
+    pair.push_back({face[0] + 3, face[1] + 3, face[2] + 3});
   only_fatal(IT::examine_polygons(curve(7), pair), Kind::NON_MANIFOLD_VERTEX, Defect::NON_MANIFOLD_VERTEX,
-             { 3 }, 1);
+             {3}, 1);
   Polygons hat = tetrahedron();
-  hat.push_back({ 1, 4, 5 });
-  hat.push_back({ 2, 6, 7 });
+  hat.push_back({1, 4, 5});
+  hat.push_back({2, 6, 7});
   only_fatal(IT::examine_polygons(curve(8), hat), Kind::NON_MANIFOLD_VERTEX, Defect::NON_MANIFOLD_VERTEX,
-             { 1, 2 }, 2);
+             {1, 2}, 2);
 }
 
 TEST(Validate_triangles, zero_length_edge)
@@ -272,15 +272,15 @@ TEST(Validate_triangles, zero_length_edge)
   Points points = curve(4);
   points[2] = points[1];
   const IT::Finding finding = only_fatal(IT::examine_polygons(points, tetrahedron()), Kind::ZERO_LENGTH_EDGE,
-                                         Defect::ZERO_LENGTH_EDGE, { 0 }, 1);
-  EXPECT_EQ(finding.edges, (std::vector<std::array<std::size_t, 2> >{ {{ 1, 2 }} }));
+                                         Defect::ZERO_LENGTH_EDGE, {0}, 1);
+  EXPECT_EQ(finding.edges, (std::vector<std::array<std::size_t, 2>>{{{1, 2}}}));
   EXPECT_TRUE(contains(finding.description, "edge 1-2 of faces 0, 3 has zero length"));
   // Coincident vertices without an edge between them do no harm; the smallest difference is a length.
-  const Points apart = { {{ 0, 0, 0 }}, {{ 1, 0, 0 }}, {{ 0, 1, 0 }}, {{ 0, 0, 0 }}, {{ -1, 0, 0 }}, {{ 0, -1, 0 }} };
-  EXPECT_EQ(IT::examine_polygons(apart, Polygons{ { 0, 1, 2 }, { 3, 4, 5 } }).first_fatal(), nullptr);
+  const Points apart = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 0}}, {{-1, 0, 0}}, {{0, -1, 0}}};
+  EXPECT_EQ(IT::examine_polygons(apart, Polygons{{0, 1, 2}, {3, 4, 5}}).first_fatal(), nullptr);
   const double least = std::numeric_limits<double>::denorm_min();
-  const Points tiny = { {{ 0, 0, 0 }}, {{ least, 0, 0 }}, {{ 0, least, 0 }} };
-  const IT::Surface_report report = IT::examine_polygons(tiny, Polygons{ { 0, 1, 2 } });
+  const Points tiny = {{{0, 0, 0}}, {{least, 0, 0}}, {{0, least, 0}}};
+  const IT::Surface_report report = IT::examine_polygons(tiny, Polygons{{0, 1, 2}});
   EXPECT_TRUE(report.findings.empty()) << IT::message(report);
   EXPECT_EQ(report.exponent_of_longest_edge, -1073);
 }
@@ -288,21 +288,21 @@ TEST(Validate_triangles, zero_length_edge)
 TEST(Validate_triangles, range_of_lengths)
 {
   const auto triangles = [](const double tiny, const double large) {
-    const Points points = { {{ 0, 0, 0 }}, {{ tiny, 0, 0 }}, {{ 0, large, 0 }} };
-    return IT::examine_polygons(points, Polygons{ { 0, 1, 2 } });
+    const Points points = {{{0, 0, 0}}, {{tiny, 0, 0}}, {{0, large, 0}}};
+    return IT::examine_polygons(points, Polygons{{0, 1, 2}});
   };
   // Any uniform scale is fine, and so is every ratio that two squares leave room for.
   EXPECT_TRUE(triangles(1e-300, 1e-300).findings.empty());
   EXPECT_TRUE(triangles(1e308, 1e308).findings.empty());
   EXPECT_TRUE(triangles(1e-150, 1e140).findings.empty());
   const IT::Finding finding = only_fatal(triangles(1e-150, 1e150), Kind::LENGTH_RANGE, Defect::OUT_OF_RANGE,
-                                         { 0 }, 1);
-  EXPECT_EQ(finding.edges, (std::vector<std::array<std::size_t, 2> >{ {{ 0, 1 }} }));
+                                         {0}, 1);
+  EXPECT_EQ(finding.edges, (std::vector<std::array<std::size_t, 2>>{{{0, 1}}}));
   EXPECT_TRUE(contains(finding.description, "edge 0-1 (length about 1e-150) and edge 0-2 (length about 1e+150)"))
     << finding.description;
   // A difference that overflows is not an infinite coordinate.
-  const Points wide = { {{ -1.5e308, 0, 0 }}, {{ 1.5e308, 0, 0 }}, {{ 0, 1e308, 0 }} };
-  const IT::Surface_report report = IT::examine_polygons(wide, Polygons{ { 0, 1, 2 } });
+  const Points wide = {{{-1.5e308, 0, 0}}, {{1.5e308, 0, 0}}, {{0, 1e308, 0}}};
+  const IT::Surface_report report = IT::examine_polygons(wide, Polygons{{0, 1, 2}});
   EXPECT_TRUE(report.findings.empty()) << IT::message(report);
   EXPECT_EQ(report.exponent_of_longest_edge, 1025);
 }
@@ -320,34 +320,34 @@ TEST(Validate_triangles, range_of_lengths_is_what_squares_need)
 TEST(Validate_triangles, not_fatal)
 {
   // A cap, exactly flat; and one that is not, by a unit in the last place.
-  const Points flat = { {{ 0, 0, 0 }}, {{ 0.1, 0.3, 0.7 }}, {{ 0.2, 0.6, 1.4 }}, {{ 5, 0, 0 }} };
-  IT::Surface_report report = IT::examine_polygons(flat, Polygons{ { 0, 1, 2 } });
+  const Points flat = {{{0, 0, 0}}, {{0.1, 0.3, 0.7}}, {{0.2, 0.6, 1.4}}, {{5, 0, 0}}};
+  IT::Surface_report report = IT::examine_polygons(flat, Polygons{{0, 1, 2}});
   EXPECT_EQ(report.first_fatal(), nullptr);
   ASSERT_EQ(report.findings.size(), 2u);
   EXPECT_EQ(report.findings[0].kind, Kind::ZERO_AREA_FACE);
-  EXPECT_EQ(report.findings[0].elements, Indices{ 0 });
+  EXPECT_EQ(report.findings[0].elements, Indices{0});
   EXPECT_EQ(report.findings[1].kind, Kind::UNREFERENCED_VERTEX);
-  EXPECT_EQ(report.findings[1].elements, Indices{ 3 });
+  EXPECT_EQ(report.findings[1].elements, Indices{3});
   EXPECT_EQ(IT::message(report, "name"),
             "name: face 0 (corners 0, 1, 2) has zero area; vertex 3 is not referenced by any face");
   EXPECT_NO_THROW(IT::throw_if_fatal(report));
   Points nearly = flat;
   nearly.pop_back();
   nearly[2][1] = std::nextafter(nearly[2][1], 1);
-  EXPECT_TRUE(IT::examine_polygons(nearly, Polygons{ { 0, 1, 2 } }).findings.empty());
+  EXPECT_TRUE(IT::examine_polygons(nearly, Polygons{{0, 1, 2}}).findings.empty());
   // The same where products under- and overflow.
-  for (const double scale : { 0x1p-900, 0x1p900 })
-    for (Points points : { flat, nearly }) {
+  for (const double scale : {0x1p-900, 0x1p900})
+    for (Points points : {flat, nearly}) {
       for (Point& p : points)
         for (double& x : p)
           x *= scale;
-      const IT::Surface_report scaled = IT::examine_polygons(points, Polygons{ { 0, 1, 2 } });
+      const IT::Surface_report scaled = IT::examine_polygons(points, Polygons{{0, 1, 2}});
       EXPECT_EQ(scaled.find(Kind::ZERO_AREA_FACE) != nullptr, points.size() == 4);
       EXPECT_EQ(scaled.first_fatal(), nullptr);
     }
 
   Polygons pieces = tetrahedron();
-  pieces.push_back({ 4, 5, 6 });
+  pieces.push_back({4, 5, 6});
   report = IT::examine_polygons(curve(7), pieces);
   EXPECT_EQ(report.number_of_components, 2u);
   EXPECT_EQ(IT::message(report), "the surface has 2 components");
@@ -356,11 +356,12 @@ TEST(Validate_triangles, not_fatal)
 
 TEST(Validate_triangles, several_defects)
 {
-  Polygons faces = { { 0, 1, 2 }, { 0, 1, 3 }, { 4, 4, 5 }, { 5, 6, 7, 8 } };
+  Polygons faces = {{0, 1, 2}, {0, 1, 3}, {4, 4, 5}, {5, 6, 7, 8}};
   const IT::Surface_report report = IT::examine_polygons(curve(9), faces);
   EXPECT_EQ(report.first_fatal()->kind, Kind::NOT_A_TRIANGLE);
   EXPECT_TRUE(contains(IT::message(report), "(also: 1 face with a repeated corner, 1 edge with faces of opposite"
-                                            " orientation")) << IT::message(report);
+                                            " orientation"))
+    << IT::message(report);
 }
 
 // Random lists of faces of random length: nothing crashes, and counts are
@@ -378,7 +379,7 @@ TEST(Validate_triangles, random_polygons)
     const IT::Surface_report report = IT::examine_polygons(curve(static_cast<int>(n)), faces);
 
     std::size_t bad = 0, crowded = 0, turned = 0, edges = 0, repeated = 0;
-    std::vector<std::vector<int> > sides(n * n);
+    std::vector<std::vector<int>> sides(n * n);
     for (const std::vector<std::size_t>& face : faces) {
       bool is_bad = false, is_repeated = false;
       for (std::size_t i = 0; i < face.size(); ++i) {
@@ -401,8 +402,9 @@ TEST(Validate_triangles, random_polygons)
       crowded += side.size() > 2;
       turned += side.size() == 2 && side[0] == side[1];
     }
-    const auto count = [&](const Kind kind)
-    { return report.find(kind) == nullptr ? 0 : report.find(kind)->count; };
+    const auto count = [&](const Kind kind) {
+      return report.find(kind) == nullptr ? 0 : report.find(kind)->count;
+    };
     ASSERT_EQ(count(Kind::BAD_INDEX), bad);
     ASSERT_EQ(count(Kind::REPEATED_CORNER), repeated);
     ASSERT_EQ(count(Kind::NON_MANIFOLD_EDGE), crowded);

@@ -87,10 +87,10 @@ public:
   /// initialize itself, which costs a pass over memory for each new array.)
   struct Halfedge
   {
-    size_type next; ///< the next halfedge around the face, or along the border
-    size_type prev; ///< the previous halfedge
+    size_type next;   ///< the next halfedge around the face, or along the border
+    size_type prev;   ///< the previous halfedge
     size_type target; ///< the vertex that the halfedge points to
-    size_type face; ///< `Face_index::null_index()` for a border halfedge
+    size_type face;   ///< `Face_index::null_index()` for a border halfedge
   };
 
   /// the records of all halfedges, in a vector that can be filled without being initialized first

@@ -32,7 +32,7 @@ namespace Intrinsic_triangulations {
 /// \brief what a gluing file holds.
 struct Gluing
 {
-  Delta_complex complex; ///< the triangles
+  Delta_complex complex;       ///< the triangles
   std::vector<double> lengths; ///< the length of each edge, in the order of the edges
 };
 

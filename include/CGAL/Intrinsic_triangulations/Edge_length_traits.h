@@ -23,7 +23,8 @@ namespace internal {
 // What is computed in float can be too far from what it stands for to be bounded in float,
 // and other number types are not made for speed.
 template <class FT>
-struct Cotangent_bounds_of_edge_length_traits {};
+struct Cotangent_bounds_of_edge_length_traits
+{};
 
 template <>
 struct Cotangent_bounds_of_edge_length_traits<double>

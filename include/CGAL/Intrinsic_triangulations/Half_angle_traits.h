@@ -40,7 +40,8 @@ public:
   /// length
   using Edge_data = FT;
   /// nothing is kept for a face
-  struct Face_data {};
+  struct Face_data
+  {};
   /// `bool`, or `CGAL::Uncertain<bool>` for an interval type
   using Boolean = typename Real_embeddable_traits<FT>::Boolean;
   /// the data around an edge

@@ -150,7 +150,11 @@ public:
   }
 
 private:
-  enum class Side : std::uint8_t { NONE, LEFT, RIGHT };
+  enum class Side : std::uint8_t {
+    NONE,
+    LEFT,
+    RIGHT
+  };
 
   // Removes intrinsic edge ij. What it crossed is left in one piece.
   void take_out(Halfedge_index ij)

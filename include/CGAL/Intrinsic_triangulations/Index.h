@@ -65,10 +65,22 @@ private:
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-struct Vertex_tag { static constexpr char letter = 'v'; };
-struct Halfedge_tag { static constexpr char letter = 'h'; };
-struct Edge_tag { static constexpr char letter = 'e'; };
-struct Face_tag { static constexpr char letter = 'f'; };
+struct Vertex_tag
+{
+  static constexpr char letter = 'v';
+};
+struct Halfedge_tag
+{
+  static constexpr char letter = 'h';
+};
+struct Edge_tag
+{
+  static constexpr char letter = 'e';
+};
+struct Face_tag
+{
+  static constexpr char letter = 'f';
+};
 } // namespace internal
 /// \endcond
 

@@ -451,8 +451,8 @@ private:
                                       std::to_string(connectivity_.source(h).idx()) +
                                       " has length zero: the lengths leave no room there"
                                   : "vertices " + std::to_string(connectivity_.source(h).idx()) +
-                                  " and " + std::to_string(connectivity_.target(h).idx()) +
-                                  " coincide on the surface, though no edge joins them; merge them first");
+                                      " and " + std::to_string(connectivity_.target(h).idx()) +
+                                      " coincide on the surface, though no edge joins them; merge them first");
   }
 
   FT in_input_unit(FT x, int dimension) const

@@ -76,21 +76,35 @@ public:
 private:
   // Whether Boost keeps a default for each thread.
   template <class Number, class = void>
-  struct Has_thread_default : std::false_type {};
+  struct Has_thread_default : std::false_type
+  {};
   template <class Number>
   struct Has_thread_default<Number, decltype(void(Number::thread_default_precision()))>
-    : std::true_type {};
+    : std::true_type
+  {};
   using Own_default = Has_thread_default<Mpfr_float>;
 
   // Templates, because only one of each two exists in a version of Boost.
   template <class Number = Mpfr_float>
-  static unsigned digits(std::true_type) { return Number::thread_default_precision(); }
+  static unsigned digits(std::true_type)
+  {
+    return Number::thread_default_precision();
+  }
   template <class Number = Mpfr_float>
-  static unsigned digits(std::false_type) { return Number::default_precision(); }
+  static unsigned digits(std::false_type)
+  {
+    return Number::default_precision();
+  }
   template <class Number = Mpfr_float>
-  static void set_digits(unsigned d, std::true_type) { Number::thread_default_precision(d); }
+  static void set_digits(unsigned d, std::true_type)
+  {
+    Number::thread_default_precision(d);
+  }
   template <class Number = Mpfr_float>
-  static void set_digits(unsigned d, std::false_type) { Number::default_precision(d); }
+  static void set_digits(unsigned d, std::false_type)
+  {
+    Number::default_precision(d);
+  }
 
   unsigned old_digits_;
   int bits_;
@@ -151,7 +165,8 @@ public:
     ::CGAL::Sign operator()(const Type& x) const
     {
       const int sign = mpfr_sgn(x.backend().data());
-      return sign < 0 ? NEGATIVE : sign > 0 ? POSITIVE : ZERO;
+      return sign < 0 ? NEGATIVE : sign > 0 ? POSITIVE
+                                            : ZERO;
     }
   };
 
@@ -161,7 +176,8 @@ public:
     Comparison_result operator()(const Type& x, const Type& y) const
     {
       const int order = mpfr_cmp(x.backend().data(), y.backend().data());
-      return order < 0 ? SMALLER : order > 0 ? LARGER : EQUAL;
+      return order < 0 ? SMALLER : order > 0 ? LARGER
+                                             : EQUAL;
     }
     CGAL_IMPLICIT_INTEROPERABLE_BINARY_OPERATOR_WITH_RT(Type, Comparison_result)
   };

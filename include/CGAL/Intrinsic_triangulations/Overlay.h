@@ -23,10 +23,22 @@ namespace Intrinsic_triangulations {
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-struct Overlay_vertex_tag { static constexpr char letter = 'v'; };
-struct Overlay_halfedge_tag { static constexpr char letter = 'h'; };
-struct Segment_tag { static constexpr char letter = 's'; };
-struct Overlay_face_tag { static constexpr char letter = 'f'; };
+struct Overlay_vertex_tag
+{
+  static constexpr char letter = 'v';
+};
+struct Overlay_halfedge_tag
+{
+  static constexpr char letter = 'h';
+};
+struct Segment_tag
+{
+  static constexpr char letter = 's';
+};
+struct Overlay_face_tag
+{
+  static constexpr char letter = 'f';
+};
 } // namespace internal
 /// \endcond
 
@@ -168,7 +180,7 @@ public:
     if (s.idx() >= arrays_.first_input_segment)
       return Segment_label::INPUT;
     return arrays_.coinciding_halfedges[arrays_.parents[s.idx()]] == arrays_.null ? Segment_label::INTRINSIC
-                                                            : Segment_label::BOTH;
+                                                                                  : Segment_label::BOTH;
   }
   /// returns the halfedge of the intrinsic triangulation that `h` is part of and whose
   /// direction it has; the null descriptor if the label is `INPUT`.

@@ -31,7 +31,7 @@ constexpr std::size_t number_of_stages = 6;
 struct Stage_counts
 {
   std::array<std::uint64_t, number_of_stages> decided{}; ///< by `Stage`
-  std::uint64_t ties = 0; ///< tests whose opposite angles sum to exactly π
+  std::uint64_t ties = 0;                                ///< tests whose opposite angles sum to exactly π
 
   /// returns the number of tests that `stage` decided.
   std::uint64_t operator[](Stage stage) const { return decided[std::size_t(stage)]; }

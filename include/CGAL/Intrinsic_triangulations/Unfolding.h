@@ -69,18 +69,18 @@ public:
   /// \brief an edge as a vector in the frame of an input halfedge: 1 is that halfedge.
   struct Edge_vector
   {
-    Vector vector; ///< the edge, from source to target
+    Vector vector;            ///< the edge, from source to target
     Halfedge_index reference; ///< that input halfedge
   };
 
   /// \brief what a corner knows of its triangle.
   struct Corner
   {
-    Real p;            ///< twice the scalar product of its sides
-    Real four_areas;   ///< four times the area
-    Real s_first;      ///< squared length of the side clockwise
-    Real s_second;     ///< squared length of the side counterclockwise
-    Real s_opposite;   ///< squared length of the opposite side
+    Real p;          ///< twice the scalar product of its sides
+    Real four_areas; ///< four times the area
+    Real s_first;    ///< squared length of the side clockwise
+    Real s_second;   ///< squared length of the side counterclockwise
+    Real s_opposite; ///< squared length of the opposite side
   };
 
   /// \pre `correspondence.is_prepared()`

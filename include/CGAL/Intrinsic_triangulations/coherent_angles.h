@@ -264,7 +264,8 @@ private:
     const double trial_gap =
       (((slack_ + trial * predictor.slack) * (dual_ + trial * predictor.dual)).sum() +
        ((edge_slack_ + trial * predictor.edge_slack) *
-        (edge_dual_ + trial * predictor.edge_dual)).sum()) /
+        (edge_dual_ + trial * predictor.edge_dual))
+         .sum()) /
       double(slack_.size() + edge_slack_.size());
     const double center = std::pow(trial_gap / old_gap, 3) * old_gap;
     const Direction d = direction(

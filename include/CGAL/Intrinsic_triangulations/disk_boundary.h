@@ -35,7 +35,8 @@ namespace internal {
 {
   throw Invalid_surface_error(Invalid_surface_error::Defect::WRONG_TOPOLOGY, 0, 1,
                               "a map to the plane needs a disk: one component with one boundary "
-                              "and no handle; the surface " + what);
+                              "and no handle; the surface " +
+                                what);
 }
 
 inline std::size_t number_of_components(const Delta_complex& complex)

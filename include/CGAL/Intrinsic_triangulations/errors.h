@@ -30,22 +30,22 @@ class Invalid_surface_error : public Error
 public:
   /// what is wrong with the input.
   enum class Defect {
-    EMPTY,                  ///< there is no face
-    BAD_INDEX,              ///< a face names a vertex that does not exist
-    NOT_A_TRIANGLE,         ///< a face has fewer or more than three corners
-    REPEATED_CORNER,        ///< a face names a vertex twice
-    DUPLICATE_FACE,         ///< two faces have the same three corners
-    NON_MANIFOLD_EDGE,      ///< an edge has more than two faces
+    EMPTY,                    ///< there is no face
+    BAD_INDEX,                ///< a face names a vertex that does not exist
+    NOT_A_TRIANGLE,           ///< a face has fewer or more than three corners
+    REPEATED_CORNER,          ///< a face names a vertex twice
+    DUPLICATE_FACE,           ///< two faces have the same three corners
+    NON_MANIFOLD_EDGE,        ///< an edge has more than two faces
     INCONSISTENT_ORIENTATION, ///< two faces traverse an edge in the same direction
-    NON_MANIFOLD_VERTEX,    ///< the faces around a vertex form more than one fan
-    INVALID_GLUING,         ///< a side is glued twice, to itself, or out of range
-    NOT_FINITE,             ///< a coordinate or a length is NaN or infinite
-    OUT_OF_RANGE,           ///< squared lengths over- or underflow, or there are too many elements
-    ZERO_LENGTH_EDGE,       ///< an edge joins coincident vertices
-    TRIANGLE_INEQUALITY,    ///< three lengths that no triangle has
-    DEGENERATE_FACE,        ///< a face of zero area, where the number type cannot handle it
-    WRONG_TOPOLOGY,         ///< a surface of another topological type than is asked for
-    UNREADABLE              ///< the text or file is not of the expected form
+    NON_MANIFOLD_VERTEX,      ///< the faces around a vertex form more than one fan
+    INVALID_GLUING,           ///< a side is glued twice, to itself, or out of range
+    NOT_FINITE,               ///< a coordinate or a length is NaN or infinite
+    OUT_OF_RANGE,             ///< squared lengths over- or underflow, or there are too many elements
+    ZERO_LENGTH_EDGE,         ///< an edge joins coincident vertices
+    TRIANGLE_INEQUALITY,      ///< three lengths that no triangle has
+    DEGENERATE_FACE,          ///< a face of zero area, where the number type cannot handle it
+    WRONG_TOPOLOGY,           ///< a surface of another topological type than is asked for
+    UNREADABLE                ///< the text or file is not of the expected form
   };
 
   /// constructs the error from what is wrong, the first offending element, how many there are, and the

@@ -117,15 +117,28 @@ struct Position_map
 
 // For a property tag, the descriptors that it is about.
 template <class Tag>
-struct Descriptor_of {};
+struct Descriptor_of
+{};
 template <>
-struct Descriptor_of<boost::vertex_index_t> { using type = Vertex_index; };
+struct Descriptor_of<boost::vertex_index_t>
+{
+  using type = Vertex_index;
+};
 template <>
-struct Descriptor_of<boost::halfedge_index_t> { using type = Halfedge_index; };
+struct Descriptor_of<boost::halfedge_index_t>
+{
+  using type = Halfedge_index;
+};
 template <>
-struct Descriptor_of<boost::edge_index_t> { using type = Oriented_edge; };
+struct Descriptor_of<boost::edge_index_t>
+{
+  using type = Oriented_edge;
+};
 template <>
-struct Descriptor_of<boost::face_index_t> { using type = Face_index; };
+struct Descriptor_of<boost::face_index_t>
+{
+  using type = Face_index;
+};
 
 template <class Descriptor, class T>
 struct Dynamic_map
@@ -363,25 +376,29 @@ typename internal::Dynamic_map<Face_index, T>::type get(const dynamic_face_prope
 } // namespace Intrinsic_triangulations
 
 template <>
-struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::vertex_index_t> : Tag_true {};
+struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::vertex_index_t> : Tag_true
+{};
 template <>
-struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::halfedge_index_t> : Tag_true {};
+struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::halfedge_index_t> : Tag_true
+{};
 template <>
-struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::edge_index_t> : Tag_true {};
+struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::edge_index_t> : Tag_true
+{};
 template <>
-struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::face_index_t> : Tag_true {};
+struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::face_index_t> : Tag_true
+{};
 
 } // namespace CGAL
 
 namespace boost {
 
-#define CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(TAG)                                     \
-  template <>                                                                            \
-  struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, TAG>                \
-  {                                                                                      \
-    using type = CGAL::Intrinsic_triangulations::internal::Position_map<                 \
-      CGAL::Intrinsic_triangulations::internal::Descriptor_of<TAG>::type>;               \
-    using const_type = type;                                                             \
+#define CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(TAG)                       \
+  template <>                                                              \
+  struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, TAG>  \
+  {                                                                        \
+    using type = CGAL::Intrinsic_triangulations::internal::Position_map<   \
+      CGAL::Intrinsic_triangulations::internal::Descriptor_of<TAG>::type>; \
+    using const_type = type;                                               \
   };
 CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(vertex_index_t)
 CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(halfedge_index_t)

@@ -23,11 +23,11 @@ namespace Intrinsic_triangulations {
 template <class Edge_data, class Face_data>
 struct Hinge
 {
-  const Edge_data& ij; ///< the edge itself
-  const Edge_data& jk; ///< from j to the corner k on its left
-  const Edge_data& ki; ///< from k to i
-  const Edge_data& il; ///< from i to the corner l on its right
-  const Edge_data& lj; ///< from l to j
+  const Edge_data& ij;  ///< the edge itself
+  const Edge_data& jk;  ///< from j to the corner k on its left
+  const Edge_data& ki;  ///< from k to i
+  const Edge_data& il;  ///< from i to the corner l on its right
+  const Edge_data& lj;  ///< from l to j
   const Face_data& ijk; ///< the face to the left
   const Face_data& jil; ///< the face to the right
 };
@@ -37,7 +37,7 @@ struct Hinge
 template <class Edge_data, class Face_data>
 struct Flipped_hinge
 {
-  Edge_data kl; ///< the other diagonal
+  Edge_data kl;  ///< the other diagonal
   Face_data ilk; ///< the new face at i
   Face_data jkl; ///< the new face at j
 };

@@ -28,11 +28,11 @@ namespace Intrinsic_triangulations {
 /// \brief what `mollify_lengths()` did.
 struct Mollification_report
 {
-  double delta = 0;   ///< the margin in the unit of the lengths
-  double epsilon = 0; ///< the largest length that was added to an edge
+  double delta = 0;                        ///< the margin in the unit of the lengths
+  double epsilon = 0;                      ///< the largest length that was added to an edge
   std::size_t number_of_changed_edges = 0; ///< the number of edges that are longer now
-  double largest_relative_change = 0; ///< the largest of `new length / old length − 1`;
-                                      ///< infinite if an edge of length zero was lengthened
+  double largest_relative_change = 0;      ///< the largest of `new length / old length − 1`;
+                                           ///< infinite if an edge of length zero was lengthened
 };
 
 /// \cond SKIP_IN_MANUAL

@@ -109,7 +109,7 @@ inline std::vector<double> quasi_conformal_distortion(const Delta_complex& compl
                           (std::min)(half_sum, half_difference);
     const double determinant = std::abs(a * d - b * c);
     const double ratio = larger / determinant * larger;
-    result.push_back(ratio >= 1 ? ratio // false for NaN as well
+    result.push_back(ratio >= 1        ? ratio // false for NaN as well
                      : determinant > 0 ? 1.
                                        : std::numeric_limits<double>::infinity());
   }

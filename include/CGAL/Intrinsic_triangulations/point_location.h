@@ -157,7 +157,8 @@ private:
   static Surface_point on_common_edge(const To& to, Overlay::Halfedge part, const Surface_point& point)
   {
     const Coordinates& b = point.coordinates;
-    const std::size_t zero = b[0] == 0 ? 0 : b[1] == 0 ? 1 : 2;
+    const std::size_t zero = b[0] == 0 ? 0 : b[1] == 0 ? 1
+                                                       : 2;
     const double source = b[(zero + 1) % 3], target = b[(zero + 2) % 3];
     return on_edge(to.complex, to.halfedge(part), source / (source + target),
                    target / (source + target));

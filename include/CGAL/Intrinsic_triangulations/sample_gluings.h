@@ -98,7 +98,7 @@ inline Glued_triangles self_glued_sphere(double first_leg = 1, double second_leg
 /// \param with_boundary leaves about a quarter of the sides that are free to choose unglued, one at least
 /// \param connected glues each face to an earlier one first
 inline Glued_triangles random_gluing(std::size_t number_of_faces, std::uint64_t seed, bool with_boundary = false,
-                            bool connected = false)
+                                     bool connected = false)
 {
   internal::require_sample_argument(number_of_faces >= 1, "a gluing has a face at least");
   internal::require_sample_argument(number_of_faces < std::numeric_limits<std::uint32_t>::max() / 3,

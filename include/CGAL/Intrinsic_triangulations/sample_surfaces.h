@@ -23,7 +23,7 @@ namespace Intrinsic_triangulations {
 /// \brief the name of a sample surface and what it is, in a line.
 struct Sample
 {
-  std::string name; ///< as `make_sample()` takes it
+  std::string name;        ///< as `make_sample()` takes it
   std::string description; ///< one line
 };
 

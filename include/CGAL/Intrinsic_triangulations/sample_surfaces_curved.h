@@ -152,7 +152,7 @@ inline Indexed_triangles bumpy_dome(std::size_t columns = 24, std::size_t rows =
 {
   internal::require_sample_argument(columns >= 3 && rows >= 1, "a dome has 3 columns and 1 row at least");
   internal::require_sample_argument(bump_height >= 0 && bump_height < 1, "a bump height lies in [0, 1)");
-  const double largest_shift = 0.24; // of a cell; below 1/4 all cells stay convex
+  const double largest_shift = 0.24;                 // of a cell; below 1/4 all cells stay convex
   const double boundary = 0.7 * internal::sample_pi; // radians from the pole
   internal::Sample_random random(seed);
   Indexed_triangles surface;
@@ -219,7 +219,7 @@ inline Indexed_triangles bad_torus(std::size_t columns = 100, std::size_t rows =
 {
   internal::require_sample_argument(columns >= 3 && rows >= 3, "a torus has 3 columns and 3 rows at least");
   const double largest_shift = 0.2; // of a cell; below 1/4 all cells stay convex
-  const double tube_radius = 0.32; // of the distance 1; sets how much longer than wide the cells are
+  const double tube_radius = 0.32;  // of the distance 1; sets how much longer than wide the cells are
   internal::Sample_random random(seed);
   Indexed_triangles surface;
   surface.points.reserve(columns * rows);

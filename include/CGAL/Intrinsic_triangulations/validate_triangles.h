@@ -60,7 +60,7 @@ struct Finding
   /// faces; for a finding about edges, the first face of each of `edges`.
   std::vector<std::size_t> elements;
   /// the end vertices of the first edges, smaller first; empty for other findings.
-  std::vector<std::array<std::size_t, 2> > edges;
+  std::vector<std::array<std::size_t, 2>> edges;
   /// how many elements show it (for `SEVERAL_COMPONENTS`: how many components).
   std::size_t count;
   /// whether the package cannot work on the surface.
@@ -115,7 +115,7 @@ struct Finding_properties
   bool is_fatal;
   const char* singular; // the element that `count` counts
   const char* plural;
-  const char* summary;  // completes "3 ..."
+  const char* summary; // completes "3 ..."
   const char* advice;
 };
 
@@ -123,38 +123,37 @@ inline const Finding_properties& finding_properties(const Finding_kind kind)
 {
   typedef Invalid_surface_error::Defect Defect;
   static const Finding_properties table[] = {
-    { Defect::EMPTY, true, "file", "files", "without a face",
-      "at least one triangle is needed" },
-    { Defect::OUT_OF_RANGE, true, "element", "elements", "too many",
-      "split the surface" },
-    { Defect::BAD_INDEX, true, "face", "faces", "with a bad index",
-      "vertices are counted from 0 here: remove the face, or add the missing vertices" },
-    { Defect::NOT_FINITE, true, "vertex", "vertices", "not finite",
-      "give every vertex finite coordinates" },
-    { Defect::NOT_A_TRIANGLE, true, "face", "faces", "not a triangle",
-      "triangulate the faces first, for example with CGAL::Polygon_mesh_processing::triangulate_polygons()"
-      " or triangulate_faces()" },
-    { Defect::REPEATED_CORNER, true, "face", "faces", "with a repeated corner",
-      "remove the face" },
-    { Defect::DUPLICATE_FACE, true, "face", "faces", "repeating another",
-      "remove all but one, for example with"
-      " CGAL::Polygon_mesh_processing::merge_duplicate_polygons_in_polygon_soup()" },
-    { Defect::NON_MANIFOLD_EDGE, true, "edge", "edges", "not manifold",
-      "remove the faces that do not belong there, or cut the surface open along the edge, for example with"
-      " CGAL::Polygon_mesh_processing::orient_polygon_soup()" },
-    { Defect::INCONSISTENT_ORIENTATION, true, "edge", "edges", "with faces of opposite orientation",
-      "orient the faces, for example with CGAL::Polygon_mesh_processing::orient_polygon_soup()" },
-    { Defect::NON_MANIFOLD_VERTEX, true, "vertex", "vertices", "not manifold",
-      "give each fan a vertex of its own, for example with"
-      " CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() or orient_polygon_soup()" },
-    { Defect::ZERO_LENGTH_EDGE, true, "edge", "edges", "of zero length",
-      "merge the two vertices and remove the faces that vanish, or move one of them" },
-    { Defect::OUT_OF_RANGE, true, "edge", "edges", "out of range",
-      "no scaling brings both squared lengths into the range of double: remove the outliers" },
-    { Defect::DEGENERATE_FACE, false, "face", "faces", "of zero area", "" },
-    { Defect::EMPTY, false, "vertex", "vertices", "not referenced by any face", "" },
-    { Defect::EMPTY, false, "component", "components", "in all", "" }
-  };
+    {Defect::EMPTY, true, "file", "files", "without a face",
+     "at least one triangle is needed"},
+    {Defect::OUT_OF_RANGE, true, "element", "elements", "too many",
+     "split the surface"},
+    {Defect::BAD_INDEX, true, "face", "faces", "with a bad index",
+     "vertices are counted from 0 here: remove the face, or add the missing vertices"},
+    {Defect::NOT_FINITE, true, "vertex", "vertices", "not finite",
+     "give every vertex finite coordinates"},
+    {Defect::NOT_A_TRIANGLE, true, "face", "faces", "not a triangle",
+     "triangulate the faces first, for example with CGAL::Polygon_mesh_processing::triangulate_polygons()"
+     " or triangulate_faces()"},
+    {Defect::REPEATED_CORNER, true, "face", "faces", "with a repeated corner",
+     "remove the face"},
+    {Defect::DUPLICATE_FACE, true, "face", "faces", "repeating another",
+     "remove all but one, for example with"
+     " CGAL::Polygon_mesh_processing::merge_duplicate_polygons_in_polygon_soup()"},
+    {Defect::NON_MANIFOLD_EDGE, true, "edge", "edges", "not manifold",
+     "remove the faces that do not belong there, or cut the surface open along the edge, for example with"
+     " CGAL::Polygon_mesh_processing::orient_polygon_soup()"},
+    {Defect::INCONSISTENT_ORIENTATION, true, "edge", "edges", "with faces of opposite orientation",
+     "orient the faces, for example with CGAL::Polygon_mesh_processing::orient_polygon_soup()"},
+    {Defect::NON_MANIFOLD_VERTEX, true, "vertex", "vertices", "not manifold",
+     "give each fan a vertex of its own, for example with"
+     " CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() or orient_polygon_soup()"},
+    {Defect::ZERO_LENGTH_EDGE, true, "edge", "edges", "of zero length",
+     "merge the two vertices and remove the faces that vanish, or move one of them"},
+    {Defect::OUT_OF_RANGE, true, "edge", "edges", "out of range",
+     "no scaling brings both squared lengths into the range of double: remove the outliers"},
+    {Defect::DEGENERATE_FACE, false, "face", "faces", "of zero area", ""},
+    {Defect::EMPTY, false, "vertex", "vertices", "not referenced by any face", ""},
+    {Defect::EMPTY, false, "component", "components", "in all", ""}};
   return table[static_cast<std::size_t>(kind)];
 }
 
@@ -252,14 +251,21 @@ private:
   static constexpr Index none_ = (std::numeric_limits<Index>::max)();
 
   // A side of a face: the corners that it joins, in the face's direction.
-  struct Side { Index other, source, target; };
+  struct Side
+  {
+    Index other, source, target;
+  };
   // The sides of the edge from the current bucket's vertex to this one.
-  struct Edge_mark { Index bucket, first_side, count; bool same_direction, same_third; };
+  struct Edge_mark
+  {
+    Index bucket, first_side, count;
+    bool same_direction, same_third;
+  };
 
   Coordinates coordinates(const std::size_t vertex) const
   {
     const auto& point = points_[static_cast<std::ptrdiff_t>(vertex)];
-    return Coordinates{{ CGAL::to_double(point[0]), CGAL::to_double(point[1]), CGAL::to_double(point[2]) }};
+    return Coordinates{{CGAL::to_double(point[0]), CGAL::to_double(point[1]), CGAL::to_double(point[2])}};
   }
   std::size_t begin_of_face(const std::size_t face) const
   {
@@ -269,8 +275,9 @@ private:
   {
     if (all_triangles_)
       return corner / 3;
-    return static_cast<std::size_t>(std::upper_bound(first_corner_.begin(), first_corner_.end(), corner)
-                                    - first_corner_.begin()) - 1;
+    return static_cast<std::size_t>(std::upper_bound(first_corner_.begin(), first_corner_.end(), corner) -
+                                    first_corner_.begin()) -
+           1;
   }
   std::size_t degree(const std::size_t face) const { return begin_of_face(face + 1) - begin_of_face(face); }
 
@@ -301,8 +308,8 @@ private:
                std::string description)
   {
     const Finding_properties& properties = finding_properties(kind);
-    report_.findings.push_back(Finding{ kind, properties.defect, std::move(elements), {}, count,
-                                        properties.is_fatal, std::move(description) });
+    report_.findings.push_back(Finding{
+      kind, properties.defect, std::move(elements), {}, count, properties.is_fatal, std::move(description)});
     return report_.findings.back();
   }
   // The elements of `edges` are positions in sides_ of the first sides of edges.
@@ -317,7 +324,7 @@ private:
   std::array<std::size_t, 2> ends(const std::size_t side) const
   {
     const std::size_t a = corners_[sides_[side].source], b = corners_[sides_[side].target];
-    return {{ (std::min)(a, b), (std::max)(a, b) }};
+    return {{(std::min)(a, b), (std::max)(a, b)}};
   }
   std::string edge_text(const std::size_t side) const
   {
@@ -349,13 +356,15 @@ private:
       static_cast<std::size_t>(std::distance(std::begin(polygons), std::end(polygons)));
     report_.number_of_faces = number_of_faces;
     if (number_of_faces == 0) {
-      add(Finding_kind::EMPTY, 1, {}, n == 0 ? "there is no vertex and no face"
-                                             : "there are " + std::to_string(n) + " vertices but no face");
+      add(Finding_kind::EMPTY, 1, {},
+          n == 0 ? "there is no vertex and no face"
+                 : "there are " + std::to_string(n) + " vertices but no face");
       return false;
     }
     if (n >= none_ || number_of_faces >= none_ / 3) {
-      add(Finding_kind::TOO_MANY_ELEMENTS, 1, {}, std::to_string(n) + " vertices and "
-          + std::to_string(number_of_faces) + " faces are more than 32-bit indices can number");
+      add(Finding_kind::TOO_MANY_ELEMENTS, 1, {},
+          std::to_string(n) + " vertices and " + std::to_string(number_of_faces) +
+            " faces are more than 32-bit indices can number");
       return false;
     }
     is_used_.assign(n, 0);
@@ -396,8 +405,8 @@ private:
     }
     if (bad_index_.count() != 0)
       add(Finding_kind::BAD_INDEX, bad_index_.count(), bad_index_.elements(),
-          "face " + std::to_string(bad_index_.first()) + " names vertex " + index_text(bad_value)
-          + ", but there are " + std::to_string(n) + " vertices");
+          "face " + std::to_string(bad_index_.first()) + " names vertex " + index_text(bad_value) +
+            ", but there are " + std::to_string(n) + " vertices");
     return true;
   }
   // What was -1 before it was converted is shown as -1.
@@ -458,9 +467,9 @@ private:
     if (not_triangles.count() != 0) {
       const std::size_t f = not_triangles.first(), corners = degree(f);
       const bool has_text = corners != 0 && corners_[begin_of_face(f)] != none_;
-      add(Finding_kind::NOT_A_TRIANGLE, not_triangles.count(), not_triangles.elements(), "face "
-          + (has_text ? face_text(f) : std::to_string(f))
-          + " has " + std::to_string(corners) + (corners == 1 ? " corner" : " corners") + " instead of 3");
+      add(Finding_kind::NOT_A_TRIANGLE, not_triangles.count(), not_triangles.elements(),
+          "face " + (has_text ? face_text(f) : std::to_string(f)) + " has " + std::to_string(corners) +
+            (corners == 1 ? " corner" : " corners") + " instead of 3");
     }
     if (repeated.count() != 0)
       add(Finding_kind::REPEATED_CORNER, repeated.count(), repeated.elements(),
@@ -508,13 +517,13 @@ private:
   void sort_sides()
   {
     bucket_begin_.assign(number_of_vertices_ + 2, 0);
-    for_each_side([this](const Index s, const Index t)
-                  { ++bucket_begin_[(std::min)(corners_[s], corners_[t]) + 2]; });
+    for_each_side(
+      [this](const Index s, const Index t) { ++bucket_begin_[(std::min)(corners_[s], corners_[t]) + 2]; });
     std::partial_sum(bucket_begin_.begin(), bucket_begin_.end(), bucket_begin_.begin());
     sides_.resize(bucket_begin_.back());
     for_each_side([this](const Index s, const Index t) {
-      const std::pair<Index, Index> v = std::minmax({ corners_[s], corners_[t] });
-      sides_[bucket_begin_[v.first + 1]++] = Side{ v.second, s, t };
+      const std::pair<Index, Index> v = std::minmax({corners_[s], corners_[t]});
+      sides_[bucket_begin_[v.first + 1]++] = Side{v.second, s, t};
     });
     bucket_begin_.pop_back(); // now the beginning of each bucket, and the end of the last
   }
@@ -522,8 +531,8 @@ private:
   void examine_edges()
   {
     Element_collector crowded, turned, coincident, duplicates;
-    std::vector<Edge_mark> marks(number_of_vertices_, Edge_mark{ none_, 0, 0, false, false });
-    std::vector<std::array<Index, 3> > crowded_faces; // other, third, face
+    std::vector<Edge_mark> marks(number_of_vertices_, Edge_mark{none_, 0, 0, false, false});
+    std::vector<std::array<Index, 3>> crowded_faces; // other, third, face
     Disjoint_sets fans(corners_.size());
     for (std::size_t a = 0; a < number_of_vertices_; ++a) {
       const std::size_t begin = bucket_begin_[a], end = bucket_begin_[a + 1];
@@ -531,7 +540,7 @@ private:
         const Side& side = sides_[s];
         Edge_mark& mark = marks[side.other];
         if (mark.bucket != a) {
-          mark = Edge_mark{ static_cast<Index>(a), static_cast<Index>(s), 1, false, false };
+          mark = Edge_mark{static_cast<Index>(a), static_cast<Index>(s), 1, false, false};
           continue;
         }
         const Side& first = sides_[mark.first_side];
@@ -555,11 +564,9 @@ private:
           if (mark.count > 2) {
             crowded.add(s);
             is_crowded = true;
-          }
-          else if (mark.same_direction)
+          } else if (mark.same_direction)
             turned.add(s);
-        }
-        else if (mark.count == 2 && mark.same_third)
+        } else if (mark.count == 2 && mark.same_third)
           duplicates.add(face_of_corner(side.source));
       }
       if (is_crowded)
@@ -568,20 +575,23 @@ private:
     report_.is_orientable = turned.count() == 0 || (crowded.count() == 0 && is_orientable(marks));
     if (duplicates.count() != 0)
       add(Finding_kind::DUPLICATE_FACE, duplicates.count(), duplicates.elements(),
-          "face " + face_text(duplicates.first()) + " has the same corners as face "
-          + std::to_string(first_face_like(duplicates.first())));
+          "face " + face_text(duplicates.first()) + " has the same corners as face " +
+            std::to_string(first_face_like(duplicates.first())));
     if (crowded.count() != 0)
-      add_edges(Finding_kind::NON_MANIFOLD_EDGE, crowded, edge_text(crowded.first()) + " has "
-                + std::to_string(number_of_faces_at(crowded.first())) + " faces ("
-                + faces_text(crowded.first()) + ")");
+      add_edges(Finding_kind::NON_MANIFOLD_EDGE, crowded,
+                edge_text(crowded.first()) + " has " + std::to_string(number_of_faces_at(crowded.first())) +
+                  " faces (" + faces_text(crowded.first()) + ")");
     if (turned.count() != 0)
-      add_edges(Finding_kind::INCONSISTENT_ORIENTATION, turned, edge_text(turned.first())
-                + " is traversed in the same direction by both its faces (" + faces_text(turned.first())
-                + (report_.is_orientable || crowded.count() != 0 ? ")"
-                   : ") and the surface is one-sided, so that no choice of directions fits"));
+      add_edges(Finding_kind::INCONSISTENT_ORIENTATION, turned,
+                edge_text(turned.first()) + " is traversed in the same direction by both its faces (" +
+                  faces_text(turned.first()) +
+                  (report_.is_orientable || crowded.count() != 0
+                     ? ")"
+                     : ") and the surface is one-sided, so that no choice of directions fits"));
     if (coincident.count() != 0)
-      add_edges(Finding_kind::ZERO_LENGTH_EDGE, coincident, edge_text(coincident.first())
-                + " of " + faces_text(coincident.first()) + " has zero length, its ends coincide");
+      add_edges(Finding_kind::ZERO_LENGTH_EDGE, coincident,
+                edge_text(coincident.first()) + " of " + faces_text(coincident.first()) +
+                  " has zero length, its ends coincide");
     count_fans(fans);
   }
   std::size_t number_of_faces_at(const std::size_t side) const
@@ -594,7 +604,7 @@ private:
   // Among the faces at the edges of a bucket that have more than two.
   void find_duplicates_in_bucket(const std::size_t begin, const std::size_t end,
                                  const std::vector<Edge_mark>& marks,
-                                 std::vector<std::array<Index, 3> >& faces, Element_collector& duplicates) const
+                                 std::vector<std::array<Index, 3>>& faces, Element_collector& duplicates) const
   {
     faces.clear();
     for (std::size_t s = begin; s < end; ++s) {
@@ -602,7 +612,7 @@ private:
         continue;
       const Index third = third_vertex(sides_[s]);
       if (third != none_ && third > sides_[s].other)
-        faces.push_back({{ sides_[s].other, third, static_cast<Index>(face_of_corner(sides_[s].source)) }});
+        faces.push_back({{sides_[s].other, third, static_cast<Index>(face_of_corner(sides_[s].source))}});
     }
     std::sort(faces.begin(), faces.end());
     for (std::size_t i = 1; i < faces.size(); ++i)
@@ -613,7 +623,7 @@ private:
   {
     const auto sorted_corners = [this](const std::size_t f) {
       const std::size_t c = begin_of_face(f);
-      std::array<Index, 3> v = {{ corners_[c], corners_[c + 1], corners_[c + 2] }};
+      std::array<Index, 3> v = {{corners_[c], corners_[c + 1], corners_[c + 2]}};
       std::sort(v.begin(), v.end());
       return v;
     };
@@ -629,7 +639,7 @@ private:
   {
     const Index f = static_cast<Index>(report_.number_of_faces);
     Disjoint_sets turns(2 * std::size_t(f));
-    marks.assign(marks.size(), Edge_mark{ none_, 0, 0, false, false });
+    marks.assign(marks.size(), Edge_mark{none_, 0, 0, false, false});
     for (std::size_t a = 0; a < number_of_vertices_; ++a)
       for (std::size_t s = bucket_begin_[a]; s < bucket_begin_[a + 1]; ++s) {
         Edge_mark& mark = marks[sides_[s].other];
@@ -656,7 +666,7 @@ private:
   void examine_length(const std::size_t a, const std::size_t side, Element_collector& coincident)
   {
     const Coordinates p = coordinates(a), q = coordinates(sides_[side].other);
-    const double length = (std::max)({ std::abs(p[0] - q[0]), std::abs(p[1] - q[1]), std::abs(p[2] - q[2]) });
+    const double length = (std::max)({std::abs(p[0] - q[0]), std::abs(p[1] - q[1]), std::abs(p[2] - q[2])});
     if (p == q)
       coincident.add(side);
     else if (all_finite_) {
@@ -719,11 +729,11 @@ private:
     std::size_t written = 0;
     for (std::size_t c = 0; c < corners_.size() && written < 2; ++c)
       if (corners_[c] == pinched.first() && fans.find(static_cast<Index>(c)) == c)
-        faces += (written++ == 0 ? "one with face " : ", another with face ")
-                 + std::to_string(face_of_corner(c));
-    add(Finding_kind::NON_MANIFOLD_VERTEX, pinched.count(), pinched.elements(), "the faces around vertex "
-        + std::to_string(pinched.first()) + " form " + std::to_string(number_of_fans_[pinched.first()])
-        + " fans that touch only there (" + faces + ")");
+        faces += (written++ == 0 ? "one with face " : ", another with face ") +
+                 std::to_string(face_of_corner(c));
+    add(Finding_kind::NON_MANIFOLD_VERTEX, pinched.count(), pinched.elements(),
+        "the faces around vertex " + std::to_string(pinched.first()) + " form " +
+          std::to_string(number_of_fans_[pinched.first()]) + " fans that touch only there (" + faces + ")");
   }
   void examine_use()
   {
@@ -803,8 +813,8 @@ inline std::string message(const Finding& finding)
   const internal::Finding_properties& properties = internal::finding_properties(finding.kind);
   std::string text = finding.description;
   if (finding.count > 1 && finding.kind != Finding_kind::SEVERAL_COMPONENTS)
-    text += ", and " + std::to_string(finding.count - 1) + " more "
-            + (finding.count == 2 ? properties.singular : properties.plural) + " like it";
+    text += ", and " + std::to_string(finding.count - 1) + " more " +
+            (finding.count == 2 ? properties.singular : properties.plural) + " like it";
   if (*properties.advice != 0)
     text += std::string("; ") + properties.advice;
   return text;
@@ -828,12 +838,11 @@ inline std::string message(const Surface_report& report, const std::string& name
       if (!finding.is_fatal || &finding == fatal)
         continue;
       const internal::Finding_properties& properties = internal::finding_properties(finding.kind);
-      others += (others.empty() ? " (also: " : ", ") + std::to_string(finding.count) + " "
-                + (finding.count == 1 ? properties.singular : properties.plural) + " " + properties.summary;
+      others += (others.empty() ? " (also: " : ", ") + std::to_string(finding.count) + " " +
+                (finding.count == 1 ? properties.singular : properties.plural) + " " + properties.summary;
     }
     text += others.empty() ? others : others + ")";
-  }
-  else
+  } else
     for (const Finding& finding : report.findings)
       text += (text.empty() ? "" : "; ") + message(finding);
   return name.empty() || text.empty() ? text : name + ": " + text;

@@ -113,7 +113,11 @@ struct Coincident_vertices : std::runtime_error
   Coincident_vertices() : std::runtime_error("two vertices coincide on the surface") {}
 };
 
-enum class Circle_test { DELAUNAY, TIE, NOT_DELAUNAY };
+enum class Circle_test {
+  DELAUNAY,
+  TIE,
+  NOT_DELAUNAY
+};
 
 template <unsigned digits = 510>
 class Reference_triangulation
@@ -137,7 +141,8 @@ public:
     Real squared_length;
     bool operator<(const Measured_edge& other) const
     {
-      return a != other.a ? a < other.a : b != other.b ? b < other.b : squared_length < other.squared_length;
+      return a != other.a ? a < other.a : b != other.b ? b < other.b
+                                                       : squared_length < other.squared_length;
     }
   };
 
@@ -241,7 +246,7 @@ public:
     const Real k_sine2 = square(cross(i - k, j - k)) / (ki2 * kj2);
     if (k_sine2 > tie_bound2())
       return Circle_test::TIE;
-    return is_k_obtuse && is_l_obtuse ? Circle_test::NOT_DELAUNAY
+    return is_k_obtuse && is_l_obtuse   ? Circle_test::NOT_DELAUNAY
            : is_k_obtuse || is_l_obtuse ? Circle_test::TIE
                                         : Circle_test::DELAUNAY;
   }

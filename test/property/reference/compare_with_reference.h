@@ -52,15 +52,15 @@ struct Comparison
   std::vector<std::string> disagreements; // at most a few of each kind
   std::uint64_t flips = 0;                // of the package
   std::uint64_t reference_flips = 0;
-  std::uint64_t ties = 0;       // edges of the result whose opposite angles sum to pi
-  IT::Stage_counts stages;      // of the package's tests
-  double worst_length = 0;      // error of a length in units in the last place
-  double worst_area = 0;        // relative error of an area over 2^-50
-  double worst_cotangent = 0;   // error over 2^-50 (1 + |cot|)
-  double worst_weight = 0;      // error over 2^-49 (1 + the sum of |cot|)
-  std::vector<Tessellation_edge> tessellation; // of the package's result
-  double inconsistency = -std::numeric_limits<double>::infinity(); // log10 of what rounding did to the reference
-  double smallest_sine = 0;     // log10 of the closest decision
+  std::uint64_t ties = 0;                                             // edges of the result whose opposite angles sum to pi
+  IT::Stage_counts stages;                                            // of the package's tests
+  double worst_length = 0;                                            // error of a length in units in the last place
+  double worst_area = 0;                                              // relative error of an area over 2^-50
+  double worst_cotangent = 0;                                         // error over 2^-50 (1 + |cot|)
+  double worst_weight = 0;                                            // error over 2^-49 (1 + the sum of |cot|)
+  std::vector<Tessellation_edge> tessellation;                        // of the package's result
+  double inconsistency = -std::numeric_limits<double>::infinity();    // log10 of what rounding did to the reference
+  double smallest_sine = 0;                                           // log10 of the closest decision
   double largest_tie_sine = -std::numeric_limits<double>::infinity(); // log10 of the largest number taken for zero
 
   bool agrees() const { return disagreements.empty(); }
@@ -75,11 +75,11 @@ struct Comparison
 
 struct Comparison_options
 {
-  std::vector<char> is_constrained;        // by edge; empty: none is
+  std::vector<char> is_constrained; // by edge; empty: none is
   std::uint64_t maximum_number_of_flips = 20000000;
-  bool compare_numbers = true;             // areas, cotangents and weights, too
-  bool run_reference = true;               // on its own, beside following the package's flips
-  std::function<bool()> go_further;        // asked before each test of the package
+  bool compare_numbers = true;      // areas, cotangents and weights, too
+  bool run_reference = true;        // on its own, beside following the package's flips
+  std::function<bool()> go_further; // asked before each test of the package
 };
 
 namespace detail {
@@ -352,7 +352,8 @@ private:
       if (!replay.is_flippable(e.idx()))
         continue;
       const Circle_test test = replay.circle_test(e.idx());
-      if (test == Circle_test::TIE ? weight != 0 : test == Circle_test::DELAUNAY ? weight < 0 : weight > 0)
+      if (test == Circle_test::TIE ? weight != 0 : test == Circle_test::DELAUNAY ? weight < 0
+                                                                                 : weight > 0)
         complain("weight", "of edge ", e.idx(), " has another sign: ", weight, " for ", exact);
     }
   }

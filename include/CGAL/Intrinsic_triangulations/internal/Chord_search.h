@@ -110,7 +110,8 @@ private:
     if (sum < -error)
       return NEGATIVE;
     const std::optional<Sign> exact = exact_side_(chord, ij, point_);
-    return exact ? *exact : sum >= 0 ? POSITIVE : NEGATIVE;
+    return exact ? *exact : sum >= 0 ? POSITIVE
+                                     : NEGATIVE;
   }
 
   const Layer& layer_;

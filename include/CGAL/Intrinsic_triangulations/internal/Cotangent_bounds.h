@@ -35,10 +35,12 @@ inline std::array<float, 3> cotangent_bounds(double s_ij, double s_jk, double s_
 
 // Whether traits bound cotangents.
 template <class Traits, class = void>
-struct Has_cotangent_bounds : std::false_type {};
+struct Has_cotangent_bounds : std::false_type
+{};
 template <class Traits>
 struct Has_cotangent_bounds<Traits, std::void_t<typename Traits::Compute_cotangent_bounds>>
-  : std::true_type {};
+  : std::true_type
+{};
 
 // The bounds of all corners, each at the halfedge opposite to it. Border halfedges have minus
 // infinity, so that nothing is said of their edges.

@@ -63,7 +63,11 @@ private:
   // Far more than meshes need. With so many a decision takes seconds in multiprecision.
   static constexpr std::int64_t largest_number = std::int64_t(1) << 18;
 
-  enum Turn : std::uint8_t { UNKNOWN, LEFT, RIGHT };
+  enum Turn : std::uint8_t {
+    UNKNOWN,
+    LEFT,
+    RIGHT
+  };
   static Turn reversed(Turn turn) { return turn == LEFT ? RIGHT : LEFT; }
 
   // Another pair of the same two segments; it turns the other way if they run the other way there.

@@ -282,11 +282,20 @@ private:
 
   auto& unwrapped_visitor() { return unwrap(visitor_); }
   template <class T>
-  static T& unwrap(T& visitor) { return visitor; }
+  static T& unwrap(T& visitor)
+  {
+    return visitor;
+  }
   template <class T>
-  static T& unwrap(std::reference_wrapper<T>& visitor) { return visitor.get(); }
+  static T& unwrap(std::reference_wrapper<T>& visitor)
+  {
+    return visitor.get();
+  }
   template <class T>
-  static T& unwrap(boost::reference_wrapper<T>& visitor) { return visitor.get(); }
+  static T& unwrap(boost::reference_wrapper<T>& visitor)
+  {
+    return visitor.get();
+  }
 
   Triangulation& triangulation_;
   const ConstraintMap& is_constrained_;

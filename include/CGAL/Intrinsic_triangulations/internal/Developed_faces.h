@@ -86,7 +86,7 @@ public:
       erase(jil);
       return;
     }
-    const auto &[i, j, k] = above->corners;
+    const auto& [i, j, k] = above->corners;
     const Placement& l = below->corners[2];
     // After the flip ij leads from l to k (see Delta_complex::flip()).
     keep(complex, ijk, Layout{ij, above->plane, above->unit, {l, k, i}});
@@ -123,15 +123,20 @@ private:
     const Vector j(c.p / two_s, c.four_areas / two_s);
     if (!(j.radius() < largest_radius * j.modulus()))
       return std::nullopt;
-    return Layout{h, number_of_planes_++, c.s_first,
+    return Layout{h,
+                  number_of_planes_++,
+                  c.s_first,
                   {place(Vector(Real(1), Real(0))), place(j), place(Vector(Real(0), Real(0)))}};
   }
 
   Layout seen_from(const Delta_complex& complex, Halfedge_index h) const
   {
     const Layout& kept = layouts_[layout_of_[complex.face(h).idx()]];
-    const int turn = h == kept.first ? 0 : h == complex.next(kept.first) ? 1 : 2;
-    return {h, kept.plane, kept.unit,
+    const int turn = h == kept.first ? 0 : h == complex.next(kept.first) ? 1
+                                                                         : 2;
+    return {h,
+            kept.plane,
+            kept.unit,
             {kept.corners[turn], kept.corners[(turn + 1) % 3], kept.corners[(turn + 2) % 3]}};
   }
 

@@ -84,7 +84,8 @@ inline bool is_clearly_bent(const Points& points, Vertex_index i, Vertex_index j
              c = difference<double>(points, i, l);
   return std::abs(scalar_product(cross_product(a, b), c)) >
          0x1p-48 * sum_of_absolute_values(a) * sum_of_absolute_values(b) *
-             sum_of_absolute_values(c) + 1e-290;
+             sum_of_absolute_values(c) +
+           1e-290;
 }
 
 // Whether four points are seen to lie in one plane without any product, as most that do:

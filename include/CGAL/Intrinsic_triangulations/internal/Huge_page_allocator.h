@@ -30,7 +30,8 @@ public:
 
   Huge_page_allocator() = default;
   template <class U>
-  Huge_page_allocator(const Huge_page_allocator<U>&) {}
+  Huge_page_allocator(const Huge_page_allocator<U>&)
+  {}
 
   T* allocate(std::size_t n)
   {

@@ -55,9 +55,9 @@ struct Overlay_arrays
   }
 
   size_type number_of_original_vertices = 0;
-  size_type first_input_segment = 0;            // those before have label c or oc
+  size_type first_input_segment = 0; // those before have label c or oc
   Large_vector<Halfedge> halfedges;
-  Large_vector<size_type> parents;              // of each segment, its edge
+  Large_vector<size_type> parents; // of each segment, its edge
   Large_vector<size_type> vertex_halfedges;
   Large_vector<Face> faces;
   Large_vector<size_type> first_segments;       // of each intrinsic edge

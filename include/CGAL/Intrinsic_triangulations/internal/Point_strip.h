@@ -42,7 +42,7 @@ public:
   {
     const Halfedge_index right_to_left = input_.opposite(crossed);
     const Vector v = vector(input_.prev(right_to_left)), // from the source to the right end
-                 left = vector(input_.opposite(input_.next(right_to_left)));
+      left = vector(input_.opposite(input_.next(right_to_left)));
     is_good_ = true;
     vector_ = vector(crossed);
     const Triangle triangle = lay_out(v, left);

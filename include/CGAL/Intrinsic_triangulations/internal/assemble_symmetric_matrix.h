@@ -120,9 +120,9 @@ private:
   {
     // All in local variables: the compiler cannot know that what is written is none of them.
     const Index *const start = matrix_.outerIndexPtr(), *const diagonal = diagonal_.data(),
-                *const bucket = bucket_.data();
+                       *const bucket = bucket_.data();
     Index *const row = matrix_.innerIndexPtr(), *const above = above_.data(),
-                *const below = below_.data();
+                 *const below = below_.data();
     double* const value = matrix_.valuePtr();
     const Entry* entry = entries_.data();
     for (Index c = 0; c < Index(size_); ++c) {

@@ -97,8 +97,8 @@ private:
   std::size_t size_;
   std::vector<Point> corners_;
   Point normal_;
-  std::vector<double> smallest_;   // triangle in the best triangulation of each chain
-  std::vector<std::size_t> apex_;  // of the triangle at the diagonal that closes the chain
+  std::vector<double> smallest_;  // triangle in the best triangulation of each chain
+  std::vector<std::size_t> apex_; // of the triangle at the diagonal that closes the chain
 };
 
 // Calls `cut(a, b)` for each diagonal between corners a < b. When it is called, the corners from

@@ -31,9 +31,15 @@ using Defect = Invalid_surface_error::Defect;
 
 // The number type whose exponent range FT has, or FT itself.
 template <class FT>
-struct Machine_type { using type = FT; };
+struct Machine_type
+{
+  using type = FT;
+};
 template <bool b>
-struct Machine_type<Interval_nt<b>> { using type = double; };
+struct Machine_type<Interval_nt<b>>
+{
+  using type = double;
+};
 
 template <class FT>
 constexpr bool has_small_exponent_range = std::is_floating_point<typename Machine_type<FT>::type>::value;
@@ -48,7 +54,8 @@ int unit_exponent(double largest)
   if constexpr (has_small_exponent_range<FT>) {
     const int limit = std::numeric_limits<typename Machine_type<FT>::type>::max_exponent / 10;
     const int exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
-    return exponent > limit ? exponent - limit : exponent < -limit ? exponent + limit : 0;
+    return exponent > limit ? exponent - limit : exponent < -limit ? exponent + limit
+                                                                   : 0;
   } else {
     return 0;
   }
@@ -113,7 +120,8 @@ inline void throw_if_underflow(const char* what, const Offenders& offenders)
     throw Invalid_surface_error(Defect::OUT_OF_RANGE, offenders.first, offenders.count,
                                 what + std::to_string(offenders.first) +
                                   " underflows beside the size of the surface: the range of the "
-                                  "number type does not hold both" + offenders.and_more());
+                                  "number type does not hold both" +
+                                  offenders.and_more());
 }
 
 // Is zero for finite numbers and NaN otherwise, and needs no branch. An exact number may be
@@ -127,7 +135,8 @@ Offenders non_finite_points(const PointVector& points)
   for (std::size_t v = 0; v < points.size(); ++v)
     if (!(zero_if_finite(CGAL::to_double(points[v][0])) +
             zero_if_finite(CGAL::to_double(points[v][1])) +
-            zero_if_finite(CGAL::to_double(points[v][2])) == 0))
+            zero_if_finite(CGAL::to_double(points[v][2])) ==
+          0))
       offenders.add(v);
   return offenders;
 }

@@ -77,7 +77,11 @@ public:
   }
 
 private:
-  enum Flatness : std::uint8_t { UNKNOWN, FLAT, BENT };
+  enum Flatness : std::uint8_t {
+    UNKNOWN,
+    FLAT,
+    BENT
+  };
   static constexpr std::size_t number_of_ratios = 4096;
   struct Entry
   {

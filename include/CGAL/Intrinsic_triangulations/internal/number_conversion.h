@@ -19,14 +19,22 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 template <class FT>
-struct Is_interval : std::false_type {};
+struct Is_interval : std::false_type
+{};
 template <bool b>
-struct Is_interval<Interval_nt<b>> : std::true_type {};
+struct Is_interval<Interval_nt<b>> : std::true_type
+{};
 
 template <class T>
-const T& without_laziness(const T& x) { return x; }
+const T& without_laziness(const T& x)
+{
+  return x;
+}
 template <class ET>
-const ET& without_laziness(const Lazy_exact_nt<ET>& x) { return CGAL::exact(x); }
+const ET& without_laziness(const Lazy_exact_nt<ET>& x)
+{
+  return CGAL::exact(x);
+}
 
 // Exact where To can hold the value or any value; else to nearest, or an enclosure for
 // an interval.

@@ -111,7 +111,8 @@ using Coordinates = std::array<double, 3>;
 // The number of h among the sides of its face from `first`.
 inline std::size_t side_number(const Delta_complex& complex, Halfedge_index first, Halfedge_index h)
 {
-  return h == first ? 0 : h == complex.next(first) ? 1 : 2;
+  return h == first ? 0 : h == complex.next(first) ? 1
+                                                   : 2;
 }
 
 // The barycentric coordinates, relative to `first`, of the target of h in the face of the layer

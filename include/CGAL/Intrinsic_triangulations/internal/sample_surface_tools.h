@@ -65,7 +65,10 @@ inline void rotate_sample(std::vector<std::array<double, 3>>& points, std::uint6
     z = random.uniform(-1, 1);
     norm = std::sqrt(w * w + x * x + y * y + z * z);
   } while (norm > 1 || norm < 0.1);
-  w /= norm; x /= norm; y /= norm; z /= norm;
+  w /= norm;
+  x /= norm;
+  y /= norm;
+  z /= norm;
   for (std::array<double, 3>& p : points)
     p = {(1 - 2 * (y * y + z * z)) * p[0] + 2 * (x * y - w * z) * p[1] + 2 * (x * z + w * y) * p[2],
          2 * (x * y + w * z) * p[0] + (1 - 2 * (x * x + z * z)) * p[1] + 2 * (y * z - w * x) * p[2],
@@ -80,7 +83,10 @@ inline void append_triangle(Indexed_triangles& surface, std::size_t a, std::size
 
 // Which diagonal splits the cell whose lowest corner is (column, row):
 // rising joins (column, row) to (column + 1, row + 1).
-enum class Diagonal { RISING, FALLING };
+enum class Diagonal {
+  RISING,
+  FALLING
+};
 
 // Splits every cell of a grid of points, stored row by row, into two triangles
 // that are counterclockwise when columns go right and rows go up.
