@@ -355,13 +355,16 @@ struct Ply_element
 // The number of bytes of a type, 0 if there is no such type.
 std::size_t ply_type_size(const std::string& type)
 {
-  // clang-format off: it would join the rows
+  // clang-format off
   static const struct
   {
     const char* name;
     std::size_t size;
   } table[] = {
-    {"char", 1}, {"int8", 1}, {"uchar", 1}, {"uint8", 1}, {"short", 2}, {"int16", 2}, {"ushort", 2}, {"uint16", 2}, {"int", 4}, {"int32", 4}, {"uint", 4}, {"uint32", 4}, {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
+    {"char", 1}, {"int8", 1}, {"uchar", 1}, {"uint8", 1},
+    {"short", 2}, {"int16", 2}, {"ushort", 2}, {"uint16", 2},
+    {"int", 4}, {"int32", 4}, {"uint", 4}, {"uint32", 4},
+    {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
   // clang-format on
   for (const auto& row : table)
     if (type == row.name)
