@@ -8,8 +8,10 @@
 
 #include "fuzz_target.h"
 
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -21,7 +23,16 @@
 
 namespace {
 
-std::string in_progress; // printed by nobody; for the debugger
+std::string in_progress;
+
+// Says, where a property does not hold, for which input: as bytes for printf.
+void print_input(int)
+{
+  std::fputs("the input, as printf writes it: '", stderr);
+  for (const char c : in_progress)
+    std::fprintf(stderr, "\\%03o", unsigned(static_cast<unsigned char>(c)));
+  std::fputs("'\n", stderr);
+}
 
 void run(const std::string& input)
 {
@@ -81,6 +92,7 @@ int write_seeds(const std::filesystem::path& folder)
 
 int main(int argc, char** argv)
 {
+  std::signal(SIGABRT, print_input);
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   if (arguments.size() == 2 && arguments[0] == "--write")
     return write_seeds(arguments[1]);
