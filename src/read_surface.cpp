@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -319,9 +320,41 @@ void diagnose_off(const std::string& path, const std::string& text)
     refuse(path, first_bad_index, Defect::BAD_INDEX, first_bad_face, bad_faces);
 }
 
+// The same surface with nothing but coordinates and indices. CGAL 5.5 reads colors and textures
+// beyond the end of a line that has fewer numbers than it expects, and colors by an index beyond
+// the end of its table. \pre diagnose_off() has found nothing
+std::string without_attributes(const std::string& path, const std::string& text)
+{
+  Scanner scanner(text);
+  const Off_header header = read_off_header(path, scanner, text.size());
+  scanner.skip_line();
+  std::string result = (header.is_homogeneous ? "4OFF\n" : "OFF\n") + std::to_string(header.vertices) + ' ' +
+                       std::to_string(header.faces) + " 0\n";
+  const auto copy_words = [&](const std::size_t number) {
+    for (std::size_t i = 0; i < number; ++i)
+      result += scanner.word_on_line() + ' ';
+    scanner.skip_line();
+    result += '\n';
+  };
+  for (std::size_t v = 0; v < header.vertices; ++v) {
+    scanner.skip_to_word();
+    copy_words(header.is_homogeneous ? 4 : 3);
+  }
+  for (std::size_t f = 0; f < header.faces; ++f) {
+    scanner.skip_to_word();
+    const std::string word = scanner.word_on_line();
+    long long size = 0;
+    read_integer(word, size);
+    result += word + ' ';
+    copy_words(static_cast<std::size_t>(size));
+  }
+  return result;
+}
+
 // What CGAL's reader would trust: the announced sizes, and the number of
 // entries of a vertex with normals, colors or textures.
-void check_off(const std::string& path, const std::uintmax_t file_size)
+// \return what is to be read in place of a file that has such attributes
+std::optional<std::string> check_off(const std::string& path, const std::uintmax_t file_size)
 {
   const std::string head = load(path, 1 << 16);
   Scanner probe(head);
@@ -335,8 +368,12 @@ void check_off(const std::string& path, const std::uintmax_t file_size)
     whole = load(path);
   const std::string& text = is_complete ? head : whole;
   Scanner scanner(text);
-  if (!read_off_header(path, scanner, file_size).is_plain)
-    diagnose_off(path, load(path));
+  if (read_off_header(path, scanner, file_size).is_plain)
+    return std::nullopt;
+  if (is_complete)
+    whole = load(path);
+  diagnose_off(path, whole);
+  return without_attributes(path, whole);
 }
 
 // ---- PLY -------------------------------------------------------------------
@@ -729,8 +766,13 @@ void diagnose_by_position(const std::string& path, const std::string& extension)
 
 // ---- all of them -------------------------------------------------------------
 
-bool read_soup(const std::string& path, const std::string& extension, Points& points, Polygons& polygons)
+bool read_soup(const std::string& path, const std::string& extension, const std::optional<std::string>& plain_off,
+               Points& points, Polygons& polygons)
 {
+  if (plain_off) {
+    std::istringstream in(*plain_off);
+    return CGAL::IO::read_OFF(in, points, polygons, CGAL::parameters::verbose(false));
+  }
 #ifdef CGAL_USE_VTK
   // read_polygon_soup() of CGAL 5.5 does not know the extension.
   if (extension == "vtp")
@@ -795,8 +837,9 @@ Surface_input read_surface(const std::string& path)
   Points points;
   Polygons polygons;
   try {
+    std::optional<std::string> plain_off;
     if (extension == "off")
-      check_off(path, size);
+      plain_off = check_off(path, size);
     else if (extension == "ply")
       check_ply(path);
     else if (extension == "stl")
@@ -805,7 +848,7 @@ Surface_input read_surface(const std::string& path)
     bool is_read = false;
     std::string reason;
     try {
-      is_read = read_soup(path, extension, points, polygons);
+      is_read = read_soup(path, extension, plain_off, points, polygons);
     } catch (const std::length_error& error) {
       reason = std::string(": ") + error.what();
     }

@@ -53,17 +53,16 @@ template <class FT>
 constexpr bool has_small_exponent_range = std::is_floating_point<typename Machine_type<FT>::type>::value;
 
 // Products of two squared lengths occur, and differences of such products matter down to
-// their rounding: lengths up to 2^(a tenth of the largest exponent) stay far from over- and
-// underflow. Larger ones are made that small, and no smaller, so that what is small beside
-// them keeps all its bits if it can.
+// their rounding: lengths between 2^-(a tenth of the largest exponent) and 2^(the same) stay far
+// from over- and underflow. Where the largest is not one of them it is made the largest of them,
+// so that what is small beside it keeps all its bits if it can.
 template <class FT>
 int unit_exponent(double largest)
 {
   if constexpr (has_small_exponent_range<FT>) {
     const int limit = std::numeric_limits<typename Machine_type<FT>::type>::max_exponent / 10;
     const int exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
-    return exponent > limit ? exponent - limit : exponent < -limit ? exponent + limit
-                                                                   : 0;
+    return exponent > limit || exponent < -limit ? exponent - limit : 0;
   } else {
     return 0;
   }
@@ -362,16 +361,21 @@ void construct_metric_from_lengths(const Delta_complex& complex, const Traits& t
   using FT = typename Traits::FT;
   const auto construct_edge_data = traits.construct_edge_data_object();
   const auto construct_face_data = traits.construct_face_data_object();
-
-  for (std::size_t e = 0; e < lengths.size(); ++e)
-    edges[e] = construct_edge_data.from_length(lengths[e]);
+  const auto compute_squared_length = traits.compute_squared_length_object();
 
   Offenders offenders;
+  for (std::size_t e = 0; e < lengths.size(); ++e) {
+    edges[e] = construct_edge_data.from_length(lengths[e]);
+    if (!possibly(compute_squared_length(edges[e]) > FT(0)))
+      offenders.add(e);
+  }
+  throw_if_underflow("the squared length of edge ", offenders);
+
   for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f), next = complex.next(h), prev = complex.prev(h);
     const FT &ij = lengths[complex.edge(h).idx()], &jk = lengths[complex.edge(next).idx()],
              &ki = lengths[complex.edge(prev).idx()];
-    if (certainly(squared_four_areas_from_lengths(ij, jk, ki) < FT(0)))
+    if (violate_triangle_inequality(ij, jk, ki))
       offenders.add(f.idx());
     faces[f.idx()] = construct_face_data.from_lengths(ij, jk, ki);
     bound_corners(traits, h, next, prev, faces[f.idx()], edges[complex.edge(h).idx()],
