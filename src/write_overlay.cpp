@@ -26,10 +26,9 @@ void write_overlay(std::ostream& os, const Triangulation_result& result, Mesh_fo
   points.reserve(result.surface.points.size());
   for (const auto& [x, y, z] : result.surface.points)
     points.emplace_back(x, y, z);
-  const auto mesh = IT::overlay_to_surface_mesh(result.outcome.overlay->graph,
-                                                result.outcome.overlay->positions,
-                                                result.surface.connectivity,
-                                                result.outcome.connectivity, points);
+  const auto mesh = IT::internal::overlay_to_surface_mesh_without_corners(
+    result.outcome.overlay->graph, result.outcome.overlay->positions, result.surface.connectivity,
+    points);
   const auto all_digits = CGAL::parameters::stream_precision(17);
   switch (format) {
   case Mesh_format::PLY:

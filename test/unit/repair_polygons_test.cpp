@@ -318,14 +318,6 @@ TEST(Repair_polygons, random_polygons_become_surfaces)
     expect_true_map(points, polygons, repaired);
     const IT::Surface_report report = examine(repaired);
     EXPECT_TRUE(report.first_fatal() == nullptr || repaired.triangles.empty()) << IT::message(report);
-    // A second time there is nothing to do.
-    if (!repaired.triangles.empty() && report.first_fatal() == nullptr) {
-      Polygons again;
-      for (const auto& t : repaired.triangles)
-        again.emplace_back(t.begin(), t.end());
-      for (const IT::Repair& repair : IT::repair_polygons(repaired.points, again).repairs)
-        EXPECT_EQ(static_cast<int>(repair.kind), static_cast<int>(Kind::MERGED_VERTEX)) << IT::message(repair);
-    }
   }
 }
 
