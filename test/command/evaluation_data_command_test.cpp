@@ -34,8 +34,12 @@ protected:
     return paths;
   }
 
-  static void expect_clean(const std::string& text)
+  // But for what a file itself says, and its name.
+  static void expect_clean(std::string text)
   {
+    for (const std::string allowed : {"synth_bad_nan.off", "the coordinate \"nan\" is not finite"})
+      for (std::size_t i; (i = text.find(allowed)) != std::string::npos;)
+        text.erase(i, allowed.size());
     for (const char* word : {"nan", "NaN", "assert", "CGAL ERROR", "internal error", "terminate", "what()"})
       EXPECT_FALSE(contains(text, word)) << word << " in " << text.substr(0, 2000);
   }

@@ -68,7 +68,7 @@ inline bool is_repairable(Finding_kind kind)
 /// \exception Invalid_surface_error if there is no face, an index is bad, or a coordinate is not finite
 ///
 /// Complexity: O(n log n), but for faces with more than three corners: those that are nearly planar
-/// take O(k log k), others O(k<sup>3</sup>) up to a thousand corners.
+/// take O(k log k), others O(k<sup>3</sup>) up to a thousand corners, beyond which they become fans.
 ///
 /// By `CGAL::Polygon_mesh_processing`: `merge_duplicate_points_in_polygon_soup()`,
 /// `merge_duplicate_polygons_in_polygon_soup()`, `triangulate_hole_polyline()`,

@@ -41,16 +41,18 @@ triangulate_polygon(const std::vector<std::array<double, 3>>& polygon)
     points.emplace_back(std::ldexp(p[0], -exponent), std::ldexp(p[1], -exponent),
                         std::ldexp(p[2], -exponent));
 
-  // The algorithm that always succeeds takes cubic time and quadratic memory.
+  // Where the polygon is not nearly planar, memory is quadratic and time cubic.
+  const bool is_small = polygon.size() <= 1000;
   std::vector<Triple<int, int, int>> triples;
   if (size > 0)
-    Polygon_mesh_processing::triangulate_hole_polyline(
-      points, std::back_inserter(triples),
-      parameters::use_2d_constrained_delaunay_triangulation(true).do_not_use_cubic_algorithm(polygon.size() > 1000));
+    Polygon_mesh_processing::triangulate_hole_polyline(points, std::back_inserter(triples),
+                                                       parameters::use_2d_constrained_delaunay_triangulation(true)
+                                                         .use_delaunay_triangulation(is_small)
+                                                         .do_not_use_cubic_algorithm(!is_small));
   std::vector<std::array<std::size_t, 3>> triangles;
   for (const Triple<int, int, int>& t : triples)
     triangles.push_back({std::size_t(t.first), std::size_t(t.second), std::size_t(t.third)});
-  // A polygon that is all but a line: a fan is as good as anything.
+  // A polygon that is all but a line, or a large one in space: a fan is as good as anything.
   if (triangles.size() != polygon.size() - 2) {
     triangles.clear();
     for (std::size_t i = 2; i < polygon.size(); ++i)
