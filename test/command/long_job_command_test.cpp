@@ -97,13 +97,13 @@ protected:
 
 TEST_F(Command_long_job, can_be_interrupted_at_any_time)
 {
-  write_sheet("sheet.ply", 400, 1);
-  const std::size_t edges = 3 * 399 * 399 + 2 * 399;
+  write_sheet("sheet.ply", 300, 1);
+  const std::size_t edges = 3 * 299 * 299 + 2 * 299;
   const double whole = time("triangulate sheet.ply --overlay result.ply --edges result.csv --stats result.json");
   const std::string overlay = content(folder_ / "result.ply");
   std::mt19937 random(std::random_device{}());
   std::size_t interrupted = 0;
-  for (int run = 0; run < 12; ++run) {
+  for (int run = 0; run < 10; ++run) {
     remove_results();
     const double delay = std::uniform_real_distribution<double>(0.01, whole)(random);
     SCOPED_TRACE(delay);
@@ -118,9 +118,10 @@ TEST_F(Command_long_job, can_be_interrupted_at_any_time)
     } else if (exists("result.json")) {
       EXPECT_EQ(Json::parse(content(folder_ / "result.json"))["status"], "interrupted");
       EXPECT_EQ(lines(content(folder_ / "result.csv")).size(), edges + 1);
-      // What is there can be read to its end.
+      // What is there can be read to its end; triangles are all that it has if no edge was flipped.
       if (exists("result.ply")) {
-        EXPECT_TRUE(contains(idt("triangulate result.ply").err, "corners instead of 3"));
+        const Command_run read = idt("triangulate result.ply");
+        EXPECT_TRUE(read.status == 0 || contains(read.err, "corners instead of 3")) << read.err;
       }
     } else {
       EXPECT_FALSE(exists("result.csv") || exists("result.ply"));
