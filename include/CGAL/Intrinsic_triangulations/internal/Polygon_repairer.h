@@ -134,17 +134,21 @@ private:
   void remove_repeated_corners()
   {
     std::vector<Numbered_polygon> polygons;
+    std::vector<Index> path, place(points_.size(), none); // of each vertex in the path
+    const auto cut_path = [&](Index begin, Index polygon) {
+      if (path.size() - begin >= 3)
+        add_polygon(polygons, polygon, std::vector<Index>(path.begin() + std::ptrdiff_t(begin), path.end()));
+      for (; path.size() > begin; path.pop_back())
+        place[path.back()] = none;
+    };
     for (const Numbered_polygon& polygon : polygons_) {
-      std::vector<Index> path;
       for (Index v : polygon) {
-        const auto begin = std::find(path.begin(), path.end(), v);
-        if (path.end() - begin >= 3)
-          add_polygon(polygons, polygon.input, std::vector<Index>(begin, path.end()));
-        path.erase(begin, path.end());
+        if (place[v] != none)
+          cut_path(place[v], polygon.input);
+        place[v] = path.size();
         path.push_back(v);
       }
-      if (path.size() >= 3)
-        add_polygon(polygons, polygon.input, path);
+      cut_path(0, polygon.input);
     }
     polygons_ = std::move(polygons);
     is_kept_.assign(input_polygons_.size(), false);
@@ -223,8 +227,7 @@ private:
   void collect()
   {
     std::vector<Index> input(points_.size(), none);
-    for (const Numbered_polygon& triangle : polygons_)
-      for_each_corner(triangle, [&](Index v, Index in_input) { input[v] = (std::min)(input[v], in_input); });
+    for_each_corner([&](Index v, Index in_input) { input[v] = (std::min)(input[v], in_input); });
     std::vector<Index> number(points_.size(), none);
     for (Index v = 0; v < points_.size(); ++v)
       if (input[v] != none) {
@@ -232,26 +235,37 @@ private:
         result_.points.push_back(input_points_[input[v]]);
         result_.input_vertices.push_back(input[v]);
       }
-    std::vector<Index> others(input_points_.size(), none);
     for (const Numbered_polygon& triangle : polygons_) {
       result_.triangles.push_back({number[triangle[0]], number[triangle[1]], number[triangle[2]]});
       result_.input_faces.push_back(triangle.input);
-      for_each_corner(triangle, [&](Index v, Index in_input) {
-        if (input[v] != in_input)
-          others[in_input] = input[v];
-      });
     }
-    merged_with_ = std::move(others);
+    merged_with_.assign(input_points_.size(), none);
+    for_each_corner([&](Index v, Index in_input) {
+      if (input[v] != in_input)
+        merged_with_[in_input] = input[v];
+    });
   }
 
-  // Calls function(vertex, vertex of the input) for all that a corner of a triangle may have been.
+  // Calls function(vertex, vertex of the input) for all that a corner of a triangle may have been
+  // in its face of the input.
   template <class Function>
-  void for_each_corner(const Numbered_polygon& triangle, const Function& function) const
+  void for_each_corner(const Function& function) const
   {
-    for (Index v : triangle)
-      for (Index in_input : input_polygons_[triangle.input])
-        if (representative_[in_input] == points_[v].input)
-          function(v, in_input);
+    std::vector<std::array<Index, 2>> corners; // of one face: representative, vertex
+    Index face = none;
+    for (const Numbered_polygon& triangle : polygons_) {
+      if (triangle.input != face) {
+        face = triangle.input;
+        corners.clear();
+        for (Index v : input_polygons_[face])
+          corners.push_back({representative_[v], v});
+        std::sort(corners.begin(), corners.end());
+      }
+      for (Index v : triangle)
+        for (auto it = std::lower_bound(corners.begin(), corners.end(), std::array<Index, 2>{points_[v].input, 0});
+             it != corners.end() && (*it)[0] == points_[v].input; ++it)
+          function(v, (*it)[1]);
+    }
   }
 
   void report()
