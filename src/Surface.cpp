@@ -14,8 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -62,13 +60,16 @@ void load_mesh(Surface& surface, bool is_repaired)
       std::cerr << "idt: " << surface.path << ": repaired: " << message(repair) << std::endl;
   }
 
-  // What is built was examined on the way, as far as the faces are concerned. The whole
+  // What can be built was examined on the way, as far as the faces are concerned. The whole
   // examination is for those who have to be told something.
+  const auto build = [&] {
+    surface.connectivity =
+      IT::make_Delta_complex_from_triangles(input.points.size(), input.triangles);
+  };
   bool is_built = false;
   try {
     if (input.is_triangulated()) {
-      surface.connectivity =
-        IT::make_Delta_complex_from_triangles(input.points.size(), input.triangles);
+      build();
       is_built = true;
     }
   } catch (const IT::Invalid_surface_error&) {
@@ -81,7 +82,8 @@ void load_mesh(Surface& surface, bool is_repaired)
          {IT::Finding_kind::ZERO_AREA_FACE, IT::Finding_kind::UNREFERENCED_VERTEX})
       if (const IT::Finding* finding = report.find(kind))
         surface.notes.push_back(IT::message(*finding));
-    CGAL_assertion(is_built);
+    if (!is_built)
+      build();
   }
   surface.points = std::move(input.points);
   surface.build_seconds = stopwatch.restart();
