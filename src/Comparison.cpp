@@ -320,7 +320,7 @@ bool Comparison_row::is_wrong() const
 
 Surface_comparison compare(const std::string& path, const Comparison_options& options)
 {
-  const Surface surface = load_surface(path);
+  const Surface surface = load_surface(path, {std::nullopt, options.is_repaired});
   return Surface_comparer(surface, options).run();
 }
 

@@ -31,6 +31,7 @@ struct Comparison_options
   std::vector<Compared_type> types;
   double time_limit = 10; // seconds for the flips with one type
   int repetitions = 5;
+  bool is_repaired = false;
   // Without a wish, decisions are checked for surfaces that are not large.
   std::optional<bool> counts_wrong_decisions;
 };

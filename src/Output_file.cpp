@@ -71,11 +71,13 @@ Output_file::~Output_file()
 
 void Output_file::commit()
 {
+  // A stream that has failed before does not try again; nothing has changed the reason since.
+  const int reason = stream_ ? 0 : errno;
   errno = 0;
   stream_.flush();
   stream_.close();
   if (!stream_)
-    fail(errno);
+    fail(errno == 0 ? reason : errno);
   if (!temporary_.empty() && std::rename(temporary_.c_str(), target_.c_str()) != 0)
     fail(errno);
   is_committed_ = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One line on the terminal that says how far the flips are.
+// One line on the terminal that says how far a long job is.
 
 #ifndef IDT_PROGRESS_H
 #define IDT_PROGRESS_H
@@ -17,19 +17,25 @@ namespace idt {
 class Progress
 {
 public:
-  explicit Progress(const std::string& name);
+  explicit Progress(const std::string& path);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  void update(std::uint64_t tests, std::uint64_t flips)
+  // Nobody knows how many flips there will be.
+  void show_flips(std::uint64_t tests, std::uint64_t flips)
   {
     if (is_shown_ && tests >= next_look_)
       look(tests, flips);
   }
+  // A bar. \param fraction what is done of it, from 0 to 1
+  void show(const char* what, double fraction);
 
 private:
   void look(std::uint64_t tests, std::uint64_t flips);
+  // Whether it is time for another line.
+  bool is_due(double now);
+  void write(const std::string& text);
 
   std::string name_;
   bool is_shown_;

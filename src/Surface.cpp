@@ -2,9 +2,13 @@
 
 #include "Surface.h"
 
+#include "Exit_status.h"
+#include "Interruption.h"
+#include "Progress.h"
 #include "Stopwatch.h"
 #include "gluing_file.h"
 #include "read_surface.h"
+#include "repair.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
@@ -14,6 +18,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <iostream>
 #include <numeric>
 #include <utility>
 
@@ -22,20 +27,64 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-void load_mesh(Surface& surface)
+Surface_input read(const std::string& path)
+{
+  Progress progress(path);
+  return read_surface(path, [&progress](double fraction) {
+    progress.show("reading", fraction);
+    return !is_interrupted();
+  });
+}
+
+// \exception Invalid_surface_error with what is wrong, and the option that would help
+[[noreturn]] void refuse(const IT::Surface_report& report, const std::string& path, bool is_repaired)
+{
+  const IT::Finding& finding = *report.first_fatal();
+  std::string text = IT::message(report, path);
+  if (is_repaired)
+    text += "; --repair was of no use";
+  else if (is_repairable(finding))
+    text += "; the option --repair does what can be done";
+  throw IT::Invalid_surface_error(finding.defect, finding.elements.empty() ? 0 : finding.elements.front(),
+                                  finding.count, text);
+}
+
+void load_mesh(Surface& surface, bool is_repaired)
 {
   Stopwatch stopwatch;
-  Surface_input input = read_surface(surface.path);
+  Surface_input input = read(surface.path);
   surface.read_seconds = stopwatch.restart();
+  if (is_repaired) {
+    surface.repair = repair(input);
+    for (const IT::Repair& repair : surface.repair->repairs)
+      std::cerr << "idt: " << surface.path << ": repaired: " << message(repair) << std::endl;
+  }
 
-  const IT::Surface_report report = examine(input);
-  IT::throw_if_fatal(report, surface.path);
-  for (IT::Finding_kind kind :
-       {IT::Finding_kind::ZERO_AREA_FACE, IT::Finding_kind::UNREFERENCED_VERTEX})
-    if (const IT::Finding* finding = report.find(kind))
-      surface.notes.push_back(IT::message(*finding));
-  surface.connectivity =
-    IT::make_Delta_complex_from_triangles(input.points.size(), input.triangles);
+  // What can be built was examined on the way, as far as the faces are concerned. The whole
+  // examination is for those who have to be told something.
+  const auto build = [&] {
+    surface.connectivity =
+      IT::make_Delta_complex_from_triangles(input.points.size(), input.triangles);
+  };
+  bool is_built = false;
+  try {
+    if (input.is_triangulated()) {
+      build();
+      is_built = true;
+    }
+  } catch (const IT::Invalid_surface_error&) {
+  }
+  if (!is_built || !IT::has_nothing_to_report(surface.connectivity, input.points)) {
+    const IT::Surface_report report = examine(input);
+    if (report.first_fatal() != nullptr)
+      refuse(report, surface.path, is_repaired);
+    for (IT::Finding_kind kind :
+         {IT::Finding_kind::ZERO_AREA_FACE, IT::Finding_kind::UNREFERENCED_VERTEX})
+      if (const IT::Finding* finding = report.find(kind))
+        surface.notes.push_back(IT::message(*finding));
+    if (!is_built)
+      build();
+  }
   surface.points = std::move(input.points);
   surface.build_seconds = stopwatch.restart();
 }
@@ -67,15 +116,17 @@ std::vector<double> lengths_of(const Surface& surface)
 
 } // namespace
 
-Surface load_surface(const std::string& path,
-                     const std::optional<Mollification_options>& mollification)
+Surface load_surface(const std::string& path, const Load_options& options)
 {
+  const std::optional<Mollification_options>& mollification = options.mollification;
   Surface surface;
   surface.path = path;
+  if (is_gluing_file(path) && options.is_repaired)
+    throw Usage_error(path + ": --repair is for meshes; there is nothing to repair in a gluing");
   if (is_gluing_file(path))
     load_gluing(surface);
   else
-    load_mesh(surface);
+    load_mesh(surface, options.is_repaired);
   if (!mollification)
     return surface;
 

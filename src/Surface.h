@@ -6,9 +6,11 @@
 #define IDT_SURFACE_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Repaired_polygons.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +24,20 @@ struct Mollification_options
   bool is_local = false;
 };
 
+// How a file becomes a surface.
+struct Load_options
+{
+  std::optional<Mollification_options> mollification;
+  bool is_repaired = false;
+};
+
+// What was mended, and where the vertices and faces of the surface come from.
+struct Repair_report
+{
+  std::vector<CGAL::Intrinsic_triangulations::Repair> repairs; // empty if nothing had to be done
+  std::vector<std::size_t> input_vertices, input_faces;
+};
+
 struct Surface
 {
   std::string path;
@@ -30,6 +46,7 @@ struct Surface
   std::vector<std::array<double, 3>> points;
   std::vector<double> lengths;
   std::optional<CGAL::Intrinsic_triangulations::Mollification_report> mollification;
+  std::optional<Repair_report> repair; // if it was asked for
   // What a user should know though the surface can be used.
   std::vector<std::string> notes;
   double read_seconds = 0;
@@ -44,8 +61,8 @@ struct Surface
 // Mollification that changes a length replaces the points by lengths.
 // \exception Invalid_surface_error if the surface cannot be used; the message begins
 //            with `path` and names the first element at fault and how many more
-Surface load_surface(const std::string& path,
-                     const std::optional<Mollification_options>& mollification = std::nullopt);
+// \exception Cancelled_error if an interruption ends the reading
+Surface load_surface(const std::string& path, const Load_options& options = {});
 
 // What a report tells about the connectivity of a surface.
 struct Surface_counts

@@ -34,6 +34,29 @@ Exit_status exit_status(const Outcome& outcome)
   return is_done ? Exit_status::DONE : Exit_status::NOT_FINISHED;
 }
 
+const char* status_word(const Outcome& outcome)
+{
+  if (outcome.is_overlay_cancelled)
+    return "interrupted";
+  switch (outcome.report.status) {
+  case IT::Flip_status::DELAUNAY:
+    if (!outcome.failure.empty())
+      return "incomplete";
+    return outcome.verification && !outcome.verification->is_Delaunay() ? "not Delaunay" : "done";
+  case IT::Flip_status::INCONSISTENT:
+    return "inconsistent";
+  case IT::Flip_status::NOT_FLIPPABLE:
+    return "not flippable";
+  case IT::Flip_status::UNDECIDED:
+    return "undecided";
+  case IT::Flip_status::BUDGET_EXHAUSTED:
+    return "flip budget";
+  case IT::Flip_status::CANCELLED:
+    return "interrupted";
+  }
+  return "";
+}
+
 std::string describe_verification(const Outcome& outcome)
 {
   const IT::Delaunay_verification& verification = *outcome.verification;

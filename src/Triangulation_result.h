@@ -9,6 +9,7 @@
 #include "Exit_status.h"
 #include "Surface.h"
 #include "kernels/Kernel.h"
+#include "mesh_file.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -29,6 +30,10 @@ struct Triangulation_result
 
 // What the result means for the shell.
 Exit_status exit_status(const Outcome& outcome);
+
+// How it ended, for programs: `done`, `interrupted`, `flip budget`, `undecided`, `not flippable`,
+// `inconsistent`, `not Delaunay`, or `incomplete` if something could not be found out.
+const char* status_word(const Outcome& outcome);
 
 // The same in words, with the first edge that is to blame.
 std::string describe_status(const Triangulation_result& result);
@@ -55,17 +60,8 @@ void write_mass(std::ostream& os, const Triangulation_result& result);
 // `source,target,edge,position,input_source,input_target,t,u`. \pre the overlay was found
 void write_crossings(std::ostream& os, const Triangulation_result& result);
 
-// The files in which the overlay can be written as a mesh of polygons.
-enum class Mesh_format {
-  PLY,
-  OFF,
-  OBJ
-};
-
-// The format that the end of a file name tells.
-std::optional<Mesh_format> find_mesh_format(const std::string& path);
-
-// \pre the overlay was found, and the surface has points
+// The overlay as a mesh of polygons. \pre the overlay was found, the surface has points, and
+// the format holds polygons
 void write_overlay(std::ostream& os, const Triangulation_result& result, Mesh_format format);
 
 } // namespace idt

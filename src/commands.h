@@ -26,6 +26,9 @@ void add_table_command(CLI::App& app, Selected_command& selected);
 void add_sample_command(CLI::App& app, Selected_command& selected);
 void add_describe_command(CLI::App& app, Selected_command& selected);
 
+// Declares the option that has an input repaired before anything else.
+CLI::Option* add_repair_option(CLI::App& command, bool& is_repaired);
+
 // Writes a message to the standard error and says which status it stands for; to be
 // called in a handler.
 Exit_status report_current_exception();

@@ -192,6 +192,7 @@ void add_compare_command(CLI::App& app, Selected_command& selected)
     ->type_name("N")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
+  add_repair_option(command, options->comparison.is_repaired);
   CLI::Option* const count = command.add_flag("--count-decisions", options->counts_decisions,
                                               "count wrong tests for large surfaces too");
   command

@@ -2,7 +2,9 @@
 //
 // `idt parameterize`
 
+#include "Interruption.h"
 #include "Output_file.h"
+#include "Progress.h"
 #include "Stopwatch.h"
 #include "commands.h"
 #include "finite_weights.h"
@@ -10,6 +12,7 @@
 #include "triangulate.h"
 #include "write_textured_mesh.h"
 
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/parameterization_quality.h>
@@ -39,6 +42,7 @@ struct Parameterize_options
   std::string uv_input_path;
   std::string distortion_path;
   std::string json_path;
+  bool is_repaired = false;
 };
 
 // What a map is on one of the two triangulations.
@@ -77,8 +81,12 @@ void check(Parameterize_options& options)
   check_output_paths(outputs, {options.input});
 }
 
-void find_map(const Parameterize_options& options, Result& result)
+// \param progress is asked as often as the method allows: a single linear system is solved in one go
+void find_map(const Parameterize_options& options, Result& result,
+              const IT::Progress_function& progress)
 {
+  if (!progress(0))
+    throw IT::Cancelled_error("the search for the map was cancelled");
   const bool is_intrinsic = options.laplacian == "intrinsic";
   const Outcome& outcome = result.triangulation.outcome;
   const IT::Delta_complex& complex =
@@ -86,7 +94,7 @@ void find_map(const Parameterize_options& options, Result& result)
   const Numbers& numbers = is_intrinsic ? outcome.numbers : outcome.input_numbers;
   if (options.method == "circle-pattern") {
     result.pattern =
-      IT::circle_pattern_parameterization(complex, numbers.lengths, numbers.areas);
+      IT::circle_pattern_parameterization(complex, numbers.lengths, numbers.areas, progress);
     result.uv = result.pattern->uv;
     return;
   }
@@ -238,7 +246,7 @@ Exit_status run_parameterize(Parameterize_options options)
   kernel.wanted.crossings = kernel.wanted.overlay =
     !options.uv_path.empty() || !options.distortion_path.empty();
   const Exit_status status = for_each_input({options.input}, [&](const std::string& path) {
-    result.triangulation = triangulate(path, kernel, std::nullopt);
+    result.triangulation = triangulate(load_surface(path, {std::nullopt, options.is_repaired}), kernel);
     const Exit_status status = exit_status(result.triangulation.outcome);
     if (status != Exit_status::DONE) {
       std::cerr << "idt: " << path << ": " << describe_status(result.triangulation) << std::endl;
@@ -248,7 +256,11 @@ Exit_status run_parameterize(Parameterize_options options)
     const Outcome& outcome = result.triangulation.outcome;
     const Stopwatch stopwatch;
     try {
-      find_map(options, result);
+      Progress progress(path);
+      find_map(options, result, [&progress](double fraction) {
+        progress.show("solving", fraction);
+        return !is_interrupted();
+      });
     } catch (const IT::Invalid_surface_error& error) {
       if (std::string(error.what()).find(path) == 0)
         throw;
@@ -256,6 +268,8 @@ Exit_status run_parameterize(Parameterize_options options)
                                       path + ": " + error.what());
     } catch (const IT::Numerical_error& error) {
       throw IT::Numerical_error(path + ": " + error.what());
+    } catch (const IT::Cancelled_error& error) {
+      throw IT::Cancelled_error(path + ": " + error.what());
     }
     result.seconds = stopwatch.seconds();
     result.on_input = quality(surface.connectivity, outcome.input_numbers, result.uv);
@@ -311,6 +325,7 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
     ->type_name("F.csv");
   command.add_option("--json", options->json_path, "write what the report says as a JSON object")
     ->type_name("F.json");
+  add_repair_option(command, options->is_repaired);
   command.callback(
     [options, &selected] { selected = [options] { return run_parameterize(*options); }; });
 }

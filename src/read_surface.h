@@ -6,6 +6,7 @@
 #ifndef IDT_READ_SURFACE_H
 #define IDT_READ_SURFACE_H
 
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
 #include <array>
@@ -45,6 +46,8 @@ struct Surface_input
   {
     return is_triangulated() ? triangles.size() : first_corner.size() - 1;
   }
+  // The faces, whatever they are.
+  std::vector<Polygon> polygons() const;
   // The corners of a face. \pre face < number_of_faces()
   Polygon polygon(std::size_t face) const
   {
@@ -68,8 +71,10 @@ struct Surface_input
 //            or the element at fault as far as it is known. Broken files lead
 //            nowhere else: sizes that a header announces are compared with the
 //            size of the file before anything is allocated for them.
+// \exception CGAL::Intrinsic_triangulations::Cancelled_error if `progress` returns false
 // Complexity: linear in the size of the file (STL: a search for each corner).
-Surface_input read_surface(const std::string& path);
+Surface_input read_surface(const std::string& path,
+                           const CGAL::Intrinsic_triangulations::Progress_function& progress = {});
 
 // Examines what was read.
 // \return the report of CGAL::Intrinsic_triangulations::examine_polygons()

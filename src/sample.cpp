@@ -4,7 +4,7 @@
 
 #include "Output_file.h"
 #include "commands.h"
-#include "text.h"
+#include "mesh_file.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <variant>
@@ -30,17 +31,14 @@ struct Sample_options
   bool lists_names = false;
 };
 
-void write_surface(std::ostream& os, const IT::Indexed_triangles& surface)
+// \param format OFF if none is given
+void write_surface(std::ostream& os, const IT::Indexed_triangles& surface,
+                   std::optional<Mesh_format> format)
 {
-  os << "OFF\n"
-     << surface.points.size() << ' ' << surface.triangles.size() << " 0\n";
-  for (const auto& p : surface.points)
-    os << in_full(p[0]) << ' ' << in_full(p[1]) << ' ' << in_full(p[2]) << '\n';
-  for (const auto& t : surface.triangles)
-    os << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  write_mesh(os, surface.points, surface.triangles, format.value_or(Mesh_format::OFF));
 }
 
-void write_surface(std::ostream& os, const IT::Glued_triangles& surface)
+void write_surface(std::ostream& os, const IT::Glued_triangles& surface, std::optional<Mesh_format>)
 {
   const IT::Delta_complex complex =
     IT::make_Delta_complex_from_gluing(surface.number_of_faces, surface.glued_sides);
@@ -66,9 +64,12 @@ std::string path_with_extension(const Sample_options& options, const std::string
     return options.path; // a device or a pipe; a folder is refused when it is opened
   if (!path.has_extension())
     return options.path + extension;
+  if (extension != ".gluing" && find_mesh_format(options.path))
+    return options.path;
   if (path.extension() != extension)
     throw Usage_error(options.path + ": the sample " + options.name + " is written as " +
-                      extension + "; leave the extension away, or use that");
+                      (extension == ".gluing" ? extension : mesh_extensions(false)) +
+                      "; use that, or leave the extension away");
   return options.path;
 }
 
@@ -92,12 +93,12 @@ Exit_status run_sample(const Sample_options& options)
   std::visit(
     [&](const auto& surface) {
       if (options.path.empty()) {
-        write_surface(std::cout, surface);
+        write_surface(std::cout, surface, std::nullopt);
         return;
       }
       const std::string path = path_with_extension(options, extension(surface));
       Output_file file(path);
-      write_surface(file.stream(), surface);
+      write_surface(file.stream(), surface, find_mesh_format(path));
       file.commit();
       std::cout << path << '\n';
     },
@@ -126,7 +127,8 @@ void add_sample_command(CLI::App& app, Selected_command& selected)
   command.add_option("NAME", options->name, "which one; see below");
   command
     .add_option("-o,--output", options->path,
-                "write to this file and print its name; without an extension, .off is added, or "
+                "write to this file and print its name; " + mesh_extensions(false) + " tells the format, "
+                "and without an extension .off is added, or "
                 ".gluing for a surface that has lengths alone (default: the standard output)")
     ->type_name("F");
   command.add_flag("--list", options->lists_names, "print the names, one to a line");

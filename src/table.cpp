@@ -33,6 +33,7 @@ struct Table_options
   std::vector<std::string> inputs;
   std::string json_path;
   bool without_condition = false;
+  bool is_repaired = false;
 };
 
 struct Operator_summary
@@ -196,7 +197,7 @@ Exit_status run_table(const Table_options& options)
   const Exit_status status = for_each_input(options.inputs, [&](const std::string& path) {
     rows.emplace_back();
     rows.back().model = std::filesystem::path(path).stem().string();
-    const Triangulation_result result = triangulate(path, kernel_options, std::nullopt);
+    const Triangulation_result result = triangulate(load_surface(path, {std::nullopt, options.is_repaired}), kernel_options);
     Row& row = rows.back();
     row.vertices = result.counts.vertices;
     row.flips = result.outcome.report.flips;
@@ -245,6 +246,7 @@ void add_table_command(CLI::App& app, Selected_command& selected)
                  "paper (cathead, bunnyhead, beautiful_freak, hygeia, planck, bunny, camel, horse,\n"
                  "feline, with as many vertices as there) are its figures.\n");
   command.add_option("INPUT", options->inputs, "as for `idt triangulate`")->required();
+  add_repair_option(command, options->is_repaired);
   command.add_flag("--without-condition", options->without_condition,
                    "leave out the condition numbers, which take longer than all the rest");
   command.add_option("--json", options->json_path, "write the rows as a JSON array of objects")

@@ -9,6 +9,7 @@
 #include "Progress.h"
 #include "Stopwatch.h"
 #include "commands.h"
+#include "repair.h"
 
 #include <nlohmann/json.hpp>
 
@@ -30,6 +31,7 @@ struct Triangulate_options
   std::optional<std::uint64_t> maximum_number_of_flips;
   std::optional<double> mollification;
   bool is_mollification_local = false;
+  bool is_repaired = false;
   bool is_verified = false;
   std::string stats_path;
   std::string edges_path;
@@ -37,10 +39,11 @@ struct Triangulate_options
   std::string mass_path;
   std::string crossings_path;
   std::string overlay_path;
+  std::string repair_map_path;
 
   std::vector<std::string> output_paths() const
   {
-    return {stats_path, edges_path, laplacian_path, mass_path, crossings_path, overlay_path};
+    return {stats_path, edges_path, laplacian_path, mass_path, crossings_path, overlay_path, repair_map_path};
   }
 };
 
@@ -69,10 +72,14 @@ void check(const Triangulate_options& options)
   const std::vector<std::string> outputs = options.output_paths();
   if (options.inputs.size() > 1 &&
       std::any_of(outputs.begin(), outputs.end(), [](const std::string& s) { return !s.empty(); }))
-    throw Usage_error("--stats, --edges, --crossings, --overlay, --laplacian and --mass take one input: "
+    throw Usage_error("--stats, --edges, --crossings, --overlay, --laplacian, --mass and --repair-map take one input: "
                       "several would go to the same file");
-  if (!options.overlay_path.empty() && !find_mesh_format(options.overlay_path))
-    throw Usage_error("--overlay: " + options.overlay_path + " does not end in .ply, .off or .obj");
+  if (!options.overlay_path.empty()) {
+    const std::optional<Mesh_format> format = find_mesh_format(options.overlay_path);
+    if (!format || !holds_polygons(*format))
+      throw Usage_error("--overlay: " + options.overlay_path + " does not end in " + mesh_extensions(true) +
+                        (format ? ": the overlay has faces with more than three corners" : ""));
+  }
   check_output_paths(outputs, options.inputs);
 }
 
@@ -100,6 +107,8 @@ void write_file(const std::string& path, const Write& write)
 void write_files(const Triangulate_options& options, Triangulation_result& result)
 {
   const Stopwatch stopwatch;
+  write_file(options.repair_map_path,
+             [&](std::ostream& os) { write_repair_map(os, result.surface); });
   write_file(options.edges_path, [&](std::ostream& os) { write_edges(os, result); });
   write_file(options.laplacian_path, [&](std::ostream& os) { write_laplacian(os, result); });
   write_file(options.mass_path, [&](std::ostream& os) { write_mass(os, result); });
@@ -119,13 +128,14 @@ Exit_status run_triangulate(const Triangulate_options& options)
 {
   check(options);
   const Kernel_options kernel = kernel_options(options);
-  std::optional<Mollification_options> mollification;
+  Load_options load;
+  load.is_repaired = options.is_repaired;
   if (options.mollification)
-    mollification = Mollification_options{*options.mollification, options.is_mollification_local};
+    load.mollification = Mollification_options{*options.mollification, options.is_mollification_local};
 
   bool is_first = true;
   return for_each_input(options.inputs, [&](const std::string& path) {
-    Surface surface = load_surface(path, mollification);
+    Surface surface = load_surface(path, load);
     if (!options.overlay_path.empty())
       check_points(surface);
     Triangulation_result result = triangulate(std::move(surface), kernel);
@@ -156,12 +166,6 @@ std::string number_type_help()
 
 } // namespace
 
-Triangulation_result triangulate(const std::string& path, const Kernel_options& options,
-                                 const std::optional<Mollification_options>& mollification)
-{
-  return triangulate(load_surface(path, mollification), options);
-}
-
 Triangulation_result triangulate(Surface surface, const Kernel_options& options)
 {
   Triangulation_result result;
@@ -169,11 +173,20 @@ Triangulation_result triangulate(Surface surface, const Kernel_options& options)
   result.surface = std::move(surface);
   {
     Progress progress(result.surface.path);
-    result.outcome =
-      run({result.surface, options, [&](std::uint64_t tests, std::uint64_t flips) {
-             progress.update(tests, flips);
-             return !is_interrupted();
-           }});
+    const auto show_flips = [&](std::uint64_t tests, std::uint64_t flips) {
+      progress.show_flips(tests, flips);
+      return !is_interrupted();
+    };
+    // An interruption of the flips leaves a result, which has an overlay as well; it takes
+    // another one, meant for the overlay, to do without.
+    std::optional<bool> was_interrupted;
+    const auto show_overlay = [&](double fraction) {
+      progress.show("overlay", fraction);
+      if (!was_interrupted)
+        was_interrupted = is_interrupted();
+      return *was_interrupted || !is_interrupted();
+    };
+    result.outcome = run({result.surface, options, show_flips, show_overlay});
   }
   result.counts = count_elements(result.outcome.connectivity);
   return result;
@@ -218,6 +231,7 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
     .add_flag("--mollify-local", options->is_mollification_local,
               "lengthen only edges of triangles that lack the margin")
     ->needs(mollify);
+  CLI::Option* const repair = add_repair_option(command, options->is_repaired);
   command.add_flag("--verify", options->is_verified,
                    "afterwards decide every interior edge once more, exactly and from the input "
                    "alone, whatever the number type; status 4 if one is not Delaunay");
@@ -247,6 +261,12 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
     .add_option("--overlay", options->overlay_path,
                 "write the overlay of input and result as a mesh of polygons")
     ->type_name("F.(ply|off|obj)");
+  command
+    .add_option("--repair-map", options->repair_map_path,
+                "write where the vertices and faces of the repaired surface come from, as CSV: "
+                "element,index,input")
+    ->type_name("F.csv")
+    ->needs(repair);
   command.callback(
     [options, &selected] { selected = [options] { return run_triangulate(*options); }; });
 }

@@ -5,17 +5,10 @@
 
 #include "Triangulation_result.h"
 
-#include <optional>
-#include <string>
-
 namespace idt {
 
-// Reads a surface and makes it Delaunay, with a progress line; what the subcommands
-// that need an intrinsic triangulation begin with.
-Triangulation_result triangulate(const std::string& path, const Kernel_options& options,
-                                 const std::optional<Mollification_options>& mollification);
-
-// The same for a surface that was read.
+// Makes a surface Delaunay, with a progress line; what the subcommands that need an intrinsic
+// triangulation begin with.
 Triangulation_result triangulate(Surface surface, const Kernel_options& options);
 
 } // namespace idt

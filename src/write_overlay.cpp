@@ -9,28 +9,14 @@
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/boost/graph/IO/OBJ.h>
+#ifdef CGAL_USE_VTK
+#include <CGAL/boost/graph/IO/VTK.h>
+#endif
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <utility>
 #include <vector>
 
 namespace idt {
-
-std::optional<Mesh_format> find_mesh_format(const std::string& path)
-{
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension == ".ply")
-    return Mesh_format::PLY;
-  if (extension == ".off")
-    return Mesh_format::OFF;
-  if (extension == ".obj")
-    return Mesh_format::OBJ;
-  return std::nullopt;
-}
 
 void write_overlay(std::ostream& os, const Triangulation_result& result, Mesh_format format)
 {
@@ -40,10 +26,9 @@ void write_overlay(std::ostream& os, const Triangulation_result& result, Mesh_fo
   points.reserve(result.surface.points.size());
   for (const auto& [x, y, z] : result.surface.points)
     points.emplace_back(x, y, z);
-  const auto mesh = IT::overlay_to_surface_mesh(result.outcome.overlay->graph,
-                                                result.outcome.overlay->positions,
-                                                result.surface.connectivity,
-                                                result.outcome.connectivity, points);
+  const auto mesh = IT::internal::overlay_to_surface_mesh_without_corners(
+    result.outcome.overlay->graph, result.outcome.overlay->positions, result.surface.connectivity,
+    points);
   const auto all_digits = CGAL::parameters::stream_precision(17);
   switch (format) {
   case Mesh_format::PLY:
@@ -61,6 +46,14 @@ void write_overlay(std::ostream& os, const Triangulation_result& result, Mesh_fo
   case Mesh_format::OBJ:
     CGAL::IO::write_OBJ(os, mesh, all_digits);
     return;
+  case Mesh_format::VTP:
+#ifdef CGAL_USE_VTK
+    CGAL::IO::write_VTP(os, mesh);
+#endif
+    return;
+  case Mesh_format::STL:
+  case Mesh_format::TS:
+    break; // the command line does not allow them
   }
 }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
@@ -69,6 +70,8 @@ struct Job
   const Surface& surface;
   Kernel_options options;
   Continue_function go_further;
+  // Is asked during the construction of the overlay, which is left out if it says no.
+  CGAL::Intrinsic_triangulations::Progress_function overlay_progress;
 };
 
 // The smallest cotangent weight of an interior edge, and how many are negative.
@@ -122,6 +125,7 @@ struct Outcome
   std::vector<std::uint8_t> is_tie;    // for each edge
   CGAL::Intrinsic_triangulations::Flip_report report;
   std::string failure; // what ended the flips, or kept something from being found out
+  bool is_overlay_cancelled = false;
   // How many tests each stage decided, for the number type that has stages.
   std::optional<CGAL::Intrinsic_triangulations::Stage_counts> stages;
   std::optional<Weight_summary> weights_before;

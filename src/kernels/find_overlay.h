@@ -10,9 +10,12 @@
 namespace idt {
 
 // Nothing in it depends on the number type: it is made from integers and the exact geometry.
-// Where the result is no triangulation of the surface, `outcome.failure` says so.
+// Where the result is no triangulation of the surface, or `progress` cancels, `outcome.failure`
+// says so.
 void find_overlay(const CGAL::Intrinsic_triangulations::Delta_complex& complex,
-                  const CGAL::Intrinsic_triangulations::Exact_geometry& geometry, Outcome& outcome);
+                  const CGAL::Intrinsic_triangulations::Exact_geometry& geometry,
+                  const CGAL::Intrinsic_triangulations::Progress_function& progress,
+                  Outcome& outcome);
 
 } // namespace idt
 

@@ -49,8 +49,11 @@ Outcome run(const Job& job)
   try {
     return dispatch(job);
   } catch (const Invalid_surface_error& error) {
-    throw Invalid_surface_error(error.defect(), error.element(), error.count(),
-                                where + error.what());
+    const bool is_mollifiable = error.defect() == Invalid_surface_error::Defect::TRIANGLE_INEQUALITY;
+    throw Invalid_surface_error(
+      error.defect(), error.element(), error.count(),
+      where + error.what() +
+        (is_mollifiable ? "; the option --mollify of triangulate makes edges longer until it holds" : ""));
   } catch (const CGAL::Intrinsic_triangulations::Undecided_error& error) {
     throw CGAL::Intrinsic_triangulations::Undecided_error(where + error.what());
   } catch (const CGAL::Uncertain_conversion_exception&) {

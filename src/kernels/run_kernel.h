@@ -203,8 +203,9 @@ inline void find_stages(const IT::Exact_geometry& geometry, Outcome& outcome)
 
 // What the input and the integers tell about the result.
 template <class Triangulation>
-void relate_to_input(const Triangulation& triangulation, const Wanted& wanted, Outcome& outcome)
+void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome& outcome)
 {
+  const Wanted& wanted = job.options.wanted;
   const IT::Delta_complex& complex = triangulation.connectivity();
   try {
     const Stopwatch stopwatch;
@@ -213,7 +214,7 @@ void relate_to_input(const Triangulation& triangulation, const Wanted& wanted, O
     if (wanted.crossings) {
       find_crossings(triangulation, outcome);
       if (wanted.overlay)
-        find_overlay(complex, triangulation.exact_geometry(), outcome);
+        find_overlay(complex, triangulation.exact_geometry(), job.overlay_progress, outcome);
       outcome.crossing_summary->seconds = stopwatch.seconds();
     }
     if (wanted.verification)
@@ -275,7 +276,7 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
   }
 
   if (wanted.needs_input())
-    relate_to_input(triangulation, wanted, outcome);
+    relate_to_input(triangulation, job, outcome);
   if (wanted.weights)
     outcome.weights_after = summarize_weights(triangulation);
   if (wanted.lengths)

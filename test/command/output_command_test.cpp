@@ -4,6 +4,7 @@
 
 #include "Command_test.h"
 
+#include <sys/mount.h>
 #include <unistd.h>
 
 namespace {
@@ -67,6 +68,32 @@ TEST_F(Command_output, says_when_a_folder_is_read_only)
   EXPECT_TRUE(fs::is_empty(folder_ / "locked"));
 }
 
+TEST_F(Command_output, leaves_nothing_on_a_full_or_read_only_disk)
+{
+  write_kite("kite.off");
+  ASSERT_EQ(idt("sample torus -o torus.off").status, 0);
+  ASSERT_EQ(idt("sample strip -o strip.off").status, 0);
+  const std::string disk = (folder_ / "disk").string();
+  fs::create_directory(disk);
+  if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=16k") != 0)
+    GTEST_SKIP() << "only the superuser may mount a file system";
+  write("disk/old.ply", "old");
+  for (const char* arguments : {"triangulate torus.off --overlay disk/old.ply", "triangulate torus.off --edges disk/new.csv",
+                                "triangulate torus.off --laplacian disk/new.mtx", "sample torus -o disk/new.ply",
+                                "parameterize strip.off --uv disk/new.obj"}) {
+    const Command_run run = idt(arguments);
+    EXPECT_EQ(run.status, 1) << arguments << ": " << run.err;
+    EXPECT_TRUE(contains(run.err, "No space left")) << run.err;
+    EXPECT_EQ(content(folder_ / "disk/old.ply"), "old");
+    EXPECT_EQ(std::distance(fs::directory_iterator(disk), fs::directory_iterator()), 1) << arguments;
+  }
+  ::mount("tmpfs", disk.c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, nullptr);
+  const Command_run run = idt("triangulate kite.off --edges disk/e.csv");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_TRUE(contains(run.err, "disk/e.csv: cannot be written: Read-only file system")) << run.err;
+  EXPECT_EQ(::umount(disk.c_str()), 0);
+}
+
 TEST_F(Command_output, says_when_a_device_is_full)
 {
   if (!fs::exists("/dev/full"))
@@ -101,4 +128,15 @@ TEST_F(Command_output, is_not_killed_by_a_closed_pipe)
   const Command_run run = shell("{ '" + command_path() + "' sample strip; echo $? > status; } | head -n 1");
   EXPECT_EQ(run.out, "OFF\n");
   EXPECT_EQ(content(folder_ / "status"), "1\n");
+}
+
+TEST_F(Command_output, says_when_nobody_reads_the_report)
+{
+  write_kite("kite.off");
+  const Command_run run =
+    shell("{ sleep 0.3; '" + command_path() + "' triangulate kite.off --edges e.csv; echo $? > status; } | head -c 0");
+  EXPECT_EQ(content(folder_ / "status"), "1\n");
+  EXPECT_TRUE(contains(run.err, "the standard output cannot be written")) << run.err;
+  // What was complete before stays.
+  EXPECT_EQ(lines(content(folder_ / "e.csv")).size(), 6u);
 }

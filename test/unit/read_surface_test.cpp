@@ -3,6 +3,7 @@
 // Numbers survive every format; every way in which a file can be unusable has
 // its own message; the collection of bad files, if it is there.
 
+#include "mesh_file.h"
 #include "read_surface.h"
 
 #include <gtest/gtest.h>
@@ -188,6 +189,59 @@ TEST_F(Read_surface, seventeen_digits_come_back)
     expect_same_bits(points, input.points);
     EXPECT_EQ(input.triangles, triangles);
     EXPECT_TRUE(input.is_triangulated());
+  }
+}
+
+TEST_F(Read_surface, what_the_command_writes_comes_back)
+{
+  const Points points = hard_numbers();
+  const Triangles triangles = consecutive_triangles(points.size());
+  for (const std::string name : {"a.ply", "a.off", "a.obj", "a.STL", "a.ts"}) {
+    SCOPED_TRACE(name);
+    std::ofstream out(path(name), std::ios::binary);
+    idt::write_mesh(out, points, triangles, idt::find_mesh_format(name).value());
+    out.close();
+    const idt::Surface_input input = idt::read_surface(path(name));
+    // STL has no vertices: what comes back are the corners, in the order of the faces.
+    expect_same_bits(points, input.points);
+    EXPECT_EQ(input.triangles, triangles);
+    // And once more.
+    const idt::Surface_input again = idt::read_surface(path(name));
+    expect_same_bits(again.points, input.points);
+    EXPECT_EQ(again.triangles, input.triangles);
+  }
+  EXPECT_FALSE(idt::find_mesh_format("a.xyz"));
+#ifndef CGAL_USE_VTK
+  EXPECT_FALSE(idt::find_mesh_format("a.vtp"));
+#endif
+  EXPECT_FALSE(idt::holds_polygons(idt::Mesh_format::STL));
+}
+
+TEST_F(Read_surface, can_be_watched_and_stopped)
+{
+  const std::size_t n = 200000;
+  std::string off = "OFF\n" + std::to_string(n + 2) + " " + std::to_string(n) + " 0\n";
+  for (std::size_t i = 0; i < n + 2; ++i)
+    off += std::to_string(i) + " " + std::to_string(i % 2) + " 0\n";
+  for (std::size_t i = 0; i < n; ++i)
+    off += "3 " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
+  const std::string file = write("long.off", off);
+  std::vector<double> fractions;
+  const idt::Surface_input input = idt::read_surface(file, [&](double fraction) {
+    fractions.push_back(fraction);
+    return true;
+  });
+  EXPECT_EQ(input.triangles.size(), n);
+  ASSERT_GT(fractions.size(), 3u);
+  EXPECT_EQ(fractions.front(), 0);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_GT(fractions.back(), 0.9);
+  EXPECT_LE(fractions.back(), 1);
+
+  for (std::size_t stop = 1; stop <= fractions.size(); ++stop) {
+    std::size_t asked = 0;
+    EXPECT_THROW(idt::read_surface(file, [&](double) { return ++asked < stop; }), IT::Cancelled_error) << stop;
+    EXPECT_EQ(asked, stop);
   }
 }
 

@@ -3,6 +3,7 @@
 // Every defect by a small example, with the element and the number that are
 // reported; surfaces without a defect; the texts.
 
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -413,6 +414,65 @@ TEST(Validate_triangles, random_polygons)
     for (const IT::Finding& finding : report.findings)
       ASSERT_FALSE(IT::message(finding).empty());
   }
+}
+
+// The complex that a surface has, if it is one.
+bool is_complex(const Points& points, const Polygons& polygons, IT::Delta_complex& complex)
+{
+  try {
+    for (const Indices& polygon : polygons)
+      if (polygon.size() != 3)
+        return false;
+    complex = IT::make_Delta_complex_from_triangles(points.size(), polygons);
+    return true;
+  } catch (const IT::Invalid_surface_error&) {
+    return false;
+  }
+}
+
+TEST(Validate_triangles, the_quick_question_has_the_same_answer)
+{
+  std::mt19937 random(3);
+  const auto number = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };
+  std::size_t plain = 0, ugly = 0;
+  const auto compare = [&](const Points& points, const Polygons& polygons) {
+    const IT::Surface_report report = IT::examine_polygons(points, polygons);
+    std::size_t findings = 0;
+    for (const IT::Finding& finding : report.findings)
+      findings += finding.kind != Kind::SEVERAL_COMPONENTS;
+    IT::Delta_complex complex;
+    const bool is_plain = is_complex(points, polygons, complex) && IT::has_nothing_to_report(complex, points);
+    EXPECT_EQ(is_plain, findings == 0) << IT::message(report);
+    ++(is_plain ? plain : ugly);
+  };
+  for (int round = 0; round < 3000; ++round) {
+    Points points;
+    for (int i = 3 + number(4); i > 0; --i)
+      points.push_back({{1. * number(4), 1. * number(4), 1. * number(4)}});
+    Polygons polygons;
+    for (int i = 1 + number(4); i > 0; --i) {
+      polygons.emplace_back();
+      while (polygons.back().size() < 3)
+        polygons.back().push_back(static_cast<std::size_t>(number(static_cast<int>(points.size()))));
+    }
+    compare(points, polygons);
+  }
+  Points points;
+  Polygons triangles;
+  grid(7, points, triangles);
+  compare(points, triangles);
+  for (const double x : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1e300, 1.7e308}) {
+    Points spoilt = points;
+    spoilt[11][2] = x;
+    compare(spoilt, triangles);
+    spoilt[12] = spoilt[11];
+    spoilt[12][0] += 1e-300;
+    compare(spoilt, triangles);
+  }
+  points.push_back({{0, 0, 0}});
+  compare(points, triangles);
+  EXPECT_GT(plain, 30u);
+  EXPECT_GT(ugly, 1000u);
 }
 
 } // namespace

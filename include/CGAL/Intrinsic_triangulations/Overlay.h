@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/internal/Overlay_arrays.h>
 #include <CGAL/Intrinsic_triangulations/internal/Overlay_builder.h>
 
@@ -93,16 +94,20 @@ public:
   /// O(size of the overlay), which is that of the surface plus the number of crossings.
   /// \pre `triangulation.keeps_input()`
   /// \exception Integer_overflow_error if there are 2^31 segments or more
+  /// \exception Cancelled_error if `progress` returns `false`
   template <class Traits>
-  explicit Overlay(const Intrinsic_triangulation<Traits>& triangulation)
-    : Overlay(triangulation.connectivity(), triangulation.exact_geometry().correspondence())
+  explicit Overlay(const Intrinsic_triangulation<Traits>& triangulation,
+                   const Progress_function& progress = {})
+    : Overlay(triangulation.connectivity(), triangulation.exact_geometry().correspondence(), progress)
   {}
 
   /// \brief builds the overlay from the current connectivity and where the input lies in it.
   /// \pre `correspondence.is_prepared()`
   /// \exception Integer_overflow_error as above
-  Overlay(const Delta_complex& intrinsic, const Correspondence& correspondence)
-    : arrays_(internal::Overlay_builder(intrinsic, correspondence).build())
+  /// \exception Cancelled_error as above
+  Overlay(const Delta_complex& intrinsic, const Correspondence& correspondence,
+          const Progress_function& progress = {})
+    : arrays_(internal::Overlay_builder(intrinsic, correspondence, progress).build())
   {}
 
   /// \name Size

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/internal/Crossing_locator.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 
@@ -38,25 +39,31 @@ public:
   ///
   /// \param triangulation a triangulation that keeps its input
   /// \param overlay its overlay
+  /// \param progress is asked during the computation
   /// \exception Undecided_error if an edge is not a straight line over the input triangles: an
   ///   inexact number type has flipped a hinge that is not convex
+  /// \exception Cancelled_error if `progress` returns `false`
   ///
   /// O(size of the overlay) arithmetic operations.
   template <class Traits>
-  Overlay_positions(const Intrinsic_triangulation<Traits>& triangulation, const Overlay& overlay)
-    : Overlay_positions(triangulation.connectivity(), triangulation.exact_geometry(), overlay)
+  Overlay_positions(const Intrinsic_triangulation<Traits>& triangulation, const Overlay& overlay,
+                    const Progress_function& progress = {})
+    : Overlay_positions(triangulation.connectivity(), triangulation.exact_geometry(), overlay, progress)
   {}
 
   /// \brief as above, from the current connectivity and the exact geometry of the input.
   /// \pre `geometry.prepare()` was called
   Overlay_positions(const Delta_complex& intrinsic, const Exact_geometry& geometry,
-                    const Overlay& overlay)
+                    const Overlay& overlay, const Progress_function& progress = {})
     : number_of_original_vertices_(overlay.number_of_original_vertices()),
       on_intrinsic_edge_(overlay.number_of_crossings(), internal::default_init),
       on_input_edge_(overlay.number_of_crossings(), internal::default_init)
   {
     internal::Crossing_locator locate(intrinsic, geometry, overlay);
+    const internal::Loop_progress loop(progress, "the search for the places of the crossings", 0, 1,
+                                       intrinsic.number_of_edges());
     for (Edge_index e : intrinsic.edges()) {
+      loop.at(e.idx());
       if (overlay.intrinsic_crossings(e).empty())
         continue;
       double last = 0;

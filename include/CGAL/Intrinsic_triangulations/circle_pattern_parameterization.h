@@ -170,7 +170,7 @@ constexpr double circle_pattern_tolerance = 1e-10;
 // that its slope along the direction grows: a step is short enough as soon as the slope at
 // its end is at most half as steep upwards as it was downwards at the start.
 inline void minimize(const Circle_pattern_energy& energy, Eigen::VectorXd& rho,
-                     Circle_pattern& result)
+                     Circle_pattern& result, const Progress_function& progress)
 {
   Eigen::VectorXd gradient = energy.gradient(rho);
   result.gradient = gradient.cwiseAbs().maxCoeff();
@@ -178,7 +178,10 @@ inline void minimize(const Circle_pattern_energy& energy, Eigen::VectorXd& rho,
     return;
   const Eigen::Index n = rho.size() - 1;
   Sparse_cholesky cholesky(energy.hessian(rho), "the Hessian of the circle pattern energy");
+  const double first_gradient = result.gradient;
   for (; result.gradient > circle_pattern_tolerance; ++result.iterations) {
+    report_progress(progress, fraction_of_digits(first_gradient, result.gradient, circle_pattern_tolerance),
+                    "the search for radii");
     if (result.iterations == 50)
       throw Numerical_error("the circle pattern does not converge: rounding, of angles that are "
                             "too small, keeps the gradient of its energy above 1e-10");
@@ -268,25 +271,32 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 /// \param complex the triangles of a disk
 /// \param lengths the length of each edge
 /// \param areas the area of each face
+/// \param progress is asked before each iteration of the two minimizations, which are half of the way each
 ///
 /// \exception Invalid_surface_error if the surface is no disk, or has an inner vertex with less
 ///   than three corners
 /// \exception Numerical_error if there are no coherent angles, or rounding keeps one of the
 ///   minima from being found
+/// \exception Cancelled_error if `progress` returns `false`
 ///
 /// Sources: L. Kharevych, B. Springborn, P. Schröder, "Discrete conformal mappings via circle
 /// patterns", 2006; Fisher, Springborn, Schroeder, Bobenko (2006), section 3.3.
 inline Circle_pattern circle_pattern_parameterization(const Delta_complex& complex,
                                                       const std::vector<double>& lengths,
-                                                      const std::vector<double>& areas)
+                                                      const std::vector<double>& areas,
+                                                      const Progress_function& progress = {})
 {
+  const auto half = [&progress](double begin) {
+    return progress ? Progress_function([&progress, begin](double x) { return progress(begin + x / 2); })
+                    : Progress_function();
+  };
   const std::vector<Halfedge_index> boundary = disk_boundary(complex);
   Circle_pattern result;
-  result.input = find_coherent_angles(complex, opposite_angles(complex, lengths, areas));
+  result.input = find_coherent_angles(complex, opposite_angles(complex, lengths, areas), 1e-3, half(0));
   const internal::Circle_pattern_energy energy(complex, result.input.angles);
 
   Eigen::VectorXd rho = energy.first_guess();
-  internal::minimize(energy, rho, result);
+  internal::minimize(energy, rho, result, half(0.5));
   result.uv = internal::lay_out(complex, energy, rho);
 
   double image_area = 0;
@@ -307,10 +317,11 @@ inline Circle_pattern circle_pattern_parameterization(const Delta_complex& compl
 /// as above, for a triangulation; exceptions also as for `face_areas()`.
 template <class Traits>
 Circle_pattern
-circle_pattern_parameterization(const Intrinsic_triangulation<Traits>& triangulation)
+circle_pattern_parameterization(const Intrinsic_triangulation<Traits>& triangulation,
+                                const Progress_function& progress = {})
 {
   return circle_pattern_parameterization(triangulation.connectivity(),
-                                         edge_lengths(triangulation), face_areas(triangulation));
+                                         edge_lengths(triangulation), face_areas(triangulation), progress);
 }
 
 } // namespace Intrinsic_triangulations

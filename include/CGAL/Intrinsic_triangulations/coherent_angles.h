@@ -88,10 +88,12 @@ public:
     build_equations();
   }
 
-  std::vector<double> run()
+  std::vector<double> run(const Progress_function& progress)
   {
     start();
+    const double first_gap = gap();
     for (int iteration = 0; iteration < 100; ++iteration) {
+      report_progress(progress, fraction_of_digits(first_gap, gap(), 1e-10), "the search for angles");
       evaluate();
       if (equation_error_.abs().maxCoeff() < 1e-12 && slack_error_.abs().maxCoeff() < 1e-12 &&
           (edges_.empty() || edge_slack_error_.abs().maxCoeff() < 1e-12) && gap() < 1e-10)
@@ -319,10 +321,12 @@ private:
 /// \param angles the angle opposite to each halfedge, as `opposite_angles()` returns them
 /// \param margin in radians, how far edge sums stay below π, and angles above 0; those that
 ///   are less than twice that can become half as large
+/// \param progress is asked before each iteration
 ///
 /// \exception Invalid_surface_error if an inner vertex has fewer than three corners, which
 ///   cannot sum to 2π
 /// \exception Numerical_error if no such angles are found
+/// \exception Cancelled_error if `progress` returns `false`
 ///
 /// A convex quadratic program, solved by an interior-point method: some twenty sparse
 /// Cholesky factorizations. Face and vertex sums are right to 1e-12.
@@ -330,7 +334,8 @@ private:
 /// patterns", 2006, section 3.
 inline Coherent_angles find_coherent_angles(const Delta_complex& complex,
                                             const std::vector<double>& angles,
-                                            double margin = 1e-3)
+                                            double margin = 1e-3,
+                                            const Progress_function& progress = {})
 {
   CGAL_precondition(angles.size() == complex.number_of_halfedges());
   std::vector<int> corners(complex.number_of_vertices(), 0);
@@ -348,7 +353,7 @@ inline Coherent_angles find_coherent_angles(const Delta_complex& complex,
                                     "surface open there");
   }
   Coherent_angles result;
-  result.angles = internal::Angle_optimizer(complex, angles, margin).run();
+  result.angles = internal::Angle_optimizer(complex, angles, margin).run(progress);
   const double largest_sum = boost::math::constants::pi<double>() - margin;
   for (Edge_index e : complex.edges()) {
     const Halfedge_index h = complex.halfedge(e);

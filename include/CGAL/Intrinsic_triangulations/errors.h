@@ -101,6 +101,14 @@ public:
   using Error::Error;
 };
 
+/// \ingroup PkgIntrinsicTriangulationsErrors
+/// \brief says that a computation ended early because its `Progress_function` asked for that.
+class Cancelled_error : public Error
+{
+public:
+  using Error::Error;
+};
+
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 

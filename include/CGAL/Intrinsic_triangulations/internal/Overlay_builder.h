@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Overlay_arrays.h>
 
@@ -33,9 +34,10 @@ class Overlay_builder
   using size_type = Overlay_arrays::size_type;
 
 public:
-  Overlay_builder(const Delta_complex& intrinsic, const Correspondence& correspondence)
+  Overlay_builder(const Delta_complex& intrinsic, const Correspondence& correspondence,
+                  const Progress_function& progress)
     : intrinsic_(intrinsic), input_(correspondence.input()), correspondence_(correspondence),
-      coordinates_(correspondence.coordinates())
+      coordinates_(correspondence.coordinates()), progress_(progress)
   {
     CGAL_precondition(correspondence.is_prepared());
   }
@@ -75,8 +77,10 @@ private:
     overlay_.coinciding_halfedges.resize(intrinsic_.number_of_edges(), default_init);
     overlay_.input_edges.resize(input_.number_of_edges(), default_init);
 
+    const Loop_progress progress = part(0, 0.4, intrinsic_.number_of_edges());
     size_type segment = 0, crossing = intrinsic_.number_of_vertices();
     for (Edge_index e : intrinsic_.edges()) {
+      progress.at(e.idx());
       const Halfedge_index h = intrinsic_.halfedge(e);
       size_type from = intrinsic_.source(h).idx();
       for (std::int64_t i = coordinates_.number_of_crossings(e); i > 0; --i) {
@@ -142,7 +146,9 @@ private:
   // Where an input edge leaves a corner, the opposite side is crossed.
   void follow_input_edges()
   {
+    const Loop_progress progress = part(0.4, 0.7, intrinsic_.number_of_edges());
     for (Edge_index e : intrinsic_.edges()) {
+      progress.at(e.idx());
       if (coordinates_.crossings(e) <= 0)
         continue;
       for (Halfedge_index h : {intrinsic_.halfedge(e), intrinsic_.opposite(intrinsic_.halfedge(e))})
@@ -229,8 +235,10 @@ private:
 
   void fill_faces()
   {
+    const Loop_progress progress = part(0.7, 1, intrinsic_.number_of_faces());
     size_type face = 0;
     for (Face_index f : intrinsic_.faces()) {
+      progress.at(f.idx());
       const Halfedge_index ij = intrinsic_.halfedge(f), jk = intrinsic_.next(ij),
                            ki = intrinsic_.prev(ij);
       if (is_one_segment(ij) && is_one_segment(jk) && is_one_segment(ki)) {
@@ -315,12 +323,18 @@ private:
     }
   }
 
+  Loop_progress part(double begin, double end, std::size_t number_of_elements) const
+  {
+    return Loop_progress(progress_, "the construction of the overlay", begin, end, number_of_elements);
+  }
+
   Overlay_arrays::Halfedge& record(size_type h) { return overlay_.halfedges[h]; }
 
   const Delta_complex& intrinsic_;
   const Delta_complex& input_;
   const Correspondence& correspondence_;
   const Normal_coordinates& coordinates_;
+  const Progress_function& progress_;
   Overlay_arrays overlay_;
   size_type next_input_segment_ = 0;
 };

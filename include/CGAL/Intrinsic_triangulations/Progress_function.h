@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// How a long computation tells how far it is, and how it is stopped.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_PROGRESS_FUNCTION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_PROGRESS_FUNCTION_H
+
+#include <CGAL/Intrinsic_triangulations/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// \brief is asked from time to time during a long computation, with the fraction that is done, from 0
+/// to 1; if it returns `false`, the computation ends with a `Cancelled_error`.
+///
+/// An empty function stands for one that always returns `true`. The flips have a richer interface,
+/// `IntrinsicFlipVisitor`.
+using Progress_function = std::function<bool(double fraction)>;
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+inline void report_progress(const Progress_function& progress, double fraction, const char* what)
+{
+  if (progress && !progress(fraction))
+    throw Cancelled_error(std::string(what) + " was cancelled");
+}
+
+// How far an iteration is whose error falls from `first` to `tolerance`: the digits that it has.
+inline double fraction_of_digits(double first, double error, double tolerance)
+{
+  const double all = std::log(first / tolerance);
+  return all > 0 ? (std::max)(0., (std::min)(1., std::log(first / error) / all)) : 0;
+}
+
+// Asks at every so many of the elements of a loop, which is a part of the computation.
+class Loop_progress
+{
+public:
+  Loop_progress(const Progress_function& progress, const char* what, double begin, double end,
+                std::size_t number_of_elements)
+    : progress_(progress), what_(what), begin_(begin),
+      step_((end - begin) / double(number_of_elements + 1))
+  {}
+  void at(std::size_t element) const
+  {
+    if (element % stride == 0)
+      report_progress(progress_, begin_ + step_ * double(element), what_);
+  }
+
+private:
+  static constexpr std::size_t stride = 4096;
+  const Progress_function& progress_;
+  const char* what_;
+  double begin_, step_;
+};
+
+} // namespace internal
+/// \endcond
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_PROGRESS_FUNCTION_H

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What is found when a list of polygons is examined, and how it is said: kinds of findings,
+// the report, its messages and the exception.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_REPORT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_REPORT_H
+
+#include <CGAL/Intrinsic_triangulations/errors.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief what `examine_polygons()` found: the fatal kinds first, in the order
+/// in which they should be mended, then those that a surface may have.
+enum class Finding_kind {
+  EMPTY,                    ///< there is no face
+  TOO_MANY_ELEMENTS,        ///< vertices or corners do not fit 32-bit indices
+  BAD_INDEX,                ///< a face names a vertex that does not exist
+  NOT_FINITE,               ///< a coordinate is NaN or infinite
+  NOT_A_TRIANGLE,           ///< a face has fewer or more than three corners
+  REPEATED_CORNER,          ///< a face names a vertex twice
+  DUPLICATE_FACE,           ///< a face has the three corners of an earlier one
+  NON_MANIFOLD_EDGE,        ///< an edge has more than two faces
+  INCONSISTENT_ORIENTATION, ///< the two faces of an edge traverse it in the same direction
+  NON_MANIFOLD_VERTEX,      ///< the faces around a vertex form more than one fan
+  ZERO_LENGTH_EDGE,         ///< the ends of an edge coincide
+  LENGTH_RANGE,             ///< no power of two scales all squared lengths into the range of `double`
+  ZERO_AREA_FACE,           ///< not fatal: the three distinct corners of a face are collinear
+  UNREFERENCED_VERTEX,      ///< not fatal: no face names a vertex
+  SEVERAL_COMPONENTS        ///< not fatal: the surface is in several pieces
+};
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief one kind of thing found by `examine_polygons()`, with the first elements that show it.
+struct Finding
+{
+  /// what was found.
+  Finding_kind kind;
+  /// the same as an exception says it; without meaning unless `is_fatal`.
+  Invalid_surface_error::Defect defect;
+  /// the smallest indices, at most ten, increasing where they are vertices or
+  /// faces; for a finding about edges, the first face of each of `edges`.
+  std::vector<std::size_t> elements;
+  /// the end vertices of the first edges, smaller first; empty for other findings.
+  std::vector<std::array<std::size_t, 2>> edges;
+  /// how many elements show it (for `SEVERAL_COMPONENTS`: how many components).
+  std::size_t count;
+  /// whether the package cannot work on the surface.
+  bool is_fatal;
+  /// names the first element with its vertices, e.g. "edge 3-17 has 4 faces (faces 5, 8, 9, 11)".
+  std::string description;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief everything that `examine_polygons()` found, and the sizes that it counted on the way.
+struct Surface_report
+{
+  /// one entry per kind that occurs, in the order of `Finding_kind`.
+  std::vector<Finding> findings;
+  std::size_t number_of_vertices = 0;     ///< points, referenced or not
+  std::size_t number_of_faces = 0;        ///< polygons, good or bad
+  std::size_t number_of_edges = 0;        ///< edges of the faces whose indices are good
+  std::size_t number_of_border_edges = 0; ///< those with one face
+  std::size_t number_of_components = 0;   ///< pieces that share no vertex
+  /// whether the faces can be turned so that neighbours agree (known only if no edge has three faces).
+  bool is_orientable = true;
+  /// the smallest `e` such that no coordinate differs by 2<sup>e</sup> or more along any edge.
+  int exponent_of_longest_edge = 0;
+  /// the same for the shortest edge that is not of zero length.
+  int exponent_of_shortest_edge = 0;
+
+  /// returns the entry of a kind, or `nullptr` if there is none. Complexity: constant.
+  const Finding* find(Finding_kind kind) const
+  {
+    for (const Finding& finding : findings)
+      if (finding.kind == kind)
+        return &finding;
+    return nullptr;
+  }
+
+  /// returns the first fatal entry, or `nullptr` if the surface can be used. Complexity: constant.
+  const Finding* first_fatal() const
+  {
+    for (const Finding& finding : findings)
+      if (finding.is_fatal)
+        return &finding;
+    return nullptr;
+  }
+};
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// How a kind is called, mended and thrown.
+struct Finding_properties
+{
+  Invalid_surface_error::Defect defect;
+  bool is_fatal;
+  const char* singular; // the element that `count` counts
+  const char* plural;
+  const char* summary; // completes "3 ..."
+  const char* advice;
+};
+
+inline const Finding_properties& finding_properties(const Finding_kind kind)
+{
+  typedef Invalid_surface_error::Defect Defect;
+  static const Finding_properties table[] = {
+    {Defect::EMPTY, true, "file", "files", "without a face",
+     "at least one triangle is needed"},
+    {Defect::OUT_OF_RANGE, true, "element", "elements", "too many",
+     "split the surface"},
+    {Defect::BAD_INDEX, true, "face", "faces", "with a bad index",
+     "vertices are counted from 0 here: remove the face, or add the missing vertices"},
+    {Defect::NOT_FINITE, true, "vertex", "vertices", "not finite",
+     "give every vertex finite coordinates"},
+    {Defect::NOT_A_TRIANGLE, true, "face", "faces", "not a triangle",
+     "triangulate the faces first, for example with CGAL::Polygon_mesh_processing::triangulate_faces()"},
+    {Defect::REPEATED_CORNER, true, "face", "faces", "with a repeated corner",
+     "remove the face"},
+    {Defect::DUPLICATE_FACE, true, "face", "faces", "repeating another",
+     "remove all but one, for example with"
+     " CGAL::Polygon_mesh_processing::merge_duplicate_polygons_in_polygon_soup()"},
+    {Defect::NON_MANIFOLD_EDGE, true, "edge", "edges", "not manifold",
+     "remove the faces that do not belong there, or cut the surface open along the edge, for example with"
+     " CGAL::Polygon_mesh_processing::orient_polygon_soup()"},
+    {Defect::INCONSISTENT_ORIENTATION, true, "edge", "edges", "with faces of opposite orientation",
+     "orient the faces, for example with CGAL::Polygon_mesh_processing::orient_polygon_soup()"},
+    {Defect::NON_MANIFOLD_VERTEX, true, "vertex", "vertices", "not manifold",
+     "give each fan a vertex of its own, for example with"
+     " CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() or orient_polygon_soup()"},
+    {Defect::ZERO_LENGTH_EDGE, true, "edge", "edges", "of zero length",
+     "merge the two vertices and remove the faces that vanish, or move one of them"},
+    {Defect::OUT_OF_RANGE, true, "edge", "edges", "out of range",
+     "no scaling brings both squared lengths into the range of double: remove the outliers"},
+    {Defect::DEGENERATE_FACE, false, "face", "faces", "of zero area", ""},
+    {Defect::EMPTY, false, "vertex", "vertices", "not referenced by any face", ""},
+    {Defect::EMPTY, false, "component", "components", "in all", ""}};
+  return table[static_cast<std::size_t>(kind)];
+}
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief says in a sentence what was found, where, how often, and what to do about it.
+/// \param finding an entry of a report
+/// \return for example "edge 3-17 has 4 faces (faces 5, 8, 9, 11), and 2 more edges like it; remove ...".
+/// Complexity: constant.
+inline std::string message(const Finding& finding)
+{
+  const internal::Finding_properties& properties = internal::finding_properties(finding.kind);
+  std::string text = finding.description;
+  if (finding.count > 1 && finding.kind != Finding_kind::SEVERAL_COMPONENTS)
+    text += ", and " + std::to_string(finding.count - 1) + " more " +
+            (finding.count == 2 ? properties.singular : properties.plural) + " like it";
+  if (*properties.advice != 0)
+    text += std::string("; ") + properties.advice;
+  return text;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief says what is wrong with a surface.
+/// \param report what `examine_polygons()` returned
+/// \param name the name of the surface, e.g. of its file; it precedes the text unless it is empty
+/// \return if the report has a fatal entry, the first in full and the other fatal ones by
+/// their numbers; otherwise the entries that are not fatal, one after the other; the
+/// empty string if there is no entry. Complexity: constant.
+inline std::string message(const Surface_report& report, const std::string& name = std::string())
+{
+  std::string text;
+  const Finding* const fatal = report.first_fatal();
+  if (fatal != nullptr) {
+    text = message(*fatal);
+    std::string others;
+    for (const Finding& finding : report.findings) {
+      if (!finding.is_fatal || &finding == fatal)
+        continue;
+      const internal::Finding_properties& properties = internal::finding_properties(finding.kind);
+      others += (others.empty() ? " (also: " : ", ") + std::to_string(finding.count) + " " +
+                (finding.count == 1 ? properties.singular : properties.plural) + " " + properties.summary;
+    }
+    text += others.empty() ? others : others + ")";
+  } else
+    for (const Finding& finding : report.findings)
+      text += (text.empty() ? "" : "; ") + message(finding);
+  return name.empty() || text.empty() ? text : name + ": " + text;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief does nothing if a surface can be used, and throws what is wrong with it otherwise.
+/// \param report what `examine_polygons()` returned
+/// \param name the name of the surface, e.g. of its file; it precedes the message unless it is empty
+/// \exception Invalid_surface_error with the defect, first element and count of the first
+/// fatal entry (for an edge, the element is its first face), and the text of `message()`.
+/// Complexity: constant.
+inline void throw_if_fatal(const Surface_report& report, const std::string& name = std::string())
+{
+  const Finding* const fatal = report.first_fatal();
+  if (fatal != nullptr)
+    throw Invalid_surface_error(fatal->defect, fatal->elements.empty() ? 0 : fatal->elements.front(),
+                                fatal->count, message(report, name));
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_REPORT_H

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Polygons that are no surface become one, where that is a matter of connectivity: what is done
+// to them, to which elements, and where each element of the result comes from.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H
+
+#include <CGAL/Intrinsic_triangulations/internal/Polygon_repairer.h>
+#include <CGAL/Intrinsic_triangulations/validate_triangles.h>
+
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief returns whether `repair_polygons()` mends what a finding says.
+///
+/// It mends what concerns the connectivity. An index or a coordinate that is no good is damage to
+/// the data, which nothing can make up for. Complexity: constant.
+inline bool is_repairable(Finding_kind kind)
+{
+  switch (kind) {
+  case Finding_kind::EMPTY:
+  case Finding_kind::TOO_MANY_ELEMENTS:
+  case Finding_kind::BAD_INDEX:
+  case Finding_kind::NOT_FINITE:
+  case Finding_kind::LENGTH_RANGE:
+    return false;
+  default:
+    return true;
+  }
+}
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief makes an oriented 2-manifold of triangles out of polygons.
+///
+/// In this order:
+/// - vertices at the same place are merged where an edge joins them and along the border, which
+///   closes seams; elsewhere they stay apart, as do surfaces that merely touch;
+/// - a face that names a vertex twice is cut into loops, and one with fewer than three different corners
+///   removed;
+/// - of faces with the same corners one is kept;
+/// - polygons are triangulated;
+/// - neighbours are given the same orientation, the first face of each component keeps its own;
+///   where that is impossible, at edges with more than two faces and at vertices with several fans,
+///   the surface is cut, which gives it copies of vertices;
+/// - cuts of which both sides fit together again are closed;
+/// - vertices that no face names are dropped.
+///
+/// No vertex is moved. Faces and vertices keep their order; copies of vertices come last.
+/// Zero-area faces stay. The result has no fatal finding in most cases, but `examine_polygons()`
+/// has the last word: closing a seam can leave edges as they were, with more faces than two.
+///
+/// \tparam PointRange a model of `RandomAccessRange`, of points whose coordinates are `p[0]`, `p[1]` and `p[2]`
+/// \tparam PolygonRange a model of `ForwardRange`, of ranges of integers of any length
+///
+/// \param points the vertices, whose coordinates are taken as `double`
+/// \param polygons the faces, as indices into `points`
+///
+/// \exception Invalid_surface_error if there is no face, an index is bad, or a coordinate is not finite
+///
+/// Complexity: O(n log n), but for faces with more than three corners: those that are nearly planar
+/// take O(k log k), others O(k<sup>3</sup>) up to a thousand corners, beyond which they become fans.
+///
+/// By `CGAL::Polygon_mesh_processing`: `merge_duplicate_points_in_polygon_soup()`,
+/// `merge_duplicate_polygons_in_polygon_soup()`, `triangulate_hole_polyline()`,
+/// `orient_polygon_soup()` and `stitch_borders()`.
+template <class PointRange, class PolygonRange>
+Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& polygons)
+{
+  const Surface_report report = examine_polygons(points, polygons);
+  for (Finding_kind kind : {Finding_kind::EMPTY, Finding_kind::TOO_MANY_ELEMENTS,
+                            Finding_kind::BAD_INDEX, Finding_kind::NOT_FINITE})
+    if (report.find(kind) != nullptr)
+      throw_if_fatal(report);
+
+  std::vector<std::array<double, 3>> coordinates;
+  coordinates.reserve(report.number_of_vertices);
+  for (const auto& p : points)
+    coordinates.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
+  std::vector<std::vector<std::size_t>> faces;
+  faces.reserve(report.number_of_faces);
+  for (const auto& polygon : polygons) {
+    faces.emplace_back();
+    for (const auto index : polygon)
+      faces.back().push_back(static_cast<std::size_t>(index));
+  }
+  return internal::Polygon_repairer(std::move(coordinates), std::move(faces)).run();
+}
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief says in a sentence what was done, to which element, and how often.
+/// \param repair an entry of `Repaired_polygons::repairs`
+/// \return for example "face 4 (6 corners) was cut into triangles, and 2 more faces like it".
+/// Complexity: constant.
+inline std::string message(const Repair& repair)
+{
+  std::string text = repair.description;
+  if (repair.count > 1)
+    text += ", and " + std::to_string(repair.count - 1) + " more " +
+            (internal::is_about_faces(repair.kind) ? (repair.count == 2 ? "face" : "faces")
+                                                   : (repair.count == 2 ? "vertex" : "vertices")) +
+            " like it";
+  return text;
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H

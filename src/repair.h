@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef IDT_REPAIR_H
+#define IDT_REPAIR_H
+
+#include "Surface.h"
+#include "read_surface.h"
+
+#include <CGAL/Intrinsic_triangulations/Surface_report.h>
+
+#include <ostream>
+#include <string>
+
+namespace idt {
+
+// Makes a surface of what was read, as far as possible, and says what was done.
+// \exception Invalid_surface_error if the input cannot be repaired; the message begins with its path
+Repair_report repair(Surface_input& input);
+
+// Whether that mends what was found.
+bool is_repairable(const CGAL::Intrinsic_triangulations::Finding& finding);
+
+// What was done, in a sentence.
+std::string message(const CGAL::Intrinsic_triangulations::Repair& repair);
+
+// For each vertex and face where it comes from, as comma-separated values:
+// `element,index,input`. \pre the surface was repaired
+void write_repair_map(std::ostream& os, const Surface& surface);
+
+} // namespace idt
+
+#endif // IDT_REPAIR_H

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The command on all of the evaluation meshes: what becomes of each is printed as a table. None
+// ends in a signal, an assertion, a NaN or an empty message.
+
+#include "Command_test.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+
+namespace {
+
+using Json = nlohmann::json;
+
+class Command_evaluation_data : public Command_test
+{
+protected:
+  void SetUp() override
+  {
+    Command_test::SetUp();
+    if (!fs::is_directory(data_folder()))
+      GTEST_SKIP() << "the evaluation meshes are not there";
+  }
+
+  static std::vector<fs::path> meshes(const std::string& folder)
+  {
+    std::vector<fs::path> paths;
+    for (const fs::directory_entry& entry : fs::directory_iterator(data_folder() / folder))
+      paths.push_back(entry.path());
+    std::sort(paths.begin(), paths.end());
+    return paths;
+  }
+
+  // But for what a file itself says, and its name.
+  static void expect_clean(std::string text)
+  {
+    for (const std::string allowed : {"synth_bad_nan.off", "the coordinate \"nan\" is not finite"})
+      for (std::size_t i; (i = text.find(allowed)) != std::string::npos;)
+        text.erase(i, allowed.size());
+    for (const char* word : {"nan", "NaN", "assert", "CGAL ERROR", "internal error", "terminate", "what()"})
+      EXPECT_FALSE(contains(text, word)) << word << " in " << text.substr(0, 2000);
+  }
+
+  // The outcome in a few words: the flips, or the first line of the message.
+  std::string run(const fs::path& path, const std::string& options, int& status) const
+  {
+    const Command_run run = idt("triangulate '" + fs::canonical(path).string() + "' --verify --stats s.json --edges e.csv " + options);
+    status = run.status;
+    expect_clean(run.out + run.err);
+    if (run.status == 0) {
+      expect_clean(content(folder_ / "e.csv"));
+      const Json stats = Json::parse(content(folder_ / "s.json"));
+      EXPECT_EQ(stats["status"], "done");
+      EXPECT_EQ(stats["verification"]["not_delaunay"], 0);
+      return std::to_string(stats["flips"].get<std::uint64_t>()) + " flips";
+    }
+    EXPECT_EQ(run.status, 3) << run.err;
+    const std::size_t begin = run.err.rfind(path.filename().string() + ": ");
+    EXPECT_NE(begin, std::string::npos) << run.err;
+    const std::string text = lines(run.err.substr(begin + path.filename().string().size() + 2)).at(0);
+    EXPECT_GT(text.size(), 10u);
+    return text;
+  }
+};
+
+TEST_F(Command_evaluation_data, good_meshes_become_Delaunay)
+{
+  for (const char* folder : {"table1", "good"})
+    for (const fs::path& path : meshes(folder)) {
+      SCOPED_TRACE(path);
+      int status = 0;
+      const std::string outcome = run(path, "--overlay o.ply", status);
+      EXPECT_EQ(status, 0);
+      std::cout << folder << '/' << path.filename().string() << ": " << outcome << '\n';
+      // Doubles that are NaN have all bits of the exponent, and these are numbers of vertices.
+      EXPECT_GT(fs::file_size(folder_ / "o.ply"), 0u);
+    }
+}
+
+TEST_F(Command_evaluation_data, bad_meshes_are_refused_with_a_reason_or_repaired)
+{
+  // What nothing can make up for.
+  const std::map<std::string, std::string> hopeless = {
+    {"geogram_corrupted_invalid_facet_vertex.off", "the face names vertex 7, but there are 6 vertices"},
+    {"geogram_corrupted_invalid_facet_vertex_2.off", "the face names vertex 100, but there are 12 vertices"},
+    {"libhedra_hexagonalminimal_plusgauss.off", "the face names vertex 400, but there are 400 vertices"},
+    {"synth_bad_inf.off", "vertex 0"},
+    {"synth_bad_nan.off", "vertex 0"},
+    {"synth_bad_only_vertices.off", "no face"}};
+  std::size_t number_of_hopeless = 0;
+  for (const fs::path& path : meshes("bad")) {
+    SCOPED_TRACE(path);
+    int status = 0, repaired_status = 0;
+    const std::string outcome = run(path, "", status), repaired = run(path, "--repair --repair-map m.csv --overlay o.ply", repaired_status);
+    std::cout << path.filename().string() << ":\n    " << outcome << "\n    with --repair: " << repaired << '\n';
+    EXPECT_EQ(status, 3);
+    // A refusal says which element it is about.
+    EXPECT_TRUE(contains(outcome, "face") || contains(outcome, "edge") || contains(outcome, "vert")) << outcome;
+    const auto found = hopeless.find(path.filename().string());
+    if (found == hopeless.end()) {
+      EXPECT_EQ(repaired_status, 0);
+      EXPECT_TRUE(contains(outcome, "--repair")) << outcome;
+    } else {
+      ++number_of_hopeless;
+      EXPECT_EQ(repaired_status, 3);
+      EXPECT_TRUE(contains(outcome, found->second)) << outcome;
+      EXPECT_FALSE(contains(outcome, "--repair")) << outcome;
+    }
+  }
+  EXPECT_EQ(number_of_hopeless, hopeless.size());
+}
+
+} // namespace

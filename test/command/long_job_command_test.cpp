@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A long job shows how far it is where somebody looks, and ends in good order when it is told to.
+
+#include "Command_test.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fcntl.h>
+#include <pty.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <thread>
+
+namespace {
+
+using Json = nlohmann::json;
+
+class Command_long_job : public Command_test
+{
+protected:
+  // A rough sheet of n times n vertices, with many edges to flip.
+  void write_sheet(const std::string& name, int n, double roughness) const
+  {
+    std::ofstream out(folder_ / name, std::ios::binary);
+    out << "ply\nformat binary_little_endian 1.0\nelement vertex " << n * n
+        << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << 2 * (n - 1) * (n - 1)
+        << "\nproperty list uchar int vertex_indices\nend_header\n";
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> noise(0, 1);
+    const auto append = [&out](const auto& x) { out.write(reinterpret_cast<const char*>(&x), sizeof x); };
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        for (double x : {i + 0.4 * noise(random), 0.5 * j + 0.2 * noise(random), roughness * noise(random)})
+          append(x);
+    for (int i = 0; i + 1 < n; ++i)
+      for (int j = 0; j + 1 < n; ++j) {
+        const int a = i * n + j;
+        for (const auto& t : {std::array<int, 3>{a, a + n, a + n + 1}, std::array<int, 3>{a, a + n + 1, a + 1}}) {
+          out.put(3);
+          append(t);
+        }
+      }
+  }
+
+  // Runs the command and interrupts it after a while; returns the exit status.
+  int interrupt(const std::vector<std::string>& arguments, double seconds) const
+  {
+    std::vector<std::string> words = {command_path()};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& word : words)
+      argv.push_back(&word[0]);
+    argv.push_back(nullptr);
+    const std::string err = (folder_ / ".err").string();
+    const pid_t child = ::fork();
+    if (child == 0) {
+      const int out = ::open(err.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0666);
+      ::dup2(out, 1);
+      ::dup2(out, 2);
+      if (::chdir(folder_.c_str()) == 0)
+        ::execv(argv[0], argv.data());
+      ::_exit(127);
+    }
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    ::kill(child, SIGINT);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+
+  // The time for the whole job.
+  double time(const std::string& arguments) const
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EQ(idt(arguments).status, 0);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+
+  void expect_nothing_temporary() const
+  {
+    for (const std::string& name : files())
+      EXPECT_EQ(name.find(".part-"), std::string::npos) << name;
+  }
+  bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
+  void remove_results() const
+  {
+    for (const std::string& name : files())
+      if (name.find("result") == 0)
+        fs::remove(folder_ / name);
+  }
+};
+
+TEST_F(Command_long_job, can_be_interrupted_at_any_time)
+{
+  write_sheet("sheet.ply", 300, 1);
+  const std::size_t edges = 3 * 299 * 299 + 2 * 299;
+  const double whole = time("triangulate sheet.ply --overlay result.ply --edges result.csv --stats result.json");
+  const std::string overlay = content(folder_ / "result.ply");
+  std::mt19937 random(std::random_device{}());
+  std::size_t interrupted = 0;
+  for (int run = 0; run < 10; ++run) {
+    remove_results();
+    const double delay = std::uniform_real_distribution<double>(0.01, whole)(random);
+    SCOPED_TRACE(delay);
+    const int status = interrupt({"triangulate", "sheet.ply", "--overlay", "result.ply", "--edges", "result.csv",
+                                  "--stats", "result.json"},
+                                 delay);
+    EXPECT_TRUE(status == 0 || status == 4) << status << ": " << content(folder_ / ".err");
+    interrupted += status == 4;
+    expect_nothing_temporary();
+    if (status == 0) {
+      EXPECT_EQ(content(folder_ / "result.ply"), overlay);
+    } else if (exists("result.json")) {
+      EXPECT_EQ(Json::parse(content(folder_ / "result.json"))["status"], "interrupted");
+      EXPECT_EQ(lines(content(folder_ / "result.csv")).size(), edges + 1);
+      // What is there can be read to its end; triangles are all that it has if no edge was flipped.
+      if (exists("result.ply")) {
+        const Command_run read = idt("triangulate result.ply");
+        EXPECT_TRUE(read.status == 0 || contains(read.err, "corners instead of 3")) << read.err;
+      }
+    } else {
+      EXPECT_FALSE(exists("result.csv") || exists("result.ply"));
+      EXPECT_TRUE(contains(content(folder_ / ".err"), "cancelled")) << content(folder_ / ".err");
+    }
+  }
+  EXPECT_GT(interrupted, 0u);
+}
+
+TEST_F(Command_long_job, can_be_interrupted_while_a_map_is_found)
+{
+  write_sheet("sheet.ply", 70, 0.3);
+  const double whole = time("parameterize sheet.ply --method circle-pattern --uv result.obj --json result.json");
+  const std::vector<std::string> all = files();
+  std::mt19937 random(std::random_device{}());
+  for (int run = 0; run < 8; ++run) {
+    remove_results();
+    const double delay = std::uniform_real_distribution<double>(0.01, whole)(random);
+    SCOPED_TRACE(delay);
+    const int status = interrupt({"parameterize", "sheet.ply", "--method", "circle-pattern", "--uv", "result.obj",
+                                  "--json", "result.json"},
+                                 delay);
+    EXPECT_TRUE(status == 0 || status == 4) << status << ": " << content(folder_ / ".err");
+    expect_nothing_temporary();
+    if (status == 0) {
+      EXPECT_EQ(files().size(), all.size());
+    } else {
+      EXPECT_EQ(files(), std::vector<std::string>{"sheet.ply"});
+      EXPECT_TRUE(contains(content(folder_ / ".err"), "cancelled")) << content(folder_ / ".err");
+    }
+  }
+}
+
+TEST_F(Command_long_job, shows_progress_on_a_terminal_and_nowhere_else)
+{
+  write_sheet("sheet.ply", 600, 1);
+  const std::string arguments = "triangulate sheet.ply --overlay result.ply";
+  EXPECT_EQ(idt(arguments).err, "");
+
+  int terminal = -1;
+  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    const std::string line = "cd '" + folder_.string() + "' && exec '" + command_path() + "' " + arguments + " > .out";
+    ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+    ::_exit(127);
+  }
+  std::string shown;
+  char buffer[4096];
+  for (ssize_t n; (n = ::read(terminal, buffer, sizeof buffer)) > 0;)
+    shown.append(buffer, static_cast<std::size_t>(n));
+  ::close(terminal);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(contains(shown, "sheet.ply: ")) << shown;
+  EXPECT_TRUE(contains(shown, "reading [") || contains(shown, "flipping, ") || contains(shown, "overlay [")) << shown;
+  // The line is erased in the end.
+  EXPECT_EQ(shown.substr(shown.size() - 4), "\r\x1b[K") << shown;
+}
+
+} // namespace

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `--repair`: without it the message says that it would help; with it, what was done is said and
+// the results belong to the repaired surface.
+
+#include "Command_test.h"
+
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using Command_repair = Command_test;
+using Json = nlohmann::json;
+
+// A square pyramid: its base is a polygon, one face is turned over, one comes twice, and vertex 5
+// is unused.
+const char* const pyramid = "OFF\n6 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 1\n7 7 7\n"
+                            "4 3 2 1 0\n3 0 1 4\n3 1 4 2\n3 2 3 4\n3 3 0 4\n3 0 1 4\n";
+
+} // namespace
+
+TEST_F(Command_repair, is_offered_where_it_helps)
+{
+  write("pyramid.off", pyramid);
+  const Command_run refused = idt("triangulate pyramid.off");
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_TRUE(contains(refused.err, "face 0 (corners 3, 2, 1, 0) has 4 corners")) << refused.err;
+  EXPECT_TRUE(contains(refused.err, "--repair")) << refused.err;
+  write("index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n");
+  EXPECT_FALSE(contains(idt("triangulate index.off").err, "--repair"));
+  EXPECT_EQ(idt("triangulate index.off --repair").status, 3);
+}
+
+TEST_F(Command_repair, says_what_was_done_and_where_things_come_from)
+{
+  write("pyramid.off", pyramid);
+  const Command_run run =
+    idt("triangulate pyramid.off --repair --verify --repair-map m.csv --stats s.json --overlay o.ply");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::vector<std::string> said = lines(run.err);
+  ASSERT_EQ(said.size(), 4u) << run.err;
+  EXPECT_EQ(said[0], "idt: pyramid.off: repaired: face 5 was removed, as another face has the same corners");
+  EXPECT_EQ(said[1], "idt: pyramid.off: repaired: face 0 (4 corners) was cut into triangles");
+  EXPECT_EQ(said[2], "idt: pyramid.off: repaired: face 2 was turned over");
+  EXPECT_EQ(said[3], "idt: pyramid.off: repaired: vertex 5 was dropped, as no face names it");
+
+  const Json stats = Json::parse(content(folder_ / "s.json"));
+  EXPECT_EQ(stats["status"], "done");
+  EXPECT_EQ(stats["vertices"], 5);
+  EXPECT_EQ(stats["boundary_edges"], 0);
+  EXPECT_EQ(stats["repair"], Json::parse(R"([{"kind": "duplicate faces", "count": 1, "first": [5]},
+    {"kind": "triangulated faces", "count": 1, "first": [0]},
+    {"kind": "reversed faces", "count": 1, "first": [2]},
+    {"kind": "dropped vertices", "count": 1, "first": [5]}])"));
+  EXPECT_EQ(lines(content(folder_ / "m.csv")),
+            (std::vector<std::string>{"element,index,input", "vertex,0,0", "vertex,1,1", "vertex,2,2", "vertex,3,3",
+                                      "vertex,4,4", "face,0,0", "face,1,0", "face,2,1", "face,3,2", "face,4,3",
+                                      "face,5,4"}));
+
+  ASSERT_EQ(idt("triangulate o.ply --repair --verify").status, 0);
+}
+
+TEST_F(Command_repair, is_an_option_of_each_command_that_reads)
+{
+  write("pyramid.off", pyramid);
+  EXPECT_EQ(idt("table pyramid.off --repair").status, 0);
+  EXPECT_EQ(idt("compare pyramid.off --repair --number-types double").status, 0);
+  // Without its base, which nothing triangulates, the pyramid is a disk.
+  write("disk.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 2 0\n4 0 1 2 3\n3 2 1 4\n");
+  EXPECT_EQ(idt("parameterize disk.off").status, 3);
+  EXPECT_EQ(idt("parameterize disk.off --repair --uv uv.obj").status, 0);
+}
+
+TEST_F(Command_repair, has_nothing_to_say_about_a_surface)
+{
+  write_kite("kite.off");
+  const Command_run run = idt("triangulate kite.off --repair --stats s.json");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(Json::parse(content(folder_ / "s.json"))["repair"], Json::array());
+  ASSERT_EQ(idt("triangulate kite.off --stats s.json").status, 0);
+  EXPECT_EQ(Json::parse(content(folder_ / "s.json"))["repair"], nullptr);
+}
+
+TEST_F(Command_repair, needs_a_mesh)
+{
+  write("a.gluing", "INTRINSIC_GLUING 1\n3 3 1\n0 1 2\n0 -1 1\n1 -1 1\n2 -1 1\n");
+  ASSERT_EQ(idt("triangulate a.gluing").status, 0);
+  const Command_run run = idt("triangulate a.gluing --repair");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_TRUE(contains(run.err, "a.gluing"));
+  write_kite("kite.off");
+  EXPECT_EQ(idt("triangulate kite.off --repair-map m.csv").status, 2);
+}

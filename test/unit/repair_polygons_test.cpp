@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Every kind of repair by a small example, and random polygons: what comes out is a surface, and
+// each of its elements is where the map says that it comes from.
+
+#include <CGAL/Intrinsic_triangulations/repair_polygons.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Kind = IT::Repair_kind;
+using Points = std::vector<std::array<double, 3>>;
+using Polygons = std::vector<std::vector<std::size_t>>;
+using Indices = std::vector<std::size_t>;
+
+struct Expected
+{
+  Kind kind;
+  Indices elements;
+};
+
+// Vertices have the coordinates of those of the input that they come from, and the corners of a
+// triangle are at corners of its input face.
+void expect_true_map(const Points& points, const Polygons& polygons, const IT::Repaired_polygons& repaired)
+{
+  ASSERT_EQ(repaired.input_vertices.size(), repaired.points.size());
+  ASSERT_EQ(repaired.input_faces.size(), repaired.triangles.size());
+  for (std::size_t v = 0; v < repaired.points.size(); ++v)
+    EXPECT_EQ(repaired.points[v], points[repaired.input_vertices[v]]) << v;
+  for (std::size_t f = 0; f < repaired.triangles.size(); ++f) {
+    const Indices& face = polygons[repaired.input_faces[f]];
+    for (std::size_t v : repaired.triangles[f])
+      EXPECT_TRUE(std::any_of(face.begin(), face.end(),
+                              [&](std::size_t w) { return points[w] == repaired.points[v]; }))
+        << f;
+  }
+  EXPECT_TRUE(std::is_sorted(repaired.input_faces.begin(), repaired.input_faces.end()));
+}
+
+// Repairs, and expects a surface on which exactly this was done.
+IT::Repaired_polygons expect_repaired(const Points& points, const Polygons& polygons,
+                                      const std::vector<Expected>& expected)
+{
+  const IT::Repaired_polygons repaired = IT::repair_polygons(points, polygons);
+  EXPECT_EQ(repaired.repairs.size(), expected.size());
+  for (std::size_t i = 0; i < (std::min)(repaired.repairs.size(), expected.size()); ++i) {
+    const IT::Repair& repair = repaired.repairs[i];
+    EXPECT_EQ(static_cast<int>(repair.kind), static_cast<int>(expected[i].kind)) << IT::message(repair);
+    EXPECT_EQ(repair.elements, expected[i].elements) << IT::message(repair);
+    EXPECT_EQ(repair.count, expected[i].elements.size()) << IT::message(repair);
+  }
+  const IT::Surface_report report = IT::examine_polygons(repaired.points, repaired.triangles);
+  EXPECT_EQ(report.first_fatal(), nullptr) << IT::message(report);
+  EXPECT_EQ(report.find(IT::Finding_kind::UNREFERENCED_VERTEX), nullptr);
+  expect_true_map(points, polygons, repaired);
+  return repaired;
+}
+
+IT::Surface_report examine(const IT::Repaired_polygons& repaired)
+{
+  return IT::examine_polygons(repaired.points, repaired.triangles);
+}
+
+const Points cube_points = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{1, 0, 1}}, {{1, 1, 1}}, {{0, 1, 1}}};
+const Polygons cube_faces = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+const Points tetrahedron_points = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}};
+const Polygons tetrahedron_faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+
+TEST(Repair_polygons, leaves_a_surface_as_it_is)
+{
+  const IT::Repaired_polygons repaired = expect_repaired(tetrahedron_points, tetrahedron_faces, {});
+  EXPECT_EQ(repaired.points, tetrahedron_points);
+  ASSERT_EQ(repaired.triangles.size(), 4u);
+  for (std::size_t f = 0; f < 4; ++f)
+    EXPECT_EQ(Indices(repaired.triangles[f].begin(), repaired.triangles[f].end()), tetrahedron_faces[f]);
+  EXPECT_EQ(repaired.input_faces, (Indices{0, 1, 2, 3}));
+}
+
+TEST(Repair_polygons, triangulates)
+{
+  const IT::Repaired_polygons repaired =
+    expect_repaired(cube_points, cube_faces, {{Kind::TRIANGULATED_FACE, {0, 1, 2, 3, 4, 5}}});
+  EXPECT_EQ(repaired.input_faces, (Indices{0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5}));
+  EXPECT_EQ(examine(repaired).number_of_border_edges, 0u);
+  EXPECT_EQ(IT::message(repaired.repairs[0]), "face 0 (4 corners) was cut into triangles, and 5 more faces like it");
+
+  // An L: the corner at (1, 1) is reflex, so that a fan from vertex 0 would leave the polygon.
+  const Points l = {{{2, 0, 0}}, {{2, 1, 0}}, {{1, 1, 0}}, {{1, 2, 0}}, {{0, 2, 0}}, {{0, 0, 0}}};
+  const IT::Repaired_polygons planar = expect_repaired(l, {{0, 1, 2, 3, 4, 5}}, {{Kind::TRIANGULATED_FACE, {0}}});
+  double area = 0;
+  for (const auto& [a, b, c] : planar.triangles) {
+    const auto &p = planar.points[a], &q = planar.points[b], &r = planar.points[c];
+    const double twice = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+    EXPECT_GE(twice, 0);
+    area += twice / 2;
+  }
+  EXPECT_EQ(area, 3);
+}
+
+TEST(Repair_polygons, triangulates_polygons_of_any_size_and_shape)
+{
+  // So small and so large that squares of coordinates are no doubles, and on a line.
+  for (const double scale : {1e-300, 1e-160, 1., 1e160, 1e308, -1.7e308}) {
+    Points points = cube_points;
+    for (auto& p : points)
+      for (double& x : p)
+        x *= scale;
+    EXPECT_EQ(IT::repair_polygons(points, cube_faces).triangles.size(), 12u) << scale;
+  }
+  Points line;
+  Indices all;
+  for (std::size_t i = 0; i < 7; ++i) {
+    line.push_back({{1. * static_cast<double>(i), 0, 0}});
+    all.push_back(i);
+  }
+  EXPECT_EQ(IT::repair_polygons(line, Polygons{all}).triangles.size(), 5u);
+  // Many corners, not in a plane.
+  Points curve;
+  Indices round;
+  for (std::size_t i = 0; i < 3000; ++i) {
+    const double t = static_cast<double>(i) * 2 * 3.14159265358979 / 3000;
+    curve.push_back({{std::cos(t), std::sin(t), std::sin(7 * t)}});
+    round.push_back(i);
+  }
+  EXPECT_EQ(IT::repair_polygons(curve, Polygons{round}).triangles.size(), 2998u);
+}
+
+TEST(Repair_polygons, orients)
+{
+  Polygons faces = tetrahedron_faces;
+  std::reverse(faces[1].begin(), faces[1].end());
+  std::reverse(faces[3].begin(), faces[3].end());
+  expect_repaired(tetrahedron_points, faces, {{Kind::REVERSED_FACE, {1, 3}}});
+}
+
+TEST(Repair_polygons, cuts_where_three_faces_meet)
+{
+  const Points points = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{0, -1, 0}}};
+  const IT::Repaired_polygons repaired =
+    expect_repaired(points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, {{Kind::SPLIT_VERTEX, {0, 1}}});
+  EXPECT_EQ(repaired.points.size(), 9u);
+  EXPECT_EQ(examine(repaired).number_of_components, 3u);
+}
+
+TEST(Repair_polygons, separates_fans_that_touch_at_a_vertex)
+{
+  const Points points = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{-1, 0, 0}}, {{0, -1, 0}}};
+  const IT::Repaired_polygons repaired =
+    expect_repaired(points, {{0, 1, 2}, {0, 3, 4}}, {{Kind::SPLIT_VERTEX, {0}}});
+  EXPECT_EQ(repaired.input_vertices, (Indices{0, 1, 2, 3, 4, 0}));
+}
+
+TEST(Repair_polygons, keeps_two_solids_that_share_an_edge_whole)
+{
+  // Four faces at the edge from (0,0,0) to (0,0,1).
+  Points points = {{{0, 0, 0}}, {{0, 0, 1}}, {{1, 0, 0}}, {{0, 1, 0}}, {{-1, 0, 0}}, {{0, -1, 0}}};
+  const Polygons faces = {{0, 3, 2}, {0, 2, 1}, {2, 3, 1}, {3, 0, 1}, {0, 5, 4}, {0, 4, 1}, {4, 5, 1}, {5, 0, 1}};
+  const IT::Repaired_polygons repaired = expect_repaired(points, faces, {{Kind::SPLIT_VERTEX, {0, 1}}});
+  EXPECT_EQ(examine(repaired).number_of_border_edges, 0u);
+  EXPECT_EQ(examine(repaired).number_of_components, 2u);
+}
+
+TEST(Repair_polygons, cuts_a_Moebius_strip_open)
+{
+  Points points;
+  Polygons faces;
+  const std::size_t n = 7;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double t = 2 * 3.14159265358979 * static_cast<double>(i) / static_cast<double>(n);
+    for (const double s : {-0.3, 0.3})
+      points.push_back({{(1 + s * std::cos(t / 2)) * std::cos(t), (1 + s * std::cos(t / 2)) * std::sin(t),
+                         s * std::sin(t / 2)}});
+    const std::size_t a = 2 * i, b = 2 * i + 1;
+    const std::size_t c = i + 1 < n ? a + 2 : 1, d = i + 1 < n ? b + 2 : 0;
+    faces.push_back({a, c, b});
+    faces.push_back({b, c, d});
+  }
+  ASSERT_FALSE(IT::examine_polygons(points, faces).is_orientable);
+  const IT::Repaired_polygons repaired = IT::repair_polygons(points, faces);
+  EXPECT_EQ(examine(repaired).first_fatal(), nullptr);
+  EXPECT_EQ(examine(repaired).number_of_components, 1u);
+  EXPECT_EQ(repaired.points.size(), points.size() + 2);
+  expect_true_map(points, faces, repaired);
+}
+
+// Each face with corners of its own, as STL has them.
+void take_apart(Points& points, Polygons& faces)
+{
+  Points corners;
+  for (Indices& face : faces)
+    for (std::size_t& v : face) {
+      corners.push_back(points[v]);
+      v = corners.size() - 1;
+    }
+  points = corners;
+}
+
+TEST(Repair_polygons, closes_seams)
+{
+  Points points = tetrahedron_points;
+  Polygons faces = tetrahedron_faces;
+  std::reverse(faces[2].begin(), faces[2].end());
+  take_apart(points, faces);
+  const IT::Repaired_polygons repaired = expect_repaired(
+    points, faces,
+    {{Kind::MERGED_VERTEX, {3, 4, 6, 7, 8, 9, 10, 11}}, {Kind::REVERSED_FACE, {2}}});
+  EXPECT_EQ(repaired.points.size(), 4u);
+  EXPECT_EQ(examine(repaired).number_of_border_edges, 0u);
+  EXPECT_EQ(IT::message(repaired.repairs[0]),
+            "vertex 3 was merged with vertex 0 at the same place, and 7 more vertices like it");
+}
+
+TEST(Repair_polygons, glues_no_sheets_that_lie_on_each_other)
+{
+  Points points = tetrahedron_points;
+  Polygons faces = tetrahedron_faces;
+  points.insert(points.end(), tetrahedron_points.begin(), tetrahedron_points.end());
+  for (const Indices& face : tetrahedron_faces)
+    faces.push_back({face[0] + 4, face[1] + 4, face[2] + 4});
+  EXPECT_EQ(examine(expect_repaired(points, faces, {})).number_of_components, 2u);
+
+  // Two disks that touch at a vertex of their borders, which each has for itself.
+  const Points bow = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 0}}, {{-1, 0, 0}}, {{0, -1, 0}}};
+  const IT::Repaired_polygons two = expect_repaired(bow, {{0, 1, 2}, {3, 4, 5}}, {});
+  EXPECT_EQ(std::set<std::size_t>(two.input_vertices.begin(), two.input_vertices.end()).size(), 6u);
+}
+
+TEST(Repair_polygons, merges_the_ends_of_an_edge_without_length)
+{
+  // Vertices 1 and 4 coincide; the two faces at the edge between them collapse.
+  const Points points = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{1, 0, 0}}};
+  const Polygons faces = {{0, 2, 4}, {0, 4, 1}, {0, 1, 3}, {4, 2, 1}, {1, 2, 3}, {2, 0, 3}};
+  const IT::Repaired_polygons repaired =
+    expect_repaired(points, faces, {{Kind::MERGED_VERTEX, {4}}, {Kind::COLLAPSED_FACE, {1, 3}}});
+  EXPECT_EQ(repaired.triangles.size(), 4u);
+  EXPECT_EQ(repaired.input_faces, (Indices{0, 2, 4, 5}));
+}
+
+TEST(Repair_polygons, removes_duplicate_and_collapsed_faces_and_unused_vertices)
+{
+  Points points = tetrahedron_points;
+  points.insert(points.begin(), {{9, 9, 9}});
+  Polygons faces;
+  for (const Indices& face : tetrahedron_faces)
+    faces.push_back({face[0] + 1, face[1] + 1, face[2] + 1});
+  faces.insert(faces.begin() + 1, {1, 2, 3}); // face 0, turned over
+  faces.push_back({1, 1, 2});
+  faces.push_back({});
+  faces.push_back({2, 4});
+  const IT::Repaired_polygons repaired =
+    expect_repaired(points, faces, {{Kind::COLLAPSED_FACE, {5, 6, 7}}, {Kind::DUPLICATE_FACE, {1}}, {Kind::DROPPED_VERTEX, {0}}});
+  EXPECT_EQ(repaired.input_vertices, (Indices{1, 2, 3, 4}));
+  EXPECT_EQ(repaired.input_faces, (Indices{0, 2, 3, 4}));
+}
+
+TEST(Repair_polygons, cuts_polygons_at_vertices_that_they_name_twice)
+{
+  // A square with a spike, and two triangles in one polygon.
+  const Points points = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}, {{-1, 0, 0}}, {{-1, -1, 0}}, {{0, -1, 0}}};
+  const IT::Repaired_polygons spike = expect_repaired(
+    points, {{0, 1, 2, 3, 0, 4}}, {{Kind::TRIANGULATED_FACE, {0}}, {Kind::DROPPED_VERTEX, {4, 5, 6}}});
+  EXPECT_EQ(spike.triangles.size(), 2u);
+  const IT::Repaired_polygons eight =
+    expect_repaired(points, {{0, 1, 2, 0, 4, 5}},
+                    {{Kind::TRIANGULATED_FACE, {0}}, {Kind::SPLIT_VERTEX, {0}}, {Kind::DROPPED_VERTEX, {3, 6}}});
+  EXPECT_EQ(eight.triangles.size(), 2u);
+}
+
+TEST(Repair_polygons, refuses_what_is_damaged)
+{
+  using Defect = IT::Invalid_surface_error::Defect;
+  const auto refused = [](const Points& points, const Polygons& polygons, Defect defect) {
+    try {
+      IT::repair_polygons(points, polygons);
+      ADD_FAILURE() << "it was repaired";
+    } catch (const IT::Invalid_surface_error& error) {
+      EXPECT_EQ(static_cast<int>(error.defect()), static_cast<int>(defect)) << error.what();
+    }
+  };
+  refused(tetrahedron_points, {}, Defect::EMPTY);
+  refused(tetrahedron_points, {{0, 1, 4}}, Defect::BAD_INDEX);
+  Points points = tetrahedron_points;
+  points[2][1] = std::numeric_limits<double>::quiet_NaN();
+  refused(points, tetrahedron_faces, Defect::NOT_FINITE);
+  EXPECT_TRUE(IT::is_repairable(IT::Finding_kind::NOT_A_TRIANGLE));
+  EXPECT_FALSE(IT::is_repairable(IT::Finding_kind::BAD_INDEX));
+}
+
+TEST(Repair_polygons, random_polygons_become_surfaces)
+{
+  std::mt19937 random(5);
+  const auto number = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };
+  for (int round = 0; round < 400; ++round) {
+    SCOPED_TRACE(round);
+    Points points;
+    for (int i = 3 + number(10); i > 0; --i)
+      points.push_back({{1. * number(3), 1. * number(3), 1. * number(3)}});
+    Polygons polygons;
+    for (int i = 1 + number(12); i > 0; --i) {
+      polygons.emplace_back();
+      for (int k = number(10) == 0 ? number(9) : 3 + number(2); k > 0; --k)
+        polygons.back().push_back(static_cast<std::size_t>(number(static_cast<int>(points.size()))));
+    }
+    const IT::Repaired_polygons repaired = IT::repair_polygons(points, polygons);
+    expect_true_map(points, polygons, repaired);
+    const IT::Surface_report report = examine(repaired);
+    EXPECT_TRUE(report.first_fatal() == nullptr || repaired.triangles.empty()) << IT::message(report);
+  }
+}
+
+} // namespace
