@@ -16,6 +16,8 @@
 #include <filesystem>
 #include <fstream>
 #include <istream>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
 
 namespace idt {
@@ -45,9 +47,14 @@ bool read_soup(std::istream& in, const std::string& extension, Points& points, P
 }
 
 bool read_soup(const std::string& path, const std::string& extension, std::uintmax_t size,
+               const std::optional<std::string>& plain_off,
                const CGAL::Intrinsic_triangulations::Progress_function& progress, Points& points,
                Polygons& polygons)
 {
+  if (plain_off) {
+    std::istringstream in(*plain_off);
+    return read_soup(in, extension, points, polygons);
+  }
 #ifdef CGAL_USE_VTK
   if (extension == "vtp")
     return CGAL::IO::read_VTP(path, points, polygons);
@@ -116,8 +123,9 @@ Surface_input read_surface(const std::string& path,
   Points points;
   Polygons polygons;
   try {
+    std::optional<std::string> plain_off;
     if (extension == "off")
-      check_off(path, size);
+      plain_off = check_off(path, size);
     else if (extension == "ply")
       check_ply(path);
     else if (extension == "stl")
@@ -126,7 +134,7 @@ Surface_input read_surface(const std::string& path,
     bool is_read = false;
     std::string reason;
     try {
-      is_read = read_soup(path, extension, size, progress, points, polygons);
+      is_read = read_soup(path, extension, size, plain_off, progress, points, polygons);
     } catch (const std::length_error& error) {
       reason = std::string(": ") + error.what();
     }

@@ -128,8 +128,8 @@ void add_sample_command(CLI::App& app, Selected_command& selected)
   command
     .add_option("-o,--output", options->path,
                 "write to this file and print its name; " + mesh_extensions(false) + " tells the format, "
-                "and without an extension .off is added, or "
-                ".gluing for a surface that has lengths alone (default: the standard output)")
+                                                                                     "and without an extension .off is added, or "
+                                                                                     ".gluing for a surface that has lengths alone (default: the standard output)")
     ->type_name("F");
   command.add_flag("--list", options->lists_names, "print the names, one to a line");
   command.callback([options, &selected] { selected = [options] { return run_sample(*options); }; });

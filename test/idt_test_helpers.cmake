@@ -3,13 +3,14 @@
 # A test is one line in the CMakeLists.txt of its folder. The name of the folder
 # (unit, property, regress, fuzz) becomes its label: `ctest -L unit`.
 
-# add_idt_test(NAME SOURCE... [SANITIZE] [LIBRARIES TARGET...] [DEFINITIONS DEF...]
+# add_idt_test(NAME SOURCE... [SANITIZE] [THREADS] [LIBRARIES TARGET...] [DEFINITIONS DEF...]
 #              [TIMEOUT SECONDS] [PREFIX PREFIX])
 #
 # One GoogleTest executable, each of whose cases is a test of its own in CTest.
-# SANITIZE marks a test that the sanitizer lane of .ci/run builds and runs.
+# SANITIZE marks a test that the sanitizer lane of .ci/run builds and runs, THREADS one that
+# has several threads, for the preset `thread-sanitize`.
 function(add_idt_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE" "TIMEOUT;PREFIX" "LIBRARIES;DEFINITIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;THREADS" "TIMEOUT;PREFIX" "LIBRARIES;DEFINITIONS")
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 300)
   endif()
@@ -30,6 +31,9 @@ function(add_idt_test name)
   if(arg_SANITIZE)
     set(label LABELS sanitize)
     add_dependencies(sanitize_tests ${name})
+  elseif(arg_THREADS)
+    set(label LABELS threads)
+    add_dependencies(thread_tests ${name})
   endif()
   gtest_discover_tests(${name}
     TEST_PREFIX "${arg_PREFIX}"

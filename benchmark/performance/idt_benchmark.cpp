@@ -25,6 +25,7 @@
 #include <CGAL/Heat_method_3/internal/Intrinsic_Delaunay_triangulation_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/tags.h>
 
 #include <benchmark/benchmark.h>
 
@@ -74,13 +75,14 @@ auto timed(const Construct& construct, double& seconds)
   return result;
 }
 
-template <class Traits>
+template <class Traits, class ConcurrencyTag = CGAL::Sequential_tag>
 Run run_package(const Mesh& mesh)
 {
   Run run{};
   const auto t = timed(
     [&] {
-      return IT::intrinsic_delaunay_triangulation(mesh, CGAL::parameters::geom_traits(Traits()));
+      return IT::intrinsic_delaunay_triangulation<ConcurrencyTag>(
+        mesh, CGAL::parameters::geom_traits(Traits()));
     },
     run.seconds);
   run.flips = t.report().flips;
@@ -100,6 +102,9 @@ Run run_heat_method(const Mesh& mesh)
 const std::vector<Method> methods{
   {"Edge_length_traits<double>", run_package<IT::Edge_length_traits<double>>},
   {"Filtered_edge_length_traits", run_package<IT::Filtered_edge_length_traits>},
+#ifdef CGAL_LINKED_WITH_TBB
+  {"Filtered, Parallel_tag", run_package<IT::Filtered_edge_length_traits, CGAL::Parallel_tag>},
+#endif
   {"Half_angle_traits<double>", run_package<IT::Half_angle_traits<double>>},
   {"Heat_method_3", run_heat_method}};
 

@@ -10,6 +10,10 @@ the visitor is passed as `std::ref(visitor)`.
 
 The member functions may read the triangulation, but not change it.
 
+With `Parallel_tag` they are called from several threads, one at a time, while other threads change
+the triangulation: they must not read it then. `go_further()` is called at least once for each thousand
+tests of a thread.
+
 \cgalHasModel `CGAL::Intrinsic_triangulations::Default_flip_visitor`
 
 \sa `IntrinsicTriangulationTraits`

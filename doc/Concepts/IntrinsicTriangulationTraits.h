@@ -7,7 +7,7 @@
 The concept `IntrinsicTriangulationTraits` says what `Intrinsic_triangulation` needs to know
 about a metric: what is kept for each edge and each face, when an edge is Delaunay, and what
 a flip makes of the numbers. The connectivity is not its business: functors see one hinge, an
-edge \f$ij\f$ with the triangle \f$ijk\f$ to its left and \f$jil\f$ to its right, and never a
+edge `ij` with the triangle `ijk` to its left and `jil` to its right, and never a
 descriptor.
 
 A model is `CopyConstructible`. It is `DefaultConstructible` if it is to be used without being
@@ -84,7 +84,7 @@ public:
   Provides
 
   `Edge_data operator()(const Point_data& p, const Point_data& q) const`: the edge between two
-  points, the same for \f$(p, q)\f$ and \f$(q, p)\f$;
+  points, the same for `(p, q)` and `(q, p)`;
 
   `Edge_data from_length(const FT& length) const`: the edge of a length.
 
@@ -107,15 +107,15 @@ public:
 
   /*!
   Provides `Boolean operator()(const Hinge_data& hinge) const`: whether the edge
-  \f$ij\f$ is Delaunay, that is, whether the angles at \f$k\f$ and \f$l\f$ sum to at most
-  \f$\pi\f$. A tie is Delaunay: only then does `flip_to_Delaunay()` end.
+  `ij` is Delaunay, that is, whether the angles at `k` and `l` sum to at most
+  π. A tie is Delaunay: only then does `flip_to_Delaunay()` end.
   */
   typedef unspecified_type Is_locally_Delaunay;
 
   /*!
   Provides `Boolean operator()(const Hinge_data& hinge, Flipped_hinge_data& flipped) const`:
   returns whether the hinge is strictly convex, and if it certainly is, sets `flipped` to the
-  edge \f$kl\f$ and the faces \f$ilk\f$ and \f$jkl\f$. Otherwise `flipped` may hold anything.
+  edge `kl` and the faces `ilk` and `jkl`. Otherwise `flipped` may hold anything.
   With `Uses_exact_geometry` it is called for convex hinges only, and need not look.
   */
   typedef unspecified_type Construct_flipped_hinge;
@@ -137,7 +137,7 @@ public:
   /*!
   Provides `std::array<float, 3> operator()(const Face_data& ijk, const Edge_data& ij,
   const Edge_data& jk, const Edge_data& ki) const`: lower bounds for the cotangents of the
-  corners opposite to \f$ij\f$, \f$jk\f$ and \f$ki\f$. If the two bounds of the corners opposite to
+  corners opposite to `ij`, `jk` and `ki`. If the two bounds of the corners opposite to
   an edge sum to more than zero, `Is_locally_Delaunay` certainly holds, or the exact stages
   would find so.
 
@@ -165,7 +165,7 @@ public:
   typedef unspecified_type Compute_area;
 
   /// provides `FT operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
-  /// const Edge_data& ki) const`: the cotangent of the corner \f$k\f$, opposite to \f$ij\f$
+  /// const Edge_data& ki) const`: the cotangent of the corner `k`, opposite to `ij`
   typedef unspecified_type Compute_cotangent;
 
   /// @}

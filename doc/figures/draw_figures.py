@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the pictures of the manual: figures 1, 2, 6, 7, 8, 9 and 10 of the paper, redone.
+"""Draws the pictures of the manual: those of the paper redone, and number types compared.
+
+Those of the paper are its figures 1, 2, 6, 7, 8, 9 and 10. The comparison takes some minutes.
 
 Needs the Debian packages python3-vtk9, python3-matplotlib and, without a display, xvfb.
 """

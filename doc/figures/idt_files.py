@@ -131,6 +131,13 @@ class Idt:
             paths=[np.array([surface.points[i], *inner, surface.points[j]])
                    for (i, j), inner in zip(ends, crossings)])
 
+    def compare_samples(self, *number_types):
+        """Runs number types on all built-in surfaces, for some minutes."""
+        paths = [self.run("sample", name, "-o", name).strip() for name in self.run("sample", "--list").split()]
+        self.run("compare", *paths, "--number-types", ",".join(number_types), "--precisions", 128,
+                 "--repetitions", 3, "--time-limit", 10, "--json", "compare.json")
+        return json.loads((self.folder / "compare.json").read_text())
+
     def parameterize(self, surface, name, *options):
         """Maps a disk to the plane."""
         files = {key: self.folder / f"{name}-{key}"

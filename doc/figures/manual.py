@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Callable
 
 import figures
+import kernels
 import surfaces
 from idt_files import read_off
 from pages import save
@@ -43,6 +44,7 @@ SAMPLES = {
     "maps": Subject(DOME),
     "interpolation": Subject(DOME, Camera((1, -1.2, 0.1), center=(0.6, -0.7, -0.15), height=0.95)),
     "circle-patterns": Subject(DOME, Camera((1, -1.2, 0.9))),
+    "kernels": None,  # all samples, and no view
 }
 
 
@@ -104,10 +106,16 @@ def draw_circle_patterns(idt, subject):
     return figures.circle_patterns(*patterns, subject.camera)
 
 
-# The names of the pictures, in the order of the paper: figures 1, 2, 6, 7, 8, 9 and 10.
+def draw_kernels(idt, _):
+    return kernels.comparison(idt.compare_samples(
+        "half-angle-double", "float", "double", "long-double", "interval", "mpfr", "core", "filtered"))
+
+
+# The names of the pictures, in the order of the paper: figures 1, 2, 6, 7, 8, 9 and 10; and one more.
 DRAW = {"edges": draw_edges, "thin-tube": draw_edges, "weights": draw_weights, "overlays": draw_overlays,
-        "maps": draw_maps, "interpolation": draw_interpolation, "circle-patterns": draw_circle_patterns}
-LINE_DRAWINGS = ("weights", "maps")  # these have few colors
+        "maps": draw_maps, "interpolation": draw_interpolation, "circle-patterns": draw_circle_patterns,
+        "kernels": draw_kernels}
+LINE_DRAWINGS = ("weights", "maps", "kernels")  # these have few colors
 
 
 def draw(idt, subjects, output, only):

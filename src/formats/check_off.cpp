@@ -5,6 +5,8 @@
 #include "text_file.h"
 
 #include <cstddef>
+#include <optional>
+#include <string>
 
 namespace idt {
 namespace {
@@ -143,9 +145,45 @@ void diagnose_off(const std::string& path, const std::string& text)
     refuse(path, first_bad_index, Defect::BAD_INDEX, first_bad_face, bad_faces);
 }
 
+namespace {
+
+// The same surface with nothing but coordinates and indices. CGAL 5.5 reads colors and textures
+// beyond the end of a line that has fewer numbers than it expects, and colors by an index beyond
+// the end of its table. \pre diagnose_off() has found nothing
+std::string without_attributes(const std::string& path, const std::string& text)
+{
+  Scanner scanner(text);
+  const Off_header header = read_off_header(path, scanner, text.size());
+  scanner.skip_line();
+  std::string result = (header.is_homogeneous ? "4OFF\n" : "OFF\n") + std::to_string(header.vertices) + ' ' +
+                       std::to_string(header.faces) + " 0\n";
+  const auto copy_words = [&](const std::size_t number) {
+    for (std::size_t i = 0; i < number; ++i)
+      result += scanner.word_on_line() + ' ';
+    scanner.skip_line();
+    result += '\n';
+  };
+  for (std::size_t v = 0; v < header.vertices; ++v) {
+    scanner.skip_to_word();
+    copy_words(header.is_homogeneous ? 4 : 3);
+  }
+  for (std::size_t f = 0; f < header.faces; ++f) {
+    scanner.skip_to_word();
+    const std::string word = scanner.word_on_line();
+    long long size = 0;
+    read_integer(word, size);
+    result += word + ' ';
+    copy_words(static_cast<std::size_t>(size));
+  }
+  return result;
+}
+
+} // namespace
+
 // What CGAL's reader would trust: the announced sizes, and the number of
 // entries of a vertex with normals, colors or textures.
-void check_off(const std::string& path, const std::uintmax_t file_size)
+// \return what is to be read in place of a file that has such attributes
+std::optional<std::string> check_off(const std::string& path, const std::uintmax_t file_size)
 {
   const std::string head = load(path, 1 << 16);
   Scanner probe(head);
@@ -159,8 +197,12 @@ void check_off(const std::string& path, const std::uintmax_t file_size)
     whole = load(path);
   const std::string& text = is_complete ? head : whole;
   Scanner scanner(text);
-  if (!read_off_header(path, scanner, file_size).is_plain)
-    diagnose_off(path, load(path));
+  if (read_off_header(path, scanner, file_size).is_plain)
+    return std::nullopt;
+  if (is_complete)
+    whole = load(path);
+  diagnose_off(path, whole);
+  return without_attributes(path, whole);
 }
 
 } // namespace idt

@@ -7,13 +7,15 @@
 #define IDT_FORMATS_CHECKS_H
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace idt {
 
 // Each compares what a header announces, and what CGAL's reader would trust, with the file.
 // \exception Invalid_surface_error if the two do not agree
-void check_off(const std::string& path, std::uintmax_t file_size);
+// \return what is to be read in place of an OFF file that has colors or textures
+std::optional<std::string> check_off(const std::string& path, std::uintmax_t file_size);
 void check_ply(const std::string& path);
 void check_stl(const std::string& path, std::uintmax_t file_size);
 

@@ -105,7 +105,7 @@ IT::Distortion_summary distortion(const Triangulation& t, const IT::Planar_point
 }
 
 // The sum of the cotangents opposite to an edge, as CGAL's own formula for points gives it.
-void expect_cotangents_of_CGAL(const Mesh& mesh)
+void expect_cotangents_from_points(const Mesh& mesh)
 {
   const Triangulation t = IT::intrinsic_triangulation(mesh);
   const std::vector<double> weights = IT::cotangent_weights(t);
@@ -205,12 +205,12 @@ double torus_error(std::size_t n, bool is_galerkin)
 
 TEST(Operators, extrinsic_weights_are_the_cotangents_of_CGAL)
 {
-  expect_cotangents_of_CGAL(mesh_of(IT::bumpy_sphere(30, 16)));
-  expect_cotangents_of_CGAL(mesh_of(IT::bad_torus(20, 20)));
+  expect_cotangents_from_points(mesh_of(IT::bumpy_sphere(30, 16)));
+  expect_cotangents_from_points(mesh_of(IT::bad_torus(20, 20)));
   for (const std::filesystem::path& path : evaluation_meshes("good")) {
     SCOPED_TRACE(path.filename());
     try {
-      expect_cotangents_of_CGAL(read(path));
+      expect_cotangents_from_points(read(path));
     } catch (const IT::Invalid_surface_error& error) {
       EXPECT_EQ(error.defect(), IT::Invalid_surface_error::Defect::DEGENERATE_FACE) << error.what();
     }

@@ -9,6 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/internal/Rotation_system.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -61,6 +63,40 @@ public:
     else
       journal_.push_back(e);
   }
+
+  /// \name Flips from several threads
+  /// Between the two calls that enclose them, flips of edges whose hinges lie in different
+  /// blocks may be followed at the same time.
+  /// @{
+
+  /// begins. \pre not `is_prepared()`
+  /// \param complex the current connectivity
+  /// \param block_exponent a block consists of `2^block_exponent` consecutive edges
+  void begin_blocks(const Delta_complex& complex, int block_exponent)
+  {
+    CGAL_precondition(!is_prepared_);
+    start(complex);
+    coordinates_.begin_blocks(block_exponent);
+  }
+  /// follows the flip of `e`, and notes it in the journal of its block.
+  void flip(const Delta_complex& complex, Edge_index e, std::vector<Edge_index>& journal)
+  {
+    coordinates_.flip(complex, e);
+    journal.push_back(e);
+  }
+  /// ends, with the journals of the blocks: flips in different blocks commute, so that any
+  /// order of the blocks will do.
+  void end_blocks(const std::vector<std::vector<Edge_index>>& journals)
+  {
+    coordinates_.end_blocks();
+    std::size_t size = journal_.size();
+    for (const std::vector<Edge_index>& journal : journals)
+      size += journal.size();
+    journal_.reserve(size);
+    for (const std::vector<Edge_index>& journal : journals)
+      journal_.insert(journal_.end(), journal.begin(), journal.end());
+  }
+  /// @}
 
   /// returns the integers. \pre there was a flip, or `is_prepared()`
   const Normal_coordinates& coordinates() const { return coordinates_; }

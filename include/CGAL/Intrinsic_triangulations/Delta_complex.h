@@ -14,6 +14,7 @@
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 
+#include <boost/atomic/atomic_ref.hpp>
 #include <boost/iterator/iterator_facade.hpp>
 
 #include <cstddef>
@@ -212,10 +213,8 @@ public:
     set_face_cycle(jkl, g, lj, jk);
     record(h).target = k.idx();
     record(g).target = l.idx();
-    if (vertex_halfedges_[j.idx()] == h)
-      vertex_halfedges_[j.idx()] = lj;
-    if (vertex_halfedges_[i.idx()] == g)
-      vertex_halfedges_[i.idx()] = ki;
+    replace_vertex_halfedge(j, h, lj);
+    replace_vertex_halfedge(i, g, ki);
   }
 
   /// \brief undoes `flip(e)`, but for the choice of `halfedge(v)` and `halfedge(f)`. O(1).
@@ -232,10 +231,8 @@ public:
     set_face_cycle(jil, g, il, lj);
     record(h).target = j.idx();
     record(g).target = i.idx();
-    if (vertex_halfedges_[k.idx()] == h)
-      vertex_halfedges_[k.idx()] = jk;
-    if (vertex_halfedges_[l.idx()] == g)
-      vertex_halfedges_[l.idx()] = il;
+    replace_vertex_halfedge(k, h, jk);
+    replace_vertex_halfedge(l, g, il);
   }
 
   /// \brief returns whether the arrays describe a triangulated oriented surface.
@@ -290,6 +287,16 @@ private:
     rc.next = rb.prev = a.idx();
     ra.face = rb.face = rc.face = f.idx();
     face_halfedges_[f.idx()] = a;
+  }
+
+  // Flips of hinges without a common edge may run at the same time. They can meet at a vertex:
+  // but its halfedge is replaced only by the one flip that moves it, which at most one of
+  // them does.
+  void replace_vertex_halfedge(Vertex_index v, Halfedge_index old, Halfedge_index replacement)
+  {
+    const boost::atomic_ref<Halfedge_index> halfedge(vertex_halfedges_[v.idx()]);
+    if (halfedge.load(boost::memory_order_relaxed) == old)
+      halfedge.store(replacement, boost::memory_order_relaxed);
   }
 
   static bool has_equal_halfedges(const Delta_complex& a, const Delta_complex& b)

@@ -104,6 +104,29 @@ public:
       journal_.push_back(e);
     return false;
   }
+  /// \name Flips from several threads
+  /// as those of `Correspondence`
+  /// @{
+
+  /// returns whether they are possible: as long as no query was made.
+  bool can_begin_blocks() const { return !correspondence_.is_prepared() && !straight_faces_; }
+  /// begins. \pre `can_begin_blocks()`
+  void begin_blocks(const Delta_complex& complex, int block_exponent)
+  {
+    correspondence_.begin_blocks(complex, block_exponent);
+  }
+  /// follows the flip of `e`.
+  void flip(const Delta_complex& complex, Edge_index e, std::vector<Edge_index>& journal)
+  {
+    correspondence_.flip(complex, e, journal);
+  }
+  /// ends, with the journals of the blocks.
+  void end_blocks(const std::vector<std::vector<Edge_index>>& journals)
+  {
+    correspondence_.end_blocks(journals);
+  }
+  /// @}
+
   /// makes the queries below possible; as `Correspondence::prepare()`.
   void prepare(const Delta_complex& complex)
   {

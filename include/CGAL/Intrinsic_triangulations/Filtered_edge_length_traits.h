@@ -68,6 +68,9 @@ class Filtered_edge_length_traits
   static constexpr double u = 0x1p-53;
   // Covers underflow; the unit of length is such that ordinary values are far above.
   static constexpr double tiny = 1e-200;
+  // Covers the underflow of the radicand of an area: where factors up to 2^104 come after it,
+  // the radicand is wrong by less than 2^-970.
+  static constexpr double tiny_root = 1e-140;
   // A divisor must be this far from underflow.
   static constexpr double smallest_divisor = 1e-100;
 
@@ -130,7 +133,7 @@ public:
   private:
     static double initial_error(double s, double t, double v)
     {
-      return 14 * u * (s + t + v) + tiny;
+      return 14 * u * (s + t + v) + tiny_root;
     }
   };
 

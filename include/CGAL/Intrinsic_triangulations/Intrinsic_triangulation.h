@@ -15,6 +15,7 @@
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <boost/config.hpp>
 
@@ -29,6 +30,11 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+namespace internal {
+template <class Triangulation>
+class Triangulation_block;
+}
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 ///
@@ -87,12 +93,14 @@ public:
   {}
 
   /// \brief as above, and takes the points over instead of copying them.
+  /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
+  template <class ConcurrencyTag = Sequential_tag>
   Intrinsic_triangulation(Delta_complex connectivity, Point_vector&& points,
-                          const Traits& traits = Traits())
+                          const Traits& traits = Traits(), ConcurrencyTag = ConcurrencyTag())
     : Intrinsic_triangulation(std::move(connectivity), traits)
   {
-    exponent_ = internal::normalize_points(points);
-    internal::construct_metric_from_points(connectivity_, traits_, points, edges_, faces_, bounds_);
+    exponent_ = internal::normalize_points<ConcurrencyTag>(points);
+    internal::construct_metric_from_points<ConcurrencyTag>(connectivity_, traits_, points, edges_, faces_, bounds_);
     if constexpr (uses_exact_geometry)
       keep_input(Input_metric::from_normalized_points(std::move(points), exponent_));
   }
@@ -331,10 +339,7 @@ public:
       return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
     const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
     const bool is_straight = geometry_ && geometry_->flip(connectivity_, e);
-    connectivity_.flip(e);
-    edges_[e.idx()] = flipped.kl;
-    faces_[connectivity_.face(h).idx()] = flipped.ilk;
-    faces_[connectivity_.face(g).idx()] = flipped.jkl;
+    replace_hinge(e, flipped);
     if (uses_exact_geometry && is_straight) {
       measure_straight_face(h);
       measure_straight_face(g);
@@ -357,6 +362,9 @@ public:
   int unit_exponent() const { return exponent_; }
 
 private:
+  template <class>
+  friend class internal::Triangulation_block;
+
   static constexpr bool keeps_bounds = internal::Has_cotangent_bounds<Traits>::value;
 
   Intrinsic_triangulation(Delta_complex connectivity, const Traits& traits)
@@ -380,6 +388,15 @@ private:
             edge_data(edge(connectivity_.prev(g))),
             face_data(connectivity_.face(h)),
             face_data(connectivity_.face(g))};
+  }
+
+  void replace_hinge(Edge_index e, const typename Traits::Flipped_hinge_data& flipped)
+  {
+    connectivity_.flip(e);
+    const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
+    edges_[e.idx()] = flipped.kl;
+    faces_[connectivity_.face(h).idx()] = flipped.ilk;
+    faces_[connectivity_.face(g).idx()] = flipped.jkl;
   }
 
   BOOST_NOINLINE bool decide_and_refine(Edge_index e)

@@ -11,10 +11,14 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/atomic/atomic_ref.hpp>
 #include <boost/config.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -84,9 +88,11 @@ public:
   Normal_coordinates() = default;
   /// constructs the coordinates of an input triangulation in itself. O(edges), to clear memory.
   explicit Normal_coordinates(const Delta_complex& input)
-    : records_(1, Record{-1, {0, 0}, {0, 0}}), number_of_records_(1),
-      record_of_(input.number_of_edges(), 0)
-  {}
+    : number_of_records_(1), record_of_(input.number_of_edges(), 0)
+  {
+    records_.reserve(std::size_t(input.number_of_edges()) + 1); // pages that are not used cost nothing
+    records_.push_back(Record{-1, {0, 0}, {0, 0}});
+  }
 
   /// returns how often input edges cross `e`, or −1 if `e` coincides with one.
   std::int64_t crossings(Edge_index e) const { return record(e).crossings; }
@@ -123,6 +129,28 @@ public:
                               number_of_crossings(complex.edge(complex.next(h))),
                               number_of_crossings(complex.edge(complex.prev(h))));
   }
+
+  /// \name Flips from several threads
+  /// @{
+
+  /// \brief lets `flip()` be called from several threads at once until `end_blocks()`, for edges
+  /// whose hinges lie in different blocks of `2^block_exponent` consecutive edges. O(blocks).
+  void begin_blocks(int block_exponent)
+  {
+    const std::size_t n = record_of_.size();
+    block_exponent_ = block_exponent;
+    blocks_.resize((n >> block_exponent) + 1);
+    const std::size_t enough = number_of_records_ + n + blocks_.size() * records_of_block;
+    CGAL_precondition(enough <= (std::numeric_limits<std::uint32_t>::max)());
+    records_.resize(enough, internal::default_init);
+  }
+  /// ends what `begin_blocks()` began.
+  void end_blocks()
+  {
+    blocks_.clear();
+    records_.resize(number_of_records_);
+  }
+  /// @}
 
   /// \brief updates the integers for the flip of `e`; to be called before the flip of the
   /// connectivity. O(1).
@@ -186,12 +214,24 @@ private:
   void set_record(Edge_index e, const Record& record)
   {
     std::uint32_t& i = record_of_[e.idx()];
-    if (i == 0) {
-      i = number_of_records_++;
-      if (i == records_.size())
-        records_.resize(2 * std::size_t(i), internal::default_init);
-    }
+    if (i == 0)
+      i = new_record(e);
     records_[i] = record;
+  }
+
+  std::uint32_t new_record(Edge_index e)
+  {
+    if (blocks_.empty()) {
+      records_.resize(number_of_records_ + std::size_t(1), internal::default_init);
+      return number_of_records_++;
+    }
+    Block& block = blocks_[e.idx() >> block_exponent_];
+    if (block.next == block.last) {
+      block.next = boost::atomic_ref<std::uint32_t>(number_of_records_)
+                     .fetch_add(records_of_block, boost::memory_order_relaxed);
+      block.last = block.next + records_of_block;
+    }
+    return block.next++;
   }
 
   // The first input halfedge after h, which is known from that at or after h.
@@ -202,9 +242,18 @@ private:
     return r;
   }
 
+  // Records are given to a block many at a time, so that those used at the same time lie together.
+  static constexpr std::uint32_t records_of_block = 1024;
+  struct alignas(64) Block // on a cache line of its own, as different threads write to them
+  {
+    std::uint32_t next = 0, last = 0;
+  };
+
   internal::Large_vector<Record> records_; // the first is that of all edges never flipped
-  std::uint32_t number_of_records_ = 0;
+  std::uint32_t number_of_records_ = 0;    // those given to blocks are counted, too
   internal::Large_vector<std::uint32_t> record_of_;
+  std::vector<Block> blocks_;
+  int block_exponent_ = 0;
 };
 
 } // namespace Intrinsic_triangulations

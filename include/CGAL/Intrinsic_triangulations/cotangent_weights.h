@@ -147,7 +147,12 @@ public:
       if (stored.error <= stored_number_accuracy * stored.value)
         return area_in_input_unit(stored.value / 4, triangulation_.unit_exponent(), f);
     }
-    return CGAL::to_double(triangulation_.area(f));
+    const double area = CGAL::to_double(triangulation_.area(f));
+    if (!std::isfinite(area))
+      throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, f.idx(), 1,
+                                  "the area of face " + std::to_string(f.idx()) +
+                                    " is beyond the range of double; scale the surface");
+    return area;
   }
 
 private:
@@ -189,8 +194,8 @@ std::vector<double> cotangent_weights(const Intrinsic_triangulation<Traits>& tri
 ///
 /// With `Filtered_edge_length_traits` up to a relative error of `2^-32`, with other traits
 /// those of the number type. O(size), but for the faces that need the exact geometry.
-/// \exception Invalid_surface_error if the unit of the input is so small or so large that an area
-///   leaves the range of `double` (with `Filtered_edge_length_traits`)
+/// \exception Invalid_surface_error if the unit of the input is so large that an area is beyond the
+///   range of `double`, or, with `Filtered_edge_length_traits`, so small that it is below
 template <class Traits>
 std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulation)
 {

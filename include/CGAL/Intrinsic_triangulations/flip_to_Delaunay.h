@@ -6,16 +6,22 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_DELAUNAY_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Flip_report.h>
 #include <CGAL/Intrinsic_triangulations/internal/Delaunay_flipper.h>
+#include <CGAL/Intrinsic_triangulations/internal/Block_flipper.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
+#include <CGAL/tags.h>
 
+#include <boost/core/ref.hpp>
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
+#include <functional>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -46,6 +52,46 @@ inline std::uint64_t default_maximum_number_of_flips(std::size_t number_of_edges
   return (std::max)(std::uint64_t(10000000), 100 * std::uint64_t(number_of_edges));
 }
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+template <class T>
+T& unwrapped(T& visitor)
+{
+  return visitor;
+}
+template <class T>
+T& unwrapped(std::reference_wrapper<T>& visitor)
+{
+  return visitor.get();
+}
+template <class T>
+T& unwrapped(boost::reference_wrapper<T>& visitor)
+{
+  return visitor.get();
+}
+
+template <class ConcurrencyTag, class Triangulation, class ConstraintMap, class Visitor>
+Flip_report flip_all(Triangulation& triangulation, const ConstraintMap& is_constrained,
+                     Visitor& visitor, std::uint64_t budget)
+{
+  const Edge_index::size_type n = triangulation.connectivity().number_of_edges();
+  Edge_marks marks(n, default_init);
+  std::memset(marks.data(), int(Edge_mark::CANDIDATE), n);
+  Delaunay_flipper<Triangulation, ConstraintMap, Visitor> flipper(triangulation, is_constrained,
+                                                                  visitor, budget, marks);
+  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
+    using Parallel = Block_flipper<Triangulation, ConstraintMap, Visitor>;
+    if (Parallel::is_useful(triangulation))
+      return flipper.finish(
+        Parallel(triangulation, is_constrained, visitor, budget, marks).settle_all(flipper));
+  }
+  return flipper.finish(flipper.settle(0, n));
+}
+
+} // namespace internal
+/// \endcond
+
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief flips edges until the triangulation is Delaunay.
 ///
@@ -59,12 +105,20 @@ inline std::uint64_t default_maximum_number_of_flips(std::size_t number_of_edges
 /// An edge that is not Delaunay but whose hinge has no other diagonal, as rounding can
 /// have it, is left as it is and reported; so is one that an interval cannot decide.
 ///
+/// With `Parallel_tag` what can be flipped within blocks of 65,536 consecutive edges is flipped on
+/// the threads of TBB, then what can be within other such blocks, and the rest afterwards. The result
+/// is the same for any number of threads, and the same as with `Sequential_tag` but for the choice
+/// among the Delaunay triangulations where there are ties. It pays where edges with near numbers lie
+/// near to each other. For traits with another number type than a floating-point type, and if the
+/// input was asked for before, it is as `Sequential_tag`.
+///
+/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
 /// \tparam Triangulation an `Intrinsic_triangulation`
 /// \tparam NamedParameters a sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped}
+///     \cgalParamDescription{a property map that tells which edges must not be flipped; with `Parallel_tag` it is read by several threads at once}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is constrained}
 ///   \cgalParamNEnd
@@ -83,7 +137,8 @@ inline std::uint64_t default_maximum_number_of_flips(std::size_t number_of_edges
 /// \return what happened. The triangulation is valid whatever the status.
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.2.
-template <class Triangulation, class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class Triangulation,
+          class NamedParameters = parameters::Default_named_parameters>
 Flip_report flip_to_Delaunay(Triangulation& triangulation,
                              const NamedParameters& np = parameters::default_values())
 {
@@ -101,7 +156,8 @@ Flip_report flip_to_Delaunay(Triangulation& triangulation,
     choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                      Static_boolean_property_map<Edge_index, false>());
   auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_flip_visitor());
-  return internal::make_Delaunay_flipper(triangulation, is_constrained, visitor, budget).run();
+  return internal::flip_all<ConcurrencyTag>(triangulation, is_constrained,
+                                            internal::unwrapped(visitor), budget);
 }
 
 } // namespace Intrinsic_triangulations

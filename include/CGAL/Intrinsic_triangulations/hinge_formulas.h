@@ -63,24 +63,48 @@ FT squared_four_areas(const FT& s_ij, const FT& s_jk, const FT& s_ki)
   return FT(4) * s_ij * s_jk - p * p;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsFormulas
-/// \brief returns the square of four times the area of a triangle from its lengths, in
-/// the order of operations that is accurate for slivers, too.
-///
-/// The value is negative exactly if the lengths violate the triangle inequality: the
-/// sign of the decisive factor is computed exactly in floating point.
-/// Source: W. Kahan, "Miscalculating area and angles of a needle-like triangle".
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// Sorts so that a >= b >= c. Where intervals overlap, any order does.
 template <class FT>
-FT squared_four_areas_from_lengths(FT a, FT b, FT c)
+void sort_lengths(FT& a, FT& b, FT& c)
 {
-  // Where intervals overlap, any order encloses the value.
   if (certainly(a < b))
     std::swap(a, b);
   if (certainly(b < c))
     std::swap(b, c);
   if (certainly(a < b))
     std::swap(a, b);
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsFormulas
+/// \brief returns the square of four times the area of a triangle from its lengths, in
+/// the order of operations that is accurate for slivers, too.
+///
+/// Unless it underflows, the value is negative exactly if the lengths violate the triangle
+/// inequality: the sign of the decisive factor is computed exactly in floating point.
+/// Source: W. Kahan, "Miscalculating area and angles of a needle-like triangle".
+template <class FT>
+FT squared_four_areas_from_lengths(FT a, FT b, FT c)
+{
+  internal::sort_lengths(a, b, c);
   return (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsFormulas
+/// \brief returns whether three lengths certainly violate the triangle inequality; exact in
+/// floating point, whatever their magnitude.
+///
+/// It is the decisive factor alone of `squared_four_areas_from_lengths()`: all of it can underflow.
+template <class FT>
+bool violate_triangle_inequality(FT a, FT b, FT c)
+{
+  internal::sort_lengths(a, b, c);
+  return certainly(c - (a - b) < FT(0));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas

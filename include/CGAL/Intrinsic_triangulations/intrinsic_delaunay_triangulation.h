@@ -10,12 +10,16 @@
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/check_triangles.h>
+#include <CGAL/Intrinsic_triangulations/internal/copy_face_graph.h>
+#include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -38,11 +42,14 @@ public:
   using Base = Intrinsic_triangulation<Traits>;
 
   /// flips the edges of `triangulation` until it is Delaunay; `np` as for `flip_to_Delaunay()`.
-  template <class NamedParameters = parameters::Default_named_parameters>
+  /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
+  template <class NamedParameters = parameters::Default_named_parameters,
+            class ConcurrencyTag = Sequential_tag>
   explicit Intrinsic_delaunay_triangulation(Base triangulation,
-                                            const NamedParameters& np = parameters::default_values())
+                                            const NamedParameters& np = parameters::default_values(),
+                                            ConcurrencyTag = ConcurrencyTag())
     : Base(std::move(triangulation)),
-      report_(flip_to_Delaunay(static_cast<Base&>(*this), np))
+      report_(flip_to_Delaunay<ConcurrencyTag>(static_cast<Base&>(*this), np))
   {}
 
   /// returns how the run of `flip_to_Delaunay()` went.
@@ -100,10 +107,11 @@ using Default_intrinsic_triangulation_traits = std::conditional_t<
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief copies a triangle mesh as an intrinsic triangulation, without flipping anything.
 ///
-/// The i-th vertex, edge and face of the result are the i-th of the mesh's ranges. Named
+/// The i-th vertex, edge and face of the result are the i-th of the mesh's ranges. `ConcurrencyTag`, named
 /// parameters `vertex_point_map` and `geom_traits` as for
 /// `intrinsic_delaunay_triangulation()`.
-template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
+          class NamedParameters = parameters::Default_named_parameters>
 auto intrinsic_triangulation(const TriangleMesh& mesh,
                              const NamedParameters& np = parameters::default_values())
 {
@@ -119,7 +127,7 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
   using Triangulation = Intrinsic_triangulation<Traits>;
   const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
 
-  Delta_complex connectivity = make_Delta_complex(mesh);
+  Delta_complex connectivity = internal::copy_face_graph<ConcurrencyTag>(mesh);
   if constexpr (Triangulation::uses_exact_geometry &&
                 !std::is_floating_point<typename Kernel::FT>::value) {
     static_assert(!std::is_same<Default_intrinsic_triangulation_traits<Kernel>,
@@ -127,20 +135,25 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
                   "exact geometry needs points with rational coordinates");
     std::optional<std::vector<Input_metric::Rational>> squared_lengths =
       internal::rational_squared_lengths(mesh, point_map, connectivity);
-    if (squared_lengths) // some coordinate is not a double
+    if (squared_lengths) { // some coordinate is not a double
+      internal::check_triangles(connectivity);
       return Triangulation::from_squared_lengths(std::move(connectivity),
                                                  std::move(*squared_lengths), traits);
+    }
   }
   typename Triangulation::Point_vector points(connectivity.number_of_vertices(),
                                               internal::default_init);
-  auto* point = points.data();
-  using FT = typename Traits::FT;
-  for (typename boost::graph_traits<TriangleMesh>::vertex_descriptor v : vertices(mesh)) {
-    const auto& p = get(point_map, v);
-    *point++ = {internal::convert_number<FT>(p.x()), internal::convert_number<FT>(p.y()),
-                internal::convert_number<FT>(p.z())};
-  }
-  return Triangulation(std::move(connectivity), std::move(points), traits);
+  internal::for_each_element<ConcurrencyTag>(
+    vertices(mesh), points.size(), [&](std::size_t first, std::size_t, auto v, auto end) {
+      for (auto* point = points.data() + first; v != end; ++v, ++point) {
+        const auto& p = get(point_map, *v);
+        using FT = typename Traits::FT;
+        *point = {internal::convert_number<FT>(p.x()), internal::convert_number<FT>(p.y()),
+                  internal::convert_number<FT>(p.z())};
+      }
+      return true;
+    });
+  return Triangulation(std::move(connectivity), std::move(points), traits, ConcurrencyTag());
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRef
@@ -150,6 +163,8 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
 /// changes what an edge joins, but not its descriptor. Expected time O(size) plus O(1) a
 /// flip; the number of flips is about linear in practice.
 ///
+/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: as for
+///   `flip_to_Delaunay()`; the mesh is copied by several threads if its iterators have random access
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
 ///
@@ -175,13 +190,14 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
 ///   finite, or an edge has length zero
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.2.
-template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
+          class NamedParameters = parameters::Default_named_parameters>
 auto intrinsic_delaunay_triangulation(const TriangleMesh& mesh,
                                       const NamedParameters& np = parameters::default_values())
 {
-  auto triangulation = intrinsic_triangulation(mesh, np);
+  auto triangulation = intrinsic_triangulation<ConcurrencyTag>(mesh, np);
   using Traits = typename decltype(triangulation)::Traits;
-  return Intrinsic_delaunay_triangulation<Traits>(std::move(triangulation), np);
+  return Intrinsic_delaunay_triangulation<Traits>(std::move(triangulation), np, ConcurrencyTag());
 }
 
 } // namespace Intrinsic_triangulations

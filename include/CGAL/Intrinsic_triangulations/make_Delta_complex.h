@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Delta_complex_builder.h>
+#include <CGAL/Intrinsic_triangulations/internal/check_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/copy_face_graph.h>
 
 #include <cstddef>
@@ -23,12 +24,15 @@ namespace Intrinsic_triangulations {
 /// `CGAL::Surface_mesh` without garbage the positions are those of its own descriptors.
 /// O(size).
 ///
+/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \exception Invalid_surface_error if a face is not a triangle or there are too many edges
-template <class FaceGraph>
+template <class ConcurrencyTag = Sequential_tag, class FaceGraph>
 Delta_complex make_Delta_complex(const FaceGraph& graph)
 {
-  return internal::copy_face_graph(graph);
+  Delta_complex complex = internal::copy_face_graph<ConcurrencyTag>(graph);
+  internal::check_triangles(complex);
+  return complex;
 }
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity

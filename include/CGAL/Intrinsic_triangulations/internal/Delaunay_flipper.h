@@ -6,45 +6,21 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DELAUNAY_FLIPPER_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Flip_report.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/Triangulation_block.h>
 
 #include <CGAL/Uncertain.h>
-
-#include <boost/core/ref.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <functional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
-
-/// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief how a run of `flip_to_Delaunay()` ended.
-enum class Flip_status {
-  DELAUNAY,         ///< every edge that is not constrained is Delaunay
-  NOT_FLIPPABLE,    ///< some edge is not Delaunay, but its hinge has no other diagonal
-  INCONSISTENT,     ///< some edge is not Delaunay though it was just flipped: rounded decisions
-                    ///< contradict each other near a tie
-  UNDECIDED,        ///< the number type could not decide on some edge
-  BUDGET_EXHAUSTED, ///< the given number of flips did not suffice
-  CANCELLED         ///< the visitor cancelled
-};
-
-/// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief what a run of `flip_to_Delaunay()` did.
-struct Flip_report
-{
-  Flip_status status = Flip_status::DELAUNAY; ///< how the run ended
-  std::uint64_t flips = 0;                    ///< number of flips
-  std::uint64_t tests = 0;                    ///< number of Delaunay tests
-  std::vector<Edge_index> not_flippable;      ///< not Delaunay, but without another diagonal
-  std::vector<Edge_index> inconsistent;       ///< not Delaunay although the flip should have made them so
-  std::vector<Edge_index> undecided;          ///< the number type could not decide on them
-};
 
 namespace internal {
 
@@ -74,38 +50,76 @@ private:
   std::size_t size_ = 0;
 };
 
-// The edges are settled block by block, and a block in rounds: all candidates are tested, those
+// Not a character type: stores of these may alias everything.
+enum class Edge_mark : std::uint8_t {
+  SETTLED,     // Delaunay, or not to be flipped
+  CANDIDATE,   // to be tested: in a list, or in a block still to come
+  NOT_DELAUNAY // tested, and its hinge has not changed since
+};
+using Edge_marks = Large_vector<Edge_mark>;
+
+// Whether a flipper has the triangulation to itself; see Triangulation_block.
+template <class Triangulation>
+struct Is_whole_triangulation : std::true_type
+{};
+template <class Triangulation>
+struct Is_whole_triangulation<Triangulation_block<Triangulation>> : std::false_type
+{};
+
+// The edges are settled group by group, and a group in rounds: all candidates are tested, those
 // that are not Delaunay are flipped, and what lies around them are the next candidates, as is
 // what a flip of the same round has changed. Most tests of a round do not depend on each other,
 // and neither do most flips, so that the processor works on several at once; with a stack,
-// each would wait for the one before. A block is small enough for its data to stay in the
+// each would wait for the one before. A group is small enough for its data to stay in the
 // cache until it is settled.
+//
+// Of a Triangulation_block, what cannot be settled there is listed as postponed.
 template <class Triangulation, class ConstraintMap, class Visitor>
 class Delaunay_flipper
 {
   using Flip_outcome = typename Triangulation::Flip_outcome;
+  static constexpr bool is_whole = Is_whole_triangulation<Triangulation>::value;
 
-  // Not a character type: stores of these may alias everything.
-  enum class Mark : std::uint8_t {
-    SETTLED,     // Delaunay, or not to be flipped
-    CANDIDATE,   // to be tested: in a list, or in a block still to come
-    NOT_DELAUNAY // tested, and its hinge has not changed since
-  };
-
-  static constexpr Edge_index::size_type block_size = 1024;
+  static constexpr Edge_index::size_type group_size = 1024;
 
 public:
+  // `marks` has one for each edge of the triangulation; those of edges that are to be flipped
+  // must be `CANDIDATE`, all others `SETTLED`.
   Delaunay_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained,
-                   Visitor& visitor, std::uint64_t budget)
+                   Visitor& visitor, std::uint64_t budget, Edge_marks& marks)
     : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor),
-      budget_(budget), marks_(triangulation.connectivity().number_of_edges(), default_init)
+      budget_(budget), marks_(marks.data())
+  {}
+
+  const Flip_report& report() const { return report_; }
+
+  // The edges, some of them more than once, that were left to others.
+  std::vector<Edge_index>& postponed() { return postponed_; }
+
+  // Takes over what others did before.
+  void add(const Flip_report& report)
   {
-    std::memset(marks_.data(), int(Mark::CANDIDATE), marks_.size());
+    report_.tests += report.tests;
+    report_.flips += report.flips;
+    if (report.status == Flip_status::CANCELLED)
+      report_.status = report.status;
+    add(report_.not_flippable, report.not_flippable);
+    add(report_.inconsistent, report.inconsistent);
+    add(report_.undecided, report.undecided);
   }
 
-  Flip_report run()
+  // Settles the candidates among these edges and all that depends on them. Returns whether it
+  // came to an end; if not, the status says why.
+  bool settle(const Edge_index* begin, const Edge_index* end) { return settle_groups(begin, end); }
+  bool settle(Edge_index::size_type first, Edge_index::size_type last)
   {
-    const bool is_done = settle_all();
+    using Iterator = Delta_complex::Edge_iterator;
+    return settle_groups(Iterator(first), Iterator(last));
+  }
+
+  // Ends the run of a whole triangulation that was settled, or stopped.
+  Flip_report finish(bool is_settled)
+  {
     const auto is_not_Delaunay = [&](Edge_index e) {
       return !possibly(triangulation_.is_locally_Delaunay(e));
     };
@@ -115,29 +129,29 @@ public:
       const auto answer = triangulation_.is_locally_Delaunay(e);
       return !is_certain(answer) || !certainly(answer);
     });
-    if (is_done && !report_.undecided.empty())
+    if (is_settled && !report_.undecided.empty())
       report_.status = Flip_status::UNDECIDED;
-    else if (is_done && !report_.not_flippable.empty())
+    else if (is_settled && !report_.not_flippable.empty())
       report_.status = Flip_status::NOT_FLIPPABLE;
-    else if (is_done && !report_.inconsistent.empty())
+    else if (is_settled && !report_.inconsistent.empty())
       report_.status = Flip_status::INCONSISTENT;
     return std::move(report_);
   }
 
 private:
-  bool settle_all()
+  template <class Iterator>
+  bool settle_groups(Iterator begin, Iterator end)
   {
-    using Iterator = Delta_complex::Edge_iterator;
-    const Edge_index::size_type n = triangulation_.connectivity().number_of_edges();
-    for (Edge_index::size_type first = 0; first < n; first += (std::min)(block_size, n - first)) {
-      const Edge_index::size_type last = first + (std::min)(block_size, n - first);
-      bool goes_on = test(Iterator(first), Iterator(last));
+    while (begin != end) {
+      const Iterator middle = begin + (std::min)(end - begin, std::ptrdiff_t(group_size));
+      bool goes_on = test(begin, middle);
       while (goes_on && not_Delaunay_.size() != 0) {
         candidates_.clear();
         goes_on = flip_found() && test(candidates_.begin(), candidates_.end());
       }
       if (!goes_on)
         return false;
+      begin = middle;
     }
     return true;
   }
@@ -159,7 +173,7 @@ private:
     bool goes_on = true;
     for (; begin != end; ++begin) {
       const Edge_index e = *begin;
-      marks_[e.idx()] = Mark::SETTLED;
+      marks_[e.idx()] = Edge_mark::SETTLED;
       if (get(is_constrained_, e))
         continue;
       const bool is_known = triangulation_.is_known_Delaunay(e);
@@ -184,14 +198,23 @@ private:
         continue;
       if (!goes_further(report_.tests))
         return false;
-      ++report_.tests;
       if (triangulation_.connectivity().is_self_glued(e)) { // Delaunay, as the angles of one face
+        ++report_.tests;
         triangulation_.count_as_tested(1);
         continue;
       }
+      if (!contains_hinge(e)) {
+        postponed_.push_back(e);
+        continue;
+      }
       const auto is_Delaunay = triangulation_.test_and_refine(e);
+      if (!is_whole && !is_certain(is_Delaunay)) {
+        postponed_.push_back(e);
+        continue;
+      }
+      ++report_.tests;
       const bool is_found = !possibly(is_Delaunay);
-      marks_[e.idx()] = is_found ? Mark::NOT_DELAUNAY : Mark::SETTLED;
+      marks_[e.idx()] = is_found ? Edge_mark::NOT_DELAUNAY : Edge_mark::SETTLED;
       not_Delaunay_.push_if(is_found, e);
       if (!is_certain(is_Delaunay))
         report_.undecided.push_back(e);
@@ -203,24 +226,24 @@ private:
   {
     candidates_.make_room(4 * not_Delaunay_.size());
     for (Edge_index e : not_Delaunay_) {
-      if (marks_[e.idx()] != Mark::NOT_DELAUNAY) { // its hinge has changed
+      if (marks_[e.idx()] != Edge_mark::NOT_DELAUNAY) { // its hinge has changed
         candidates_.push_if(true, e);
         continue;
       }
       if (!goes_further(report_.tests))
         return false;
-      marks_[e.idx()] = Mark::SETTLED;
       if (report_.flips == budget_) {
         report_.status = Flip_status::BUDGET_EXHAUSTED;
         return false;
       }
+      marks_[e.idx()] = Edge_mark::SETTLED;
       switch (triangulation_.flip_not_Delaunay(e)) {
       case Flip_outcome::FLIPPED:
         ++report_.flips;
         if constexpr (!Triangulation::Traits::Has_exact_decisions::value)
           check_flipped(e);
         add_surrounding_edges(e);
-        unwrapped_visitor().after_flip(e);
+        visitor_.after_flip(e);
         break;
       case Flip_outcome::NOT_CONVEX:
         report_.not_flippable.push_back(e);
@@ -228,9 +251,19 @@ private:
       case Flip_outcome::UNDECIDED:
         report_.undecided.push_back(e);
         break;
+      default:
+        postponed_.push_back(e);
       }
     }
     return true;
+  }
+
+  bool contains_hinge(Edge_index e) const
+  {
+    if constexpr (is_whole)
+      return true;
+    else
+      return triangulation_.contains_hinge(e);
   }
 
   void check_flipped(Edge_index e)
@@ -244,7 +277,7 @@ private:
 
   bool goes_further(std::uint64_t number_of_tests)
   {
-    if (unwrapped_visitor().go_further(number_of_tests, report_.flips))
+    if (visitor_.go_further(number_of_tests, report_.flips))
       return true;
     report_.status = Flip_status::CANCELLED;
     return false;
@@ -263,9 +296,9 @@ private:
   // An edge that is marked is a candidate already, or will be when flip_found() comes to it.
   void add_candidate(Edge_index e)
   {
-    Mark& mark = marks_[e.idx()];
-    candidates_.push_if(mark == Mark::SETTLED, e);
-    mark = Mark::CANDIDATE;
+    Edge_mark& mark = marks_[e.idx()];
+    candidates_.push_if(mark == Edge_mark::SETTLED, e);
+    mark = Edge_mark::CANDIDATE;
   }
 
   // An edge that was noted on the way may have changed since: keep those, once each, for
@@ -280,21 +313,9 @@ private:
                 edges.end());
   }
 
-  auto& unwrapped_visitor() { return unwrap(visitor_); }
-  template <class T>
-  static T& unwrap(T& visitor)
+  static void add(std::vector<Edge_index>& edges, const std::vector<Edge_index>& more)
   {
-    return visitor;
-  }
-  template <class T>
-  static T& unwrap(std::reference_wrapper<T>& visitor)
-  {
-    return visitor.get();
-  }
-  template <class T>
-  static T& unwrap(boost::reference_wrapper<T>& visitor)
-  {
-    return visitor.get();
+    edges.insert(edges.end(), more.begin(), more.end());
   }
 
   Triangulation& triangulation_;
@@ -303,16 +324,9 @@ private:
   std::uint64_t budget_;
   Flip_report report_;
   Edge_list candidates_, suspects_, not_Delaunay_;
-  Large_vector<Mark> marks_;
+  Edge_mark* marks_;
+  std::vector<Edge_index> postponed_;
 };
-
-template <class Triangulation, class ConstraintMap, class Visitor>
-Delaunay_flipper<Triangulation, ConstraintMap, Visitor>
-make_Delaunay_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained,
-                      Visitor& visitor, std::uint64_t budget)
-{
-  return {triangulation, is_constrained, visitor, budget};
-}
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

@@ -29,25 +29,6 @@ inline void check_size(std::size_t number_of_halfedges)
                                 "the surface has too many edges for 32-bit indices");
 }
 
-inline void check_triangles(const Delta_complex::Halfedge_vector& records,
-                            const Delta_complex::Descriptor_vector& face_halfedges)
-{
-  std::size_t first = 0, count = 0;
-  for (std::size_t f = 0; f < face_halfedges.size(); ++f) {
-    const Halfedge_index h = face_halfedges[f];
-    const std::uint32_t last = records[records[h.idx()].next].next;
-    if (records[last].next != h.idx() || last == h.idx()) {
-      first = count == 0 ? f : first;
-      ++count;
-    }
-  }
-  if (count > 0)
-    throw Invalid_surface_error(Defect::NOT_A_TRIANGLE, first, count,
-                                "face " + std::to_string(first) + " is not a triangle (" +
-                                  std::to_string(count) +
-                                  " such faces); triangulate the faces first");
-}
-
 // A border halfedge wins, as the complex wants it.
 inline void set_vertex_halfedges(const Delta_complex::Halfedge_vector& records,
                                  Delta_complex::Descriptor_vector& vertex_halfedges)

@@ -8,14 +8,18 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/Delta_complex_builder.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,6 +39,7 @@ public:
       face_index_map_(get_initialized_face_index_map(graph))
   {}
 
+  template <class ConcurrencyTag>
   Delta_complex run()
   {
     // Where the graph's own indices are the numbers already, as in a Surface_mesh without
@@ -44,78 +49,79 @@ public:
     number_of_faces_ = num_faces(graph_);
     check_size(2 * number_of_edges_);
     const bool is_copied =
-      copy([&](auto v) { return std::uint32_t(get(vertex_index_map_, v)); },
-           [&](auto h) { return std::uint32_t(get(halfedge_index_map_, h)); },
-           [&](auto f) { return std::uint32_t(get(face_index_map_, f)); });
+      copy<ConcurrencyTag>([&](auto v) { return std::uint32_t(get(vertex_index_map_, v)); },
+                           [&](auto h) { return std::uint32_t(get(halfedge_index_map_, h)); },
+                           [&](auto f) { return std::uint32_t(get(face_index_map_, f)); });
     if (!is_copied) {
       make_tables();
-      copy([&](auto v) { return vertex_number_[get(vertex_index_map_, v)]; },
-           [&](auto h) { return halfedge_number_[get(halfedge_index_map_, h)]; },
-           [&](auto f) { return face_number_[get(face_index_map_, f)]; });
+      copy<Sequential_tag>([&](auto v) { return vertex_number_[get(vertex_index_map_, v)]; },
+                           [&](auto h) { return halfedge_number_[get(halfedge_index_map_, h)]; },
+                           [&](auto f) { return face_number_[get(face_index_map_, f)]; });
     }
-    if (has_other_faces_)
-      check_triangles(records_, face_halfedges_);
     return Delta_complex(std::move(records_), std::move(vertex_halfedges_),
                          std::move(face_halfedges_));
   }
 
 private:
   // Returns false if the given positions are not 0, 1, 2, ... in the order of the ranges.
-  template <class VertexPosition, class HalfedgePosition, class FacePosition>
+  template <class ConcurrencyTag, class VertexPosition, class HalfedgePosition, class FacePosition>
   bool copy(const VertexPosition& vertex_position, const HalfedgePosition& halfedge_position,
             const FacePosition& face_position)
   {
     records_ = Delta_complex::Halfedge_vector(2 * number_of_edges_, default_init);
-    vertex_halfedges_ = Delta_complex::Descriptor_vector(number_of_vertices_);
+    vertex_halfedges_ = Delta_complex::Descriptor_vector(number_of_vertices_, default_init);
     face_halfedges_ = Delta_complex::Descriptor_vector(number_of_faces_, default_init);
-    bool is_in_order = true;
+    std::vector<std::vector<std::uint32_t>> border(number_of_edges_ / elements_of_block + 1);
 
-    // A face's sides are counted as they come: to walk around it would mean to fetch records
-    // from anywhere in memory. (Stores to a character type might alias all else.)
-    Large_vector<std::uint16_t> number_of_sides(number_of_faces_, std::uint16_t(0));
-    std::size_t number_of_all_sides = 0;
-    Delta_complex::Halfedge* record = records_.data();
-    std::uint32_t position = 0;
-    for (typename Graph_traits::edge_descriptor e : edges(graph_)) {
-      auto h = halfedge(e, graph_);
-      for (int side = 0; side < 2; ++side, ++position, ++record, h = opposite(h, graph_)) {
-        const auto f = face(h, graph_);
-        const bool is_border = f == Graph_traits::null_face();
-        is_in_order &= halfedge_position(h) == position;
-        *record = {halfedge_position(next(h, graph_)), halfedge_position(prev(h, graph_)),
-                   vertex_position(target(h, graph_)),
-                   is_border ? Face_index::null_index() : face_position(f)};
-        if (record->face < number_of_faces_) {
-          ++number_of_sides[record->face];
-          ++number_of_all_sides;
-        } else if (is_border && record->target < number_of_vertices_) {
-          vertex_halfedges_[record->target] = Halfedge_index(position);
+    const auto copy_edges = [&](std::size_t first, std::size_t last, auto e, auto end) {
+      std::vector<std::uint32_t>& border_of_block = border[first / elements_of_block];
+      Delta_complex::Halfedge* record = records_.data() + 2 * first;
+      std::uint32_t position = std::uint32_t(2 * first);
+      bool is_in_order = true;
+      for (; e != end; ++e) {
+        auto h = halfedge(*e, graph_);
+        for (int side = 0; side < 2; ++side, ++position, ++record, h = opposite(h, graph_)) {
+          const auto f = face(h, graph_);
+          const bool is_border = f == Graph_traits::null_face();
+          is_in_order &= halfedge_position(h) == position;
+          *record = {halfedge_position(next(h, graph_)), halfedge_position(prev(h, graph_)),
+                     vertex_position(target(h, graph_)),
+                     is_border ? Face_index::null_index() : face_position(f)};
+          if (is_border)
+            border_of_block.push_back(position);
         }
       }
-    }
-    // The total tells 3 sides from 3 + 2^16.
-    has_other_faces_ = number_of_all_sides != 3 * number_of_faces_ ||
-                       std::any_of(number_of_sides.begin(), number_of_sides.end(),
-                                   [](std::uint16_t n) { return n != 3; });
-    is_in_order &= position == 2 * number_of_edges_;
-
-    position = 0;
-    for (typename Graph_traits::face_descriptor f : faces(graph_)) {
-      is_in_order &= face_position(f) == position;
-      face_halfedges_[position++] = Halfedge_index(halfedge_position(halfedge(f, graph_)));
-    }
-    is_in_order &= position == number_of_faces_;
-
-    position = 0;
-    for (typename Graph_traits::vertex_descriptor v : vertices(graph_)) {
-      const auto h = halfedge(v, graph_);
-      is_in_order &= vertex_position(v) == position;
-      Halfedge_index& vertex_halfedge = vertex_halfedges_[position++];
-      if (!vertex_halfedge.is_valid() && h != Graph_traits::null_halfedge())
-        vertex_halfedge = Halfedge_index(halfedge_position(h));
-    }
-    is_in_order &= position == number_of_vertices_;
-    return is_in_order;
+      return is_in_order && position == 2 * last;
+    };
+    const auto copy_faces = [&](std::size_t first, std::size_t last, auto f, auto end) {
+      std::uint32_t position = std::uint32_t(first);
+      bool is_in_order = true;
+      for (; f != end; ++f) {
+        is_in_order &= face_position(*f) == position;
+        face_halfedges_[position++] = Halfedge_index(halfedge_position(halfedge(*f, graph_)));
+      }
+      return is_in_order && position == last;
+    };
+    const auto copy_vertices = [&](std::size_t first, std::size_t last, auto v, auto end) {
+      std::uint32_t position = std::uint32_t(first);
+      bool is_in_order = true;
+      for (; v != end; ++v) {
+        const auto h = halfedge(*v, graph_);
+        is_in_order &= vertex_position(*v) == position;
+        vertex_halfedges_[position++] = h == Graph_traits::null_halfedge()
+                                          ? Halfedge_index()
+                                          : Halfedge_index(halfedge_position(h));
+      }
+      return is_in_order && position == last;
+    };
+    if (!for_each_element<ConcurrencyTag>(edges(graph_), number_of_edges_, copy_edges) ||
+        !for_each_element<ConcurrencyTag>(faces(graph_), number_of_faces_, copy_faces) ||
+        !for_each_element<ConcurrencyTag>(vertices(graph_), number_of_vertices_, copy_vertices))
+      return false;
+    for (const std::vector<std::uint32_t>& of_block : border)
+      for (std::uint32_t h : of_block)
+        vertex_halfedges_[records_[h].target] = Halfedge_index(h);
+    return true;
   }
 
   // The numbers of elements that a graph tells may be larger than those of its ranges.
@@ -152,15 +158,15 @@ private:
   Face_index_map face_index_map_;
   std::size_t number_of_vertices_ = 0, number_of_edges_ = 0, number_of_faces_ = 0;
   std::vector<std::uint32_t> vertex_number_, halfedge_number_, face_number_;
-  bool has_other_faces_ = false; // than triangles
   Delta_complex::Halfedge_vector records_;
   Delta_complex::Descriptor_vector vertex_halfedges_, face_halfedges_;
 };
 
-template <class FaceGraph>
+// Its faces are still to be checked for being triangles.
+template <class ConcurrencyTag, class FaceGraph>
 Delta_complex copy_face_graph(const FaceGraph& graph)
 {
-  return Face_graph_copier<FaceGraph>(graph).run();
+  return Face_graph_copier<FaceGraph>(graph).template run<ConcurrencyTag>();
 }
 
 } // namespace internal

@@ -10,14 +10,22 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/Cotangent_bounds.h>
+#include <CGAL/Intrinsic_triangulations/internal/check_triangles.h>
+#include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
+#include <boost/atomic/atomic_ref.hpp>
+
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -45,17 +53,16 @@ template <class FT>
 constexpr bool has_small_exponent_range = std::is_floating_point<typename Machine_type<FT>::type>::value;
 
 // Products of two squared lengths occur, and differences of such products matter down to
-// their rounding: lengths up to 2^(a tenth of the largest exponent) stay far from over- and
-// underflow. Larger ones are made that small, and no smaller, so that what is small beside
-// them keeps all its bits if it can.
+// their rounding: lengths between 2^-(a tenth of the largest exponent) and 2^(the same) stay far
+// from over- and underflow. Where the largest is not one of them it is made the largest of them,
+// so that what is small beside it keeps all its bits if it can.
 template <class FT>
 int unit_exponent(double largest)
 {
   if constexpr (has_small_exponent_range<FT>) {
     const int limit = std::numeric_limits<typename Machine_type<FT>::type>::max_exponent / 10;
     const int exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
-    return exponent > limit ? exponent - limit : exponent < -limit ? exponent + limit
-                                                                   : 0;
+    return exponent > limit || exponent < -limit ? exponent - limit : 0;
   } else {
     return 0;
   }
@@ -141,20 +148,51 @@ Offenders non_finite_points(const PointVector& points)
   return offenders;
 }
 
-template <class PointVector>
+// The smallest box around points.
+struct Box
+{
+  void add(const Box& other)
+  {
+    for (int i = 0; i < 3; ++i) {
+      low[i] = (std::min)(low[i], other.low[i]);
+      high[i] = (std::max)(high[i], other.high[i]);
+    }
+    zero += other.zero;
+  }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
+  double zero = 0; // NaN if a coordinate is not finite
+};
+
+template <class ConcurrencyTag, class PointVector>
+Box bounding_box(const PointVector& points)
+{
+  using FT = typename PointVector::value_type::value_type;
+  std::vector<Box> boxes(points.size() / elements_of_block + 1);
+  for_each_block<ConcurrencyTag>(points.size(), elements_of_block, [&](std::size_t first, std::size_t last) {
+    Box box;
+    for (std::size_t v = first; v < last; ++v)
+      for (int i = 0; i < 3; ++i) {
+        const FT& coordinate = points[v][i];
+        const double x = CGAL::to_double(coordinate);
+        box.zero += zero_if_finite(x);
+        box.low[i] = x < box.low[i] ? x : box.low[i];
+        box.high[i] = x > box.high[i] ? x : box.high[i];
+      }
+    boxes[first / elements_of_block] = box;
+  });
+  Box result;
+  for (const Box& box : boxes)
+    result.add(box);
+  return result;
+}
+
+template <class ConcurrencyTag = Sequential_tag, class PointVector>
 int normalize_points(PointVector& points)
 {
   using FT = typename PointVector::value_type::value_type;
-  const double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
-  double zero = 0;
-  for (const std::array<FT, 3>& p : points)
-    for (int i = 0; i < 3; ++i) {
-      const double x = CGAL::to_double(p[i]);
-      zero += zero_if_finite(x);
-      low[i] = x < low[i] ? x : low[i];
-      high[i] = x > high[i] ? x : high[i];
-    }
+  const auto [low, high, zero] = bounding_box<ConcurrencyTag>(points);
   if (!(zero == 0)) {
     const Offenders offenders = non_finite_points(points);
     throw Invalid_surface_error(Defect::NOT_FINITE, offenders.first, offenders.count,
@@ -242,9 +280,19 @@ void bound_corners(const Traits& traits, Halfedge_index h, Halfedge_index next, 
   }
 }
 
+// Two threads may store the same number for an edge, each for one of its faces.
+template <class ConcurrencyTag, class T>
+void store(T& to, const T& value)
+{
+  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+    boost::atomic_ref<T>(to).store(value, boost::memory_order_relaxed);
+  else
+    to = value;
+}
+
 // All that is computed from the corners of a face is computed while they are at hand: an
 // edge twice, which takes less time than to fetch its ends once more.
-template <class Traits, class PointVector, class EdgeVector, class FaceVector>
+template <class ConcurrencyTag, class Traits, class PointVector, class EdgeVector, class FaceVector>
 void construct_metric_from_points(const Delta_complex& complex, const Traits& traits,
                                   const PointVector& points, EdgeVector& edges,
                                   FaceVector& faces, Cotangent_bounds& bounds)
@@ -253,36 +301,48 @@ void construct_metric_from_points(const Delta_complex& complex, const Traits& tr
   using FT = typename Traits::FT;
   using Edge_data = typename Traits::Edge_data;
   using Point_data = typename Traits::Point_data;
+  // Numbers of other types may have shared state.
+  using Tag = std::conditional_t<std::is_floating_point<Edge_data>::value, ConcurrencyTag, Sequential_tag>;
   const auto construct_edge_data = traits.construct_edge_data_object();
   const auto construct_face_data = traits.construct_face_data_object();
   const auto compute_squared_length = traits.compute_squared_length_object();
-  const Point_data* const point = points.data();
-  auto* const edge = edges.data();
-  auto* face = faces.data();
-
-  // Coordinate by coordinate, so that they are kept in registers.
-  const auto corner = [&](Halfedge_index h) -> Point_data {
-    const Point_data& p = point[complex.target(h).idx()];
-    return {p[0], p[1], p[2]};
-  };
   const auto is_zero = [&](const Edge_data& e) { // 0 or 1, to be combined without a branch
     return int(!possibly(compute_squared_length(e) > FT(0)));
   };
-  int has_zero = 0;
-  for (Face_index f : complex.faces()) {
-    const Halfedge_index h = complex.halfedge(f), next = complex.next(h), prev = complex.prev(h);
-    const Point_data p = corner(prev), q = corner(h), r = corner(next);
-    const Edge_data pq = construct_edge_data(p, q), qr = construct_edge_data(q, r),
-                    pr = construct_edge_data(p, r);
-    edge[complex.edge(h).idx()] = pq;
-    edge[complex.edge(next).idx()] = qr;
-    edge[complex.edge(prev).idx()] = pr;
-    has_zero |= is_zero(pq) | is_zero(qr) | is_zero(pr);
-    *face = construct_face_data(p, q, r);
-    bound_corners(traits, h, next, prev, *face, pq, qr, pr, bounds);
-    ++face;
-  }
-  if (has_zero != 0) {
+  std::atomic<bool> has_zero{false}, has_other_faces{false};
+
+  for_each_block<Tag>(faces.size(), elements_of_block, [&](std::size_t first, std::size_t last) {
+    const Point_data* const point = points.data();
+    auto* const edge = edges.data();
+    // Coordinate by coordinate, so that they are kept in registers.
+    const auto corner = [&](Halfedge_index h) -> Point_data {
+      const Point_data& p = point[complex.target(h).idx()];
+      return {p[0], p[1], p[2]};
+    };
+    int block_has_zero = 0, block_has_other_faces = 0;
+    auto* face = faces.data() + first;
+    for (std::size_t f = first; f < last; ++f, ++face) {
+      const Halfedge_index h = complex.halfedge(Face_index(std::uint32_t(f)));
+      const Halfedge_index next = complex.next(h), prev = complex.prev(h);
+      block_has_other_faces |= int(!is_triangle(complex, h));
+      const Point_data p = corner(prev), q = corner(h), r = corner(next);
+      const Edge_data pq = construct_edge_data(p, q), qr = construct_edge_data(q, r),
+                      pr = construct_edge_data(p, r);
+      store<Tag>(edge[complex.edge(h).idx()], pq);
+      store<Tag>(edge[complex.edge(next).idx()], qr);
+      store<Tag>(edge[complex.edge(prev).idx()], pr);
+      block_has_zero |= is_zero(pq) | is_zero(qr) | is_zero(pr);
+      *face = construct_face_data(p, q, r);
+      bound_corners(traits, h, next, prev, *face, pq, qr, pr, bounds);
+    }
+    if (block_has_zero != 0)
+      has_zero = true;
+    if (block_has_other_faces != 0)
+      has_other_faces = true;
+  });
+  if (has_other_faces)
+    check_triangles(complex);
+  if (has_zero) {
     Offenders offenders;
     for (std::size_t e = 0; e < edges.size(); ++e)
       if (is_zero(edges[e]) != 0)
@@ -301,16 +361,21 @@ void construct_metric_from_lengths(const Delta_complex& complex, const Traits& t
   using FT = typename Traits::FT;
   const auto construct_edge_data = traits.construct_edge_data_object();
   const auto construct_face_data = traits.construct_face_data_object();
-
-  for (std::size_t e = 0; e < lengths.size(); ++e)
-    edges[e] = construct_edge_data.from_length(lengths[e]);
+  const auto compute_squared_length = traits.compute_squared_length_object();
 
   Offenders offenders;
+  for (std::size_t e = 0; e < lengths.size(); ++e) {
+    edges[e] = construct_edge_data.from_length(lengths[e]);
+    if (!possibly(compute_squared_length(edges[e]) > FT(0)))
+      offenders.add(e);
+  }
+  throw_if_underflow("the squared length of edge ", offenders);
+
   for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f), next = complex.next(h), prev = complex.prev(h);
     const FT &ij = lengths[complex.edge(h).idx()], &jk = lengths[complex.edge(next).idx()],
              &ki = lengths[complex.edge(prev).idx()];
-    if (certainly(squared_four_areas_from_lengths(ij, jk, ki) < FT(0)))
+    if (violate_triangle_inequality(ij, jk, ki))
       offenders.add(f.idx());
     faces[f.idx()] = construct_face_data.from_lengths(ij, jk, ki);
     bound_corners(traits, h, next, prev, faces[f.idx()], edges[complex.edge(h).idx()],

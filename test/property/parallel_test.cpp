@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Several threads: the same result for any number of them, and the same Delaunay tessellation as
+// with one after the other. Surfaces have some blocks of 2^16 edges.
+
+#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
+#include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <tbb/global_control.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Filtered = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+using CGAL::Parallel_tag;
+using CGAL::Sequential_tag;
+using IT::Flip_report;
+using IT::Flip_status;
+
+Mesh mesh_of(const IT::Indexed_triangles& triangles)
+{
+  Mesh mesh;
+  for (const std::array<double, 3>& p : triangles.points)
+    mesh.add_vertex({p[0], p[1], p[2]});
+  for (const std::array<std::uint32_t, 3>& t : triangles.triangles)
+    mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+  return mesh;
+}
+
+// Few hinges lie in one block.
+IT::Indexed_triangles shuffled(IT::Indexed_triangles triangles)
+{
+  std::shuffle(triangles.triangles.begin(), triangles.triangles.end(), std::mt19937(1));
+  return triangles;
+}
+
+template <class Traits, class ConcurrencyTag>
+auto flipped(const Mesh& mesh, int number_of_threads)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                    std::size_t(number_of_threads));
+  return IT::intrinsic_delaunay_triangulation<ConcurrencyTag>(mesh,
+                                                              CGAL::parameters::geom_traits(Traits()));
+}
+
+// The cells by their vertices, in an order of their own.
+template <class Triangulation>
+std::vector<std::vector<std::uint32_t>> cells(const Triangulation& t)
+{
+  const IT::Delaunay_tessellation tessellation(t);
+  std::vector<std::vector<std::uint32_t>> result(tessellation.number_of_cells());
+  for (IT::Face_index f : t.connectivity().faces()) {
+    IT::Halfedge_index h = t.connectivity().halfedge(f);
+    for (int i = 0; i < 3; ++i, h = t.connectivity().next(h))
+      result[tessellation.cell(f)].push_back(t.connectivity().target(h).idx());
+  }
+  for (std::vector<std::uint32_t>& cell : result) {
+    std::sort(cell.begin(), cell.end());
+    cell.erase(std::unique(cell.begin(), cell.end()), cell.end());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// The input is found again from the journals of the blocks.
+void expect_input(const Filtered& t, const Mesh& mesh)
+{
+  const IT::Delta_complex expected = IT::make_Delta_complex(mesh),
+                          &input = t.exact_geometry().correspondence().input();
+  for (IT::Halfedge_index h : expected.halfedges()) {
+    ASSERT_EQ(input.next(h), expected.next(h));
+    ASSERT_EQ(input.target(h), expected.target(h));
+    ASSERT_EQ(input.face(h), expected.face(h));
+  }
+}
+
+void expect_same_with_any_number_of_threads(const IT::Indexed_triangles& triangles)
+{
+  const Mesh mesh = mesh_of(triangles);
+  const auto sequential = flipped<IT::Filtered_edge_length_traits, Sequential_tag>(mesh, 1);
+  const auto one = flipped<IT::Filtered_edge_length_traits, Parallel_tag>(mesh, 1);
+  const auto expected = cells(sequential);
+  EXPECT_TRUE(cells(one) == expected);
+  EXPECT_TRUE(one.connectivity().is_valid(true));
+  EXPECT_TRUE(IT::verify_Delaunay(one).is_Delaunay());
+  const auto& decided = one.stage_counts().decided;
+  EXPECT_EQ(std::accumulate(decided.begin(), decided.end(), std::uint64_t(0)), one.report().tests);
+  expect_input(one, mesh);
+  for (int threads : {2, 3}) {
+    const auto several = flipped<IT::Filtered_edge_length_traits, Parallel_tag>(mesh, threads);
+    EXPECT_EQ(several.report().status, Flip_status::DELAUNAY);
+    EXPECT_EQ(several.report().flips, one.report().flips);
+    EXPECT_TRUE(several.connectivity() == one.connectivity()) << threads << " threads";
+    expect_input(several, mesh);
+    const IT::Correspondence &a = several.exact_geometry().correspondence(),
+                             &b = one.exact_geometry().correspondence();
+    for (IT::Edge_index e : one.connectivity().edges()) {
+      const IT::Halfedge_index h = one.connectivity().halfedge(e);
+      ASSERT_EQ(a.coordinates().crossings(e), b.coordinates().crossings(e));
+      ASSERT_EQ(a.input_halfedge(h), b.input_halfedge(h));
+      ASSERT_EQ(several.edge_data(e), one.edge_data(e));
+    }
+  }
+}
+
+TEST(Parallel, torus) { expect_same_with_any_number_of_threads(IT::bad_torus(300, 300)); }
+
+TEST(Parallel, faces_in_any_order)
+{
+  expect_same_with_any_number_of_threads(shuffled(IT::bad_torus(200, 200)));
+}
+
+TEST(Parallel, boundary_and_many_flips)
+{
+  expect_same_with_any_number_of_threads(IT::sheared_grid(200, 150, 5.25));
+}
+
+TEST(Parallel, ties)
+{
+  expect_same_with_any_number_of_threads(IT::random_diagonal_grid(200, 150, 1, 7));
+}
+
+TEST(Parallel, components_and_isolated_vertices)
+{
+  IT::Indexed_triangles triangles = IT::bad_torus(150, 150);
+  const std::size_t n = triangles.points.size(), m = triangles.triangles.size();
+  triangles.points.push_back({0, 0, 9});
+  for (std::size_t v = 0; v < n; ++v) {
+    std::array<double, 3> p = triangles.points[v];
+    p[2] += 10;
+    triangles.points.push_back(p);
+  }
+  for (std::size_t f = 0; f < m; ++f) {
+    std::array<std::uint32_t, 3> t = triangles.triangles[f];
+    for (std::uint32_t& v : t)
+      v += std::uint32_t(n) + 1;
+    triangles.triangles.push_back(t);
+  }
+  expect_same_with_any_number_of_threads(triangles);
+}
+
+TEST(Parallel, rounded_decisions)
+{
+  const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
+  const auto one = flipped<IT::Edge_length_traits<double>, Sequential_tag>(mesh, 1);
+  for (int threads : {1, 2}) {
+    const auto several = flipped<IT::Edge_length_traits<double>, Parallel_tag>(mesh, threads);
+    EXPECT_EQ(several.report().status, Flip_status::DELAUNAY);
+    std::vector<double> a, b;
+    for (IT::Edge_index e : one.connectivity().edges()) {
+      a.push_back(one.length(e));
+      b.push_back(several.length(e));
+    }
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    for (std::size_t i = 0; i < a.size(); ++i)
+      ASSERT_NEAR(a[i], b[i], 1e-12);
+  }
+}
+
+TEST(Parallel, construction_is_the_same)
+{
+  const Mesh mesh = mesh_of(shuffled(IT::sheared_grid(200, 150, 0.3)));
+  const auto a = IT::intrinsic_triangulation<Sequential_tag>(mesh);
+  const auto b = IT::intrinsic_triangulation<Parallel_tag>(mesh);
+  EXPECT_TRUE(a.connectivity() == b.connectivity());
+  for (IT::Vertex_index v : a.connectivity().vertices())
+    ASSERT_EQ(a.connectivity().halfedge(v), b.connectivity().halfedge(v));
+  for (IT::Edge_index e : a.connectivity().edges())
+    ASSERT_EQ(a.edge_data(e), b.edge_data(e));
+  for (IT::Face_index f : a.connectivity().faces()) {
+    ASSERT_EQ(a.face_data(f).value, b.face_data(f).value);
+    ASSERT_EQ(a.face_data(f).error, b.face_data(f).error);
+  }
+}
+
+TEST(Parallel, bad_input_is_refused)
+{
+  Mesh mesh = mesh_of(IT::bad_torus(150, 150));
+  const auto expect = [&](IT::Invalid_surface_error::Defect defect, std::size_t element) {
+    try {
+      IT::intrinsic_triangulation<Parallel_tag>(mesh);
+      FAIL() << "was accepted";
+    } catch (const IT::Invalid_surface_error& error) {
+      EXPECT_EQ(error.defect(), defect);
+      EXPECT_EQ(error.element(), element);
+    }
+  };
+  const Mesh::Vertex_index v(20000);
+  const auto p = mesh.point(v);
+  mesh.point(v) = {0, std::numeric_limits<double>::quiet_NaN(), 0};
+  expect(IT::Invalid_surface_error::Defect::NOT_FINITE, 20000);
+  mesh.point(v) = mesh.point(mesh.target(mesh.next(mesh.halfedge(v))));
+  try {
+    IT::intrinsic_triangulation<Parallel_tag>(mesh);
+    FAIL() << "was accepted";
+  } catch (const IT::Invalid_surface_error& error) {
+    EXPECT_EQ(error.defect(), IT::Invalid_surface_error::Defect::ZERO_LENGTH_EDGE);
+  }
+  mesh.point(v) = p;
+  mesh.remove_face(Mesh::Face_index(7)); // leaves garbage
+  EXPECT_NO_THROW(IT::intrinsic_triangulation<Parallel_tag>(mesh));
+
+  Mesh with_polygon = mesh_of(IT::bad_torus(150, 150));
+  std::vector<Mesh::Vertex_index> corners;
+  for (int i = 0; i < 4; ++i)
+    corners.push_back(with_polygon.add_vertex({double(i), double(i * i), 9}));
+  const Mesh::Face_index f = with_polygon.add_face(corners);
+  mesh = with_polygon;
+  expect(IT::Invalid_surface_error::Defect::NOT_A_TRIANGLE, f);
+}
+
+TEST(Parallel, constraints)
+{
+  const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
+  Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
+  const IT::Delta_complex input = t.connectivity();
+  const auto is_constrained = boost::make_function_property_map<IT::Edge_index>(
+    [](IT::Edge_index e) { return e.idx() % 7 == 0; });
+  const Flip_report report = IT::flip_to_Delaunay<Parallel_tag>(
+    t, CGAL::parameters::edge_is_constrained_map(is_constrained));
+  EXPECT_EQ(report.status, Flip_status::DELAUNAY);
+  std::size_t not_Delaunay = 0;
+  for (IT::Edge_index e : t.connectivity().edges()) {
+    if (e.idx() % 7 == 0) {
+      const IT::Halfedge_index h = input.halfedge(e);
+      ASSERT_EQ(t.connectivity().target(h), input.target(h));
+      ASSERT_EQ(t.connectivity().source(h), input.source(h));
+    }
+    const bool is_Delaunay = CGAL::certainly(t.is_locally_Delaunay(e));
+    not_Delaunay += !is_Delaunay;
+    EXPECT_TRUE(is_Delaunay || e.idx() % 7 == 0);
+  }
+  EXPECT_GT(not_Delaunay, 100u);
+}
+
+TEST(Parallel, budget_is_kept)
+{
+  const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
+  Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
+  for (std::uint64_t budget : {std::uint64_t(0), std::uint64_t(1), std::uint64_t(10000)}) {
+    Filtered copy = t;
+    const Flip_report report =
+      IT::flip_to_Delaunay<Parallel_tag>(copy, CGAL::parameters::maximum_number(budget));
+    EXPECT_EQ(report.status, Flip_status::BUDGET_EXHAUSTED);
+    EXPECT_EQ(report.flips, budget);
+    EXPECT_TRUE(copy.connectivity().is_valid(true));
+    expect_input(copy, mesh);
+    // What is left is done by a second run.
+    EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(copy).status, Flip_status::DELAUNAY);
+    EXPECT_TRUE(IT::verify_Delaunay(copy).is_Delaunay());
+  }
+}
+
+struct Counter
+{
+  bool go_further(std::uint64_t tests, std::uint64_t number_of_flips)
+  {
+    EXPECT_GE(tests, last_tests);
+    last_tests = tests;
+    return number_of_flips < limit;
+  }
+  void after_flip(IT::Edge_index)
+  {
+    if (++flips == throw_at)
+      throw std::runtime_error("enough");
+  }
+  std::uint64_t limit = ~std::uint64_t(0), throw_at = 0, flips = 0, last_tests = 0;
+};
+
+TEST(Parallel, visitor_is_told_of_each_flip)
+{
+  Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh_of(IT::bad_torus(200, 200)));
+  Counter counter;
+  const Flip_report report =
+    IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter)));
+  EXPECT_EQ(report.status, Flip_status::DELAUNAY);
+  EXPECT_EQ(counter.flips, report.flips);
+  EXPECT_LE(counter.last_tests, report.tests);
+}
+
+TEST(Parallel, visitor_cancels)
+{
+  const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
+  Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
+  Counter counter;
+  counter.limit = 5000;
+  const Flip_report report =
+    IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter)));
+  EXPECT_EQ(report.status, Flip_status::CANCELLED);
+  EXPECT_EQ(counter.flips, report.flips);
+  EXPECT_GE(report.flips, 5000u);
+  EXPECT_LT(report.flips, 15000u);
+  EXPECT_TRUE(t.connectivity().is_valid(true));
+  expect_input(t, mesh);
+}
+
+TEST(Parallel, exception_of_a_visitor_leaves_a_valid_triangulation)
+{
+  const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
+  Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
+  Counter counter;
+  counter.throw_at = 3000;
+  EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter))),
+               std::runtime_error);
+  EXPECT_TRUE(t.connectivity().is_valid(true));
+  expect_input(t, mesh);
+  EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::DELAUNAY);
+  EXPECT_TRUE(IT::verify_Delaunay(t).is_Delaunay());
+}
+
+} // namespace

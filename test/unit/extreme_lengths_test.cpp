@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lengths whose squares and products leave the range of double: what is no surface is refused all
+// the same, and bounds and areas hold.
+
+#include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Defect = IT::Invalid_surface_error::Defect;
+using Rational = IT::Input_metric::Rational;
+
+// Two triangles that are not glued: six edges.
+IT::Delta_complex two_triangles()
+{
+  return IT::make_Delta_complex_from_gluing(2, std::vector<std::array<std::uint32_t, 2>>());
+}
+
+template <class Traits>
+void expect_refused(const std::vector<typename Traits::FT>& lengths, Defect defect, std::size_t element)
+{
+  try {
+    IT::Intrinsic_triangulation<Traits>::from_lengths(two_triangles(), lengths);
+    ADD_FAILURE() << "was accepted";
+  } catch (const IT::Invalid_surface_error& error) {
+    EXPECT_EQ(error.defect(), defect) << error.what();
+    EXPECT_EQ(error.element(), element) << error.what();
+  }
+}
+
+// The area of the second triangle is far below what double holds, beside the first.
+TEST(Extreme_lengths, ViolateTheTriangleInequalityWhateverTheirMagnitude)
+{
+  expect_refused<IT::Filtered_edge_length_traits>({1, 1, 1, 1e-100, 1e-100, 3e-100}, Defect::TRIANGLE_INEQUALITY, 1);
+  expect_refused<IT::Edge_length_traits<double>>({1, 1, 1, 1e-100, 1e-100, 3e-100}, Defect::TRIANGLE_INEQUALITY, 1);
+  expect_refused<IT::Edge_length_traits<float>>({1, 1, 1, 1e-15f, 1e-15f, 3e-15f}, Defect::TRIANGLE_INEQUALITY, 1);
+  EXPECT_TRUE(IT::violate_triangle_inequality(1e-300, 1e-300, 3e-300));
+  EXPECT_TRUE(IT::violate_triangle_inequality(0x1p-1074, 0x1p-1074, 0x3p-1074));
+  EXPECT_FALSE(IT::violate_triangle_inequality(0x1p-1074, 0x1p-1074, 0x2p-1074));
+  EXPECT_TRUE(IT::violate_triangle_inequality(1., 1., 2 + 0x1p-51));
+  EXPECT_FALSE(IT::violate_triangle_inequality(1., 1., 2.));
+}
+
+TEST(Extreme_lengths, AreRefusedWhereSquaresVanish)
+{
+  expect_refused<IT::Filtered_edge_length_traits>({1, 1, 1, 1e-200, 1e-200, 1e-200}, Defect::OUT_OF_RANGE, 3);
+}
+
+// Four times the area exactly lies between value - error and value + error.
+void expect_bound(const IT::Bounded_area& area, const Rational& square)
+{
+  const Rational value(area.value), error(area.error);
+  const Rational low = value > error ? Rational(value - error) : Rational(0), high = value + error;
+  EXPECT_LE(low * low, square) << area.value << " " << area.error;
+  EXPECT_GE(high * high, square) << area.value << " " << area.error;
+}
+
+TEST(Extreme_lengths, AreasStayWithinTheirBoundsWhereProductsUnderflow)
+{
+  const IT::Filtered_edge_length_traits traits;
+  for (double scale = 1; scale > 1e-150; scale *= 0x1.8p-3) {
+    const double a = 1.25 * scale, b = 1.5 * scale, c = 1.75 * scale;
+    expect_bound(traits.construct_face_data_object().from_lengths(a, b, c),
+                 IT::squared_four_areas(Rational(a) * Rational(a), Rational(b) * Rational(b), Rational(c) * Rational(c)));
+    // A right angle between sides a and b.
+    expect_bound(traits.construct_face_data_object()({0, 0, 0}, {a, 0, 0}, {0, b, 0}),
+                 Rational(4) * Rational(a) * Rational(a) * Rational(b) * Rational(b));
+  }
+}
+
+// Beside a length of 2^-216 one of 2^-597 is small, but both are far from what underflows once the
+// larger is made as large as it may be.
+TEST(Extreme_lengths, SmallSurfacesAreScaledUpAsFarAsPossible)
+{
+  const std::vector<double> lengths{0x1p-216, 0x1p-597, 0x1p-216};
+  const auto triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>::from_lengths(
+    IT::make_Delta_complex_from_gluing(1, std::vector<std::array<std::uint32_t, 2>>()), lengths);
+  const IT::Face_index f(0);
+  const double expected = 0x1p-216 * 0x1p-597 / 2;
+  EXPECT_NEAR(triangulation.area(f), expected, 1e-9 * expected);
+  const IT::Input_metric& metric = triangulation.exact_geometry().metric();
+  const double in_input = std::ldexp(metric.four_areas_double_double(triangulation.connectivity(), f).hi() / 4,
+                                     2 * triangulation.unit_exponent());
+  EXPECT_NEAR(in_input, expected, 1e-9 * expected);
+}
+
+} // namespace
