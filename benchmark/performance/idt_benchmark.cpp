@@ -15,23 +15,18 @@
 // counts is the median of the rounds: a machine that slows down or speeds up in between does
 // so for all methods alike. The last lines, on the standard error, are the ratios.
 
+#include "benchmark_meshes.h"
+
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Heat_method_3/internal/Intrinsic_Delaunay_triangulation_3.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/tags.h>
 
 #include <benchmark/benchmark.h>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include <algorithm>
 #include <chrono>
@@ -49,8 +44,6 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Heat_method_triangulation = CGAL::Heat_method_3::Intrinsic_Delaunay_triangulation_3<Mesh>;
 
 struct Run
@@ -114,26 +107,6 @@ struct Input
   std::function<Mesh()> make;
 };
 
-Mesh mesh_of(const IT::Indexed_triangles& triangles)
-{
-  Mesh mesh;
-  for (const std::array<double, 3>& p : triangles.points)
-    mesh.add_vertex({p[0], p[1], p[2]});
-  for (const std::array<std::uint32_t, 3>& t : triangles.triangles)
-    mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
-  return mesh;
-}
-
-Mesh read_mesh(const std::string& path)
-{
-  Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(path, mesh) || mesh.is_empty() || !CGAL::is_triangle_mesh(mesh)) {
-    std::cerr << path << ": not a triangle mesh that can be read\n";
-    std::exit(2);
-  }
-  return mesh;
-}
-
 Input input(const std::string& name)
 {
   for (const IT::Sample& sample : IT::sample_names())
@@ -152,15 +125,8 @@ std::vector<Input> default_inputs()
 {
   std::vector<Input> inputs{{"bad_torus_1000x1000", [] { return mesh_of(IT::bad_torus(1000, 1000)); }},
                             {"bumpy_sphere_700x351", [] { return mesh_of(IT::bumpy_sphere(700, 351)); }}};
-  const char* const variable = std::getenv("IDT_DATA_DIR");
-  const std::filesystem::path data =
-    variable ? std::filesystem::path(variable)
-             : std::filesystem::path(__FILE__).parent_path() / ".." / ".." / ".." / "shared" / "data";
-  const std::filesystem::path horse = data / "table1" / "horse.off";
-  if (std::filesystem::exists(horse))
-    inputs.insert(inputs.begin(), input(horse.string()));
-  else
-    std::cerr << "without table1/horse.off: set IDT_DATA_DIR\n";
+  if (const std::string horse = horse_path(); !horse.empty())
+    inputs.insert(inputs.begin(), input(horse));
   return inputs;
 }
 
@@ -224,14 +190,7 @@ void report(benchmark::State& state, Comparison& comparison, std::size_t method)
 
 int main(int argc, char** argv)
 {
-#ifdef __GLIBC__
-  // Freed memory stays with the process, so that a run reuses the pages of the run before.
-  // Otherwise each would get fresh ones, and the time in which the kernel clears these,
-  // which varies a lot and is not that of an algorithm, would be a good part of the result.
-  // (M_MMAP_THRESHOLD would not do: it is refused above 32 MB.)
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, -1);
-#endif
+  keep_freed_memory();
   benchmark::Initialize(&argc, argv);
   std::vector<Input> inputs;
   for (int i = 1; i < argc; ++i)

@@ -5,6 +5,7 @@
 #include "text_file.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -145,6 +146,8 @@ void diagnose_off(const std::string& path, const std::string& text)
     refuse(path, first_bad_index, Defect::BAD_INDEX, first_bad_face, bad_faces);
 }
 
+// What CGAL's reader would trust: the announced sizes, and the number of
+// entries of a vertex with normals, colors or textures.
 namespace {
 
 // The same surface with nothing but coordinates and indices. CGAL 5.5 reads colors and textures
@@ -180,9 +183,6 @@ std::string without_attributes(const std::string& path, const std::string& text)
 
 } // namespace
 
-// What CGAL's reader would trust: the announced sizes, and the number of
-// entries of a vertex with normals, colors or textures.
-// \return what is to be read in place of a file that has such attributes
 std::optional<std::string> check_off(const std::string& path, const std::uintmax_t file_size)
 {
   const std::string head = load(path, 1 << 16);

@@ -12,10 +12,13 @@
 
 namespace idt {
 
+// Returns the same surface without colors and textures if the file has any: these are not for CGAL's
+// reader.
+// \exception Invalid_surface_error as the others
+std::optional<std::string> check_off(const std::string& path, std::uintmax_t file_size);
+
 // Each compares what a header announces, and what CGAL's reader would trust, with the file.
 // \exception Invalid_surface_error if the two do not agree
-// \return what is to be read in place of an OFF file that has colors or textures
-std::optional<std::string> check_off(const std::string& path, std::uintmax_t file_size);
 void check_ply(const std::string& path);
 void check_stl(const std::string& path, std::uintmax_t file_size);
 

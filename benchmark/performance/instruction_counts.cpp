@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One fixed run for the script benchmark/instruction_counts, which counts its instructions.
+//
+//   instruction_counts CASE   see the list in main()
+
+#include "benchmark_meshes.h"
+
+#include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+
+#include <boost/config.hpp>
+
+#include <cstdio>
+#include <cstring>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Filtered = IT::Filtered_edge_length_traits;
+
+// What is counted is what happens in functions of this name.
+template <class Function>
+BOOST_NOINLINE auto counted(const Function& f)
+{
+  return f();
+}
+
+template <class Traits>
+auto triangulate(const Mesh& mesh)
+{
+  return IT::intrinsic_delaunay_triangulation(mesh, CGAL::parameters::geom_traits(Traits()));
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const auto is = [&](const char* name) { return argc == 2 && std::strcmp(argv[1], name) == 0; };
+  const Mesh torus = mesh_of(IT::bad_torus(100, 100));
+  std::size_t result = 0;
+  if (is("double"))
+    result = counted([&] { return triangulate<IT::Edge_length_traits<double>>(torus).report().flips; });
+  else if (is("exact"))
+    result = counted([&] { return triangulate<Filtered>(torus).report().flips; });
+  else if (is("ties")) {
+    const Mesh grid = mesh_of(IT::random_diagonal_grid(100, 100, 1, 3));
+    result = counted([&] { return triangulate<Filtered>(grid).report().tests; });
+  } else if (is("pillow")) {
+    const Mesh pillow = mesh_of(IT::pillow(300));
+    result = counted([&] { return triangulate<Filtered>(pillow).report().flips; });
+  } else if (is("overlay")) {
+    const auto t = triangulate<Filtered>(torus);
+    result = counted([&] { return IT::Overlay(t).number_of_segments(); });
+  } else if (is("stiffness")) {
+    const auto t = triangulate<Filtered>(torus);
+    result = counted([&] { return std::size_t(IT::stiffness_matrix(t).nonZeros()); });
+  } else {
+    std::fprintf(stderr, "usage: instruction_counts double|exact|ties|pillow|overlay|stiffness\n");
+    return 2;
+  }
+  std::printf("%zu\n", result); // so that nothing is optimized away
+}
