@@ -153,8 +153,7 @@ private:
     Wanted wanted = Wanted::nothing();
     wanted.crossings = wanted.tessellation = wanted.exact_lengths = true;
     const Outcome exact =
-      idt::run({surface_, kernel_options({Number_type::FILTERED, {}}, wanted),
-                [](std::uint64_t, std::uint64_t) { return !is_interrupted(); }});
+      idt::run({surface_, kernel_options({Number_type::FILTERED, {}}, wanted), [](std::uint64_t, std::uint64_t) { return !is_interrupted(); }, {}});
     if (!exact.failure.empty())
       throw IT::Undecided_error(surface_.path + ": " + exact.failure);
     if (exact.report.status != IT::Flip_status::DELAUNAY)
@@ -170,7 +169,8 @@ private:
     const Stopwatch stopwatch;
     return idt::run({surface_, kernel_options(type, wanted), [&](std::uint64_t, std::uint64_t) {
                        return !is_interrupted() && stopwatch.seconds() < options_.time_limit;
-                     }});
+                     },
+                     {}});
   }
 
   // In a process of its own, for a decision can take for ever with some number types, and
