@@ -152,8 +152,9 @@ private:
   {
     Wanted wanted = Wanted::nothing();
     wanted.crossings = wanted.tessellation = wanted.exact_lengths = true;
+    const auto goes_on = [](std::uint64_t, std::uint64_t) { return !is_interrupted(); };
     const Outcome exact =
-      idt::run({surface_, kernel_options({Number_type::FILTERED, {}}, wanted), [](std::uint64_t, std::uint64_t) { return !is_interrupted(); }, {}});
+      idt::run({surface_, kernel_options({Number_type::FILTERED, {}}, wanted), goes_on, {}});
     if (!exact.failure.empty())
       throw IT::Undecided_error(surface_.path + ": " + exact.failure);
     if (exact.report.status != IT::Flip_status::DELAUNAY)
@@ -167,10 +168,10 @@ private:
   Outcome flip(const Compared_type& type, const Wanted& wanted) const
   {
     const Stopwatch stopwatch;
-    return idt::run({surface_, kernel_options(type, wanted), [&](std::uint64_t, std::uint64_t) {
-                       return !is_interrupted() && stopwatch.seconds() < options_.time_limit;
-                     },
-                     {}});
+    const auto goes_on = [&](std::uint64_t, std::uint64_t) {
+      return !is_interrupted() && stopwatch.seconds() < options_.time_limit;
+    };
+    return idt::run({surface_, kernel_options(type, wanted), goes_on, {}});
   }
 
   // In a process of its own, for a decision can take for ever with some number types, and
