@@ -6,6 +6,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_COHERENT_ANGLES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Sparse_cholesky.h>
 
