@@ -362,8 +362,10 @@ public:
   int unit_exponent() const { return exponent_; }
 
 private:
+  /// \cond SKIP_IN_MANUAL
   template <class>
   friend class internal::Triangulation_block;
+  /// \endcond
 
   static constexpr bool keeps_bounds = internal::Has_cotangent_bounds<Traits>::value;
 
