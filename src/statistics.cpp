@@ -110,7 +110,6 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   const std::optional<Weight_summary>&before = outcome.weights_before, &after = outcome.weights_after;
 
   Json json;
-  json["status"] = status_word(outcome);
   json["vertices"] = counts.vertices;
   json["edges"] = counts.edges;
   json["faces"] = counts.faces;
@@ -136,6 +135,7 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   json["verification"] = verification(outcome);
   json["mollification"] = mollification(result.surface);
   json["repair"] = repair(result.surface);
+  json["status"] = status_word(outcome);
   json["seconds"] = {
     {"read", result.surface.read_seconds},
     {"build", result.surface.build_seconds + outcome.build_seconds},

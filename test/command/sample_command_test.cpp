@@ -40,9 +40,10 @@ TEST_F(Sample_command, chooses_the_extension)
   EXPECT_EQ(idt("sample one-vertex-torus -o t").out, "t.gluing\n");
   EXPECT_EQ(idt("sample one-vertex-torus -o u.gluing").out, "u.gluing\n");
   EXPECT_EQ(idt("sample prism -o p").out, "p.off\n");
-  EXPECT_EQ(idt("sample prism -o p.obj").status, 2);
+  EXPECT_EQ(idt("sample prism -o p.obj").out, "p.obj\n");
+  EXPECT_EQ(idt("sample prism -o p.xyz").status, 2);
   EXPECT_EQ(idt("sample one-vertex-torus -o t.off").status, 2);
-  EXPECT_EQ(files().size(), 3u);
+  EXPECT_EQ(files().size(), 4u);
 }
 
 TEST_F(Sample_command, refuses_what_makes_no_sense)
