@@ -77,7 +77,8 @@ Flip_report flip_all(Triangulation& triangulation, const ConstraintMap& is_const
 {
   const Edge_index::size_type n = triangulation.connectivity().number_of_edges();
   Edge_marks marks(n, default_init);
-  std::memset(marks.data(), int(Edge_mark::CANDIDATE), n);
+  if (n != 0)
+    std::memset(marks.data(), int(Edge_mark::CANDIDATE), n);
   Delaunay_flipper<Triangulation, ConstraintMap, Visitor> flipper(triangulation, is_constrained,
                                                                   visitor, budget, marks);
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
