@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
@@ -180,6 +181,19 @@ TEST(Parallel, rounded_decisions)
     for (std::size_t i = 0; i < a.size(); ++i)
       ASSERT_NEAR(a[i], b[i], 1e-12);
   }
+}
+
+// Numbers that threads cannot share are left to one of them; the tag is allowed.
+TEST(Parallel, other_traits)
+{
+  const Mesh mesh = mesh_of(IT::bad_torus(160, 160));
+  const auto expect_Delaunay = [&](auto traits) {
+    const auto t = flipped<decltype(traits), Parallel_tag>(mesh, 2);
+    EXPECT_EQ(t.report().status, Flip_status::DELAUNAY);
+    EXPECT_GT(t.report().flips, 10000u);
+  };
+  expect_Delaunay(IT::Edge_length_traits<long double>());
+  expect_Delaunay(IT::Half_angle_traits<double>());
 }
 
 TEST(Parallel, construction_is_the_same)

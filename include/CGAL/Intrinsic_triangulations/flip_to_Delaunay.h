@@ -110,8 +110,8 @@ Flip_report flip_all(Triangulation& triangulation, const ConstraintMap& is_const
 /// the threads of TBB, then what can be within other such blocks, and the rest afterwards. The result
 /// is the same for any number of threads, and the same as with `Sequential_tag` but for the choice
 /// among the Delaunay triangulations where there are ties. It pays where edges with near numbers lie
-/// near to each other. For traits with another number type than a floating-point type, and if the
-/// input was asked for before, it is as `Sequential_tag`.
+/// near to each other. With another number type than `double` and `float`, and if the input was asked
+/// for before, it is as `Sequential_tag`.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
 /// \tparam Triangulation an `Intrinsic_triangulation`

@@ -6,11 +6,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRIANGULATION_BLOCK_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
 
 #include <CGAL/Uncertain.h>
 
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -44,7 +44,7 @@ public:
   // kept of the input was not asked for yet.
   static bool are_possible(const Triangulation& triangulation)
   {
-    return std::is_floating_point<typename Triangulation::Edge_data>::value &&
+    return is_for_threads<typename Triangulation::Edge_data> &&
            (!triangulation.geometry_ || triangulation.geometry_->can_begin_blocks());
   }
   // The first block begins after this, all have `2^exponent` edges, ...

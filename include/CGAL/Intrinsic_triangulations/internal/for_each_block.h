@@ -21,6 +21,11 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// Whether several threads may work on numbers of this type at once: they have no shared state,
+// and are read and written in one piece.
+template <class T>
+constexpr bool is_for_threads = std::is_same<T, double>::value || std::is_same<T, float>::value;
+
 // A block of so many elements is worth a task of its own.
 constexpr std::size_t elements_of_block = std::size_t(1) << 14;
 

@@ -301,8 +301,7 @@ void construct_metric_from_points(const Delta_complex& complex, const Traits& tr
   using FT = typename Traits::FT;
   using Edge_data = typename Traits::Edge_data;
   using Point_data = typename Traits::Point_data;
-  // Numbers of other types may have shared state.
-  using Tag = std::conditional_t<std::is_floating_point<Edge_data>::value, ConcurrencyTag, Sequential_tag>;
+  using Tag = std::conditional_t<is_for_threads<Edge_data>, ConcurrencyTag, Sequential_tag>;
   const auto construct_edge_data = traits.construct_edge_data_object();
   const auto construct_face_data = traits.construct_face_data_object();
   const auto compute_squared_length = traits.compute_squared_length_object();
