@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -45,10 +46,7 @@ using IT::Flip_status;
 Mesh mesh_of(const IT::Indexed_triangles& triangles)
 {
   Mesh mesh;
-  for (const std::array<double, 3>& p : triangles.points)
-    mesh.add_vertex({p[0], p[1], p[2]});
-  for (const std::array<std::uint32_t, 3>& t : triangles.triangles)
-    mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(triangles.points, triangles.triangles, mesh);
   return mesh;
 }
 

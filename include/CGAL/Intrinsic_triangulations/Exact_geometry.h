@@ -429,7 +429,8 @@ private:
   std::optional<internal::Straight_faces> straight_faces_;
   internal::Developed_faces<internal::Bounded_double_double, internal::Double_double_disk, Corner>
     developed_faces_;
-  std::vector<bool> is_close_call_;                  // a test took more than double since the last flip of the edge
+  // A test took more than double since the last flip of the edge.
+  std::vector<bool> is_close_call_;
   std::unique_ptr<internal::Input_surface> surface_; // refers to the members above
 };
 

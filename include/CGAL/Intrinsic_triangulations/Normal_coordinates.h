@@ -88,7 +88,7 @@ public:
   Normal_coordinates() = default;
   /// constructs the coordinates of an input triangulation in itself. O(edges), to clear memory.
   explicit Normal_coordinates(const Delta_complex& input)
-    : number_of_records_(1), record_of_(input.number_of_edges(), 0)
+    : record_of_(input.number_of_edges(), 0)
   {
     records_.reserve(std::size_t(input.number_of_edges()) + 1); // pages that are not used cost nothing
     records_.push_back(Record{-1, {0, 0}, {0, 0}});
@@ -135,20 +135,23 @@ public:
 
   /// \brief lets `flip()` be called from several threads at once until `end_blocks()`, for edges
   /// whose hinges lie in different blocks of `2^block_exponent` consecutive edges. O(blocks).
+  /// \exception Integer_overflow_error if there are too many edges to reserve a record for each
   void begin_blocks(int block_exponent)
   {
-    const std::size_t n = record_of_.size();
-    block_exponent_ = block_exponent;
-    blocks_.resize((n >> block_exponent) + 1);
-    const std::size_t enough = number_of_records_ + n + blocks_.size() * records_of_block;
-    CGAL_precondition(enough <= (std::numeric_limits<std::uint32_t>::max)());
+    const std::size_t n = record_of_.size(), number_of_blocks = (n >> block_exponent) + 1;
+    const std::size_t enough = records_.size() + n + number_of_blocks * records_of_block;
+    if (enough > (std::numeric_limits<std::uint32_t>::max)())
+      throw Integer_overflow_error("there are too many flipped edges for 32-bit indices");
+    end_of_records_ = std::uint32_t(records_.size());
     records_.resize(enough, internal::default_init);
+    blocks_.resize(number_of_blocks);
+    block_exponent_ = block_exponent;
   }
   /// ends what `begin_blocks()` began.
   void end_blocks()
   {
     blocks_.clear();
-    records_.resize(number_of_records_);
+    records_.resize(end_of_records_);
   }
   /// @}
 
@@ -222,12 +225,12 @@ private:
   std::uint32_t new_record(Edge_index e)
   {
     if (blocks_.empty()) {
-      records_.resize(number_of_records_ + std::size_t(1), internal::default_init);
-      return number_of_records_++;
+      records_.resize(records_.size() + 1, internal::default_init);
+      return std::uint32_t(records_.size() - 1);
     }
     Block& block = blocks_[e.idx() >> block_exponent_];
     if (block.next == block.last) {
-      block.next = boost::atomic_ref<std::uint32_t>(number_of_records_)
+      block.next = boost::atomic_ref<std::uint32_t>(end_of_records_)
                      .fetch_add(records_of_block, boost::memory_order_relaxed);
       block.last = block.next + records_of_block;
     }
@@ -250,8 +253,10 @@ private:
   };
 
   internal::Large_vector<Record> records_; // the first is that of all edges never flipped
-  std::uint32_t number_of_records_ = 0;    // those given to blocks are counted, too
   internal::Large_vector<std::uint32_t> record_of_;
+
+  // Between begin_blocks() and end_blocks(): where the records end that were given to blocks.
+  std::uint32_t end_of_records_ = 0;
   std::vector<Block> blocks_;
   int block_exponent_ = 0;
 };

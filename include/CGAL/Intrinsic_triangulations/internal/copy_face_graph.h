@@ -15,11 +15,8 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
