@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -14,7 +15,7 @@ namespace {
 
 struct Off_header
 {
-  bool is_plain;       // no normals, colors, textures or fourth coordinate
+  bool is_plain;       // CGAL's reader is safe: no normals, colors, textures or fourth coordinate
   bool is_homogeneous; // a fourth coordinate, by which the three are divided
   std::size_t numbers_per_vertex;
   std::size_t vertices;
@@ -67,7 +68,9 @@ Off_header read_off_header(const std::string& path, Scanner& scanner, const std:
   if (vertices > file_size / 6 + 1 || faces > file_size / 2 + 1)
     refuse(path, "the header announces " + std::to_string(vertices) + " vertices and " + std::to_string(faces) +
                    " faces, more than fit into the " + std::to_string(file_size) + " bytes of the file");
-  return Off_header{first == "OFF", homogeneous == 1, numbers, static_cast<std::size_t>(vertices),
+  // CGAL doubles the number of edges, which it has no use for, as an int.
+  const bool is_safe = sizes[2] <= (std::numeric_limits<int>::max)() / 2;
+  return Off_header{first == "OFF" && is_safe, homogeneous == 1, numbers, static_cast<std::size_t>(vertices),
                     static_cast<std::size_t>(faces)};
 }
 
@@ -146,8 +149,6 @@ void diagnose_off(const std::string& path, const std::string& text)
     refuse(path, first_bad_index, Defect::BAD_INDEX, first_bad_face, bad_faces);
 }
 
-// What CGAL's reader would trust: the announced sizes, and the number of
-// entries of a vertex with normals, colors or textures.
 namespace {
 
 // The same surface with nothing but coordinates and indices. CGAL 5.5 reads colors and textures
@@ -183,6 +184,8 @@ std::string without_attributes(const std::string& path, const std::string& text)
 
 } // namespace
 
+// What CGAL's reader would trust: the announced sizes, and the number of
+// entries of a vertex with normals, colors or textures.
 std::optional<std::string> check_off(const std::string& path, const std::uintmax_t file_size)
 {
   const std::string head = load(path, 1 << 16);

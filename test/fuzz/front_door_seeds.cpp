@@ -145,6 +145,7 @@ std::vector<std::string> seed_inputs()
   add('\0', "4OFF\n3 1 0\n0 0 0 1\n1 0 0 2\n0 1 0 0\n3 0 1 2\n");
   add('\0', "OFF BINARY\n3 1 0\n");
   add('\0', "OFF\n4000000000 1 0\n0 0 0\n3 0 1 2\n");
+  add('\0', "OFF\n3 1 1073741824\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   add('\0', "OFF\n3 1 0\nnan 0 0\ninf 0 0\n1e999 1 0\n3 0 1 2\n");
   add('\1', "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf -3/1 -2/1/ -1//1\n");
   add('\1', "v 0 0 0\nf 1 2 3\n");

@@ -274,6 +274,8 @@ TEST_F(Read_surface, forms_that_are_read)
     write("textures.off", "STCNOFF\n3 1 0\n0 0 0 0 0 1 5 5\n1 0 0 0 0 1 5 5\n0 1 0 0 0 1 5 5\n3 0 1 2\n"),
     write("colors_of_faces.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0.5 0.5 0.5\n"),
     write("four.off", "4OFF\n3 1 0\n0 0 0 1\n2 0 0 2\n0 1 0 1\n3 0 1 2\n"),
+    write("edges.off", "OFF\n3 1 1073741824\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), // twice that overflows int
+    write("all_edges.off", "OFF\n3 1 99999999999\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
     write("long_comment.off", "#" + std::string(100000, 'x') + "\nOFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
     write("slashes.obj", "o x\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3/1\n"),
     write("negative.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n"),
