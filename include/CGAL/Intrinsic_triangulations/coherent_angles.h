@@ -65,6 +65,33 @@ inline std::vector<double> opposite_angles(const Delta_complex& complex,
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
+// How many corners of faces each vertex has.
+inline std::vector<int> numbers_of_corners(const Delta_complex& complex)
+{
+  std::vector<int> result(complex.number_of_vertices(), 0);
+  for (Halfedge_index h : complex.halfedges())
+    if (!complex.is_border(h))
+      ++result[complex.target(h).idx()];
+  return result;
+}
+
+// How far angles at a vertex stay above 0, and sums opposite to its edges below pi. Around an inner
+// vertex of a flat triangulation both have 2 pi to share among its corners.
+inline std::vector<double> margins(const std::vector<int>& corners, double margin)
+{
+  std::vector<double> result;
+  result.reserve(corners.size());
+  for (int n : corners)
+    result.push_back((std::min)(margin, boost::math::constants::pi<double>() / n));
+  return result;
+}
+
+inline double edge_margin(const Delta_complex& complex, const std::vector<double>& margins, Edge_index e)
+{
+  const Halfedge_index h = complex.halfedge(e);
+  return (std::min)(margins[complex.source(h).idx()], margins[complex.target(h).idx()]);
+}
+
 // Minimizes |x - given|^2 / 2 subject to A x = b, x >= lowest, and the sums over the two sides of
 // each interior edge <= pi - margin, by a primal-dual interior-point method with Mehrotra's
 // predictor and corrector (Nocedal, Wright, "Numerical optimization", section 16.6). Each
@@ -82,10 +109,11 @@ class Angle_optimizer
   };
 
 public:
-  Angle_optimizer(const Delta_complex& complex, const std::vector<double>& angles, double margin)
-    : complex_(complex), margin_(margin), unknown_(complex.number_of_halfedges(), -1)
+  Angle_optimizer(const Delta_complex& complex, const std::vector<double>& angles,
+                  const std::vector<double>& margins)
+    : complex_(complex), unknown_(complex.number_of_halfedges(), -1)
   {
-    number_unknowns(angles);
+    number_unknowns(angles, margins);
     build_equations();
   }
 
@@ -96,7 +124,7 @@ public:
     for (int iteration = 0; iteration < 100; ++iteration) {
       report_progress(progress, fraction_of_digits(first_gap, gap(), 1e-10), "the search for angles");
       evaluate();
-      if (equation_error_.abs().maxCoeff() < 1e-12 && slack_error_.abs().maxCoeff() < 1e-12 &&
+      if ((equation_error_.abs() < tolerance_).all() && slack_error_.abs().maxCoeff() < 1e-12 &&
           (edges_.empty() || edge_slack_error_.abs().maxCoeff() < 1e-12) && gap() < 1e-10)
         return result();
       factorize();
@@ -107,20 +135,28 @@ public:
   }
 
 private:
-  void number_unknowns(const std::vector<double>& angles)
+  void number_unknowns(const std::vector<double>& angles, const std::vector<double>& margins)
   {
     int n = 0;
     for (Halfedge_index h : complex_.halfedges())
       if (!complex_.is_border(h))
         unknown_[h.idx()] = n++;
     given_.resize(n);
+    lowest_.resize(n);
     for (Halfedge_index h : complex_.halfedges())
-      if (!complex_.is_border(h))
-        given_[unknown_[h.idx()]] = angles[h.idx()];
-    lowest_ = (given_ / 2).min(margin_);
+      if (!complex_.is_border(h)) {
+        const double given = angles[h.idx()];
+        given_[unknown_[h.idx()]] = given;
+        lowest_[unknown_[h.idx()]] =
+          (std::min)(given / 2, margins[complex_.target(complex_.next(h)).idx()]);
+      }
     for (Edge_index e : complex_.edges())
       if (!complex_.is_border(e))
         edges_.push_back(e);
+    highest_.resize(Eigen::Index(edges_.size()));
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+      highest_[Eigen::Index(i)] =
+        boost::math::constants::pi<double>() - edge_margin(complex_, margins, edges_[i]);
   }
 
   int left(std::size_t i) const { return unknown_[complex_.halfedge(edges_[i]).idx()]; }
@@ -154,6 +190,7 @@ private:
     equations_.setFromTriplets(entries.begin(), entries.end());
     sums_ = Array::Constant(rows, 2 * pi);
     sums_.head(complex_.number_of_faces()).setConstant(pi);
+    tolerance_ = (equations_ * Eigen::VectorXd::Ones(given_.size())).array().max(1e-12 / rounding) * rounding;
   }
 
   void start()
@@ -173,10 +210,7 @@ private:
       sums[Eigen::Index(i)] = x[left(i)] + x[right(i)];
     return sums;
   }
-  Array edge_room(const Array& x) const
-  {
-    return boost::math::constants::pi<double>() - margin_ - edge_sums(x);
-  }
+  Array edge_room(const Array& x) const { return highest_ - edge_sums(x); }
   void add_to_sides(Array& x, const Array& edge_values) const
   {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -292,11 +326,12 @@ private:
     return angles;
   }
 
+  static constexpr double rounding = 0x1p-52; // of a term of a sum
+
   const Delta_complex& complex_;
-  const double margin_;
-  std::vector<int> unknown_;      // by halfedge
-  std::vector<Edge_index> edges_; // those with two sides
-  Array given_, lowest_, sums_;
+  std::vector<int> unknown_;                          // by halfedge
+  std::vector<Edge_index> edges_;                     // those with two sides
+  Array given_, lowest_, highest_, sums_, tolerance_; // the sums over the sides of edges have highest_
   Matrix equations_, inverse_;
   std::optional<Sparse_cholesky> cholesky_;
   // The iterate: angles, multipliers of the equations, and slacks and multipliers of the
@@ -321,7 +356,8 @@ private:
 /// \param complex the triangles of a surface with boundary
 /// \param angles the angle opposite to each halfedge, as `opposite_angles()` returns them
 /// \param margin in radians, how far edge sums stay below π, and angles above 0; those that
-///   are less than twice that can become half as large
+///   are less than twice that can become half as large. At a vertex with *d* corners the margin is
+///   at most π/*d*
 /// \param progress is asked before each iteration
 ///
 /// \exception Invalid_surface_error if an inner vertex has fewer than three corners, which
@@ -330,7 +366,8 @@ private:
 /// \exception Cancelled_error if `progress` returns `false`
 ///
 /// A convex quadratic program, solved by an interior-point method: some twenty sparse
-/// Cholesky factorizations. Face and vertex sums are right to 1e-12.
+/// Cholesky factorizations. Face and vertex sums are right to 1e-12, or 2⁻⁵² for each corner of a
+/// vertex where that is more.
 /// Source: L. Kharevych, B. Springborn, P. Schröder, "Discrete conformal mappings via circle
 /// patterns", 2006, section 3.
 inline Coherent_angles find_coherent_angles(const Delta_complex& complex,
@@ -339,10 +376,7 @@ inline Coherent_angles find_coherent_angles(const Delta_complex& complex,
                                             const Progress_function& progress = {})
 {
   CGAL_precondition(angles.size() == complex.number_of_halfedges());
-  std::vector<int> corners(complex.number_of_vertices(), 0);
-  for (Halfedge_index h : complex.halfedges())
-    if (!complex.is_border(h))
-      ++corners[complex.target(h).idx()];
+  const std::vector<int> corners = internal::numbers_of_corners(complex);
   for (Vertex_index v : complex.vertices()) {
     const Halfedge_index h = complex.halfedge(v);
     if (h.is_valid() && !complex.is_border(h) && corners[v.idx()] < 3)
@@ -354,11 +388,13 @@ inline Coherent_angles find_coherent_angles(const Delta_complex& complex,
                                     "surface open there");
   }
   Coherent_angles result;
-  result.angles = internal::Angle_optimizer(complex, angles, margin).run(progress);
-  const double largest_sum = boost::math::constants::pi<double>() - margin;
+  const std::vector<double> margins = internal::margins(corners, margin);
+  result.angles = internal::Angle_optimizer(complex, angles, margins).run(progress);
   for (Edge_index e : complex.edges()) {
     const Halfedge_index h = complex.halfedge(e);
-    if (!complex.is_border(e) && angles[h.idx()] + angles[complex.opposite(h).idx()] > largest_sum)
+    if (!complex.is_border(e) && angles[h.idx()] + angles[complex.opposite(h).idx()] >
+                                   boost::math::constants::pi<double>() -
+                                     internal::edge_margin(complex, margins, e))
       ++result.number_of_clipped_edges;
   }
   for (std::size_t h = 0; h < angles.size(); ++h)
