@@ -162,13 +162,9 @@ public:
     is_close_call_.resize(complex.number_of_edges());
     is_close_call_[e.idx()] = true;
     corners = Opposite_corners{developed_corner(complex, h), developed_corner(complex, g)};
-    Uncertain<Sign> sign = internal::sign_of_cotangents(corners->k, corners->l);
-    if (!is_certain(sign)) { // layouts that were carried along are not the best
-      developed_faces_.erase(complex.face(h));
-      developed_faces_.erase(complex.face(g));
-      corners = Opposite_corners{corner(complex, h), corner(complex, g)};
-      sign = internal::sign_of_cotangents(corners->k, corners->l);
-    }
+    // Layouts that were carried along are not the best, but what they do not decide is almost
+    // always a tie.
+    const Uncertain<Sign> sign = internal::sign_of_cotangents(corners->k, corners->l);
     if (is_certain(sign))
       return decided(Stage::UNFOLDING, sign);
     if (is_straight(complex.face(h)) && is_straight(complex.face(g)))
@@ -332,6 +328,10 @@ public:
   /// \pre `prepare()` was called
   bool has_length_zero(const Delta_complex& complex, Edge_index e) const
   {
+    for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
+      if (!complex.is_border(h) && developed_faces_.contains(complex.face(h)))
+        if (certainly(developed_faces_.corner(complex, h).s_opposite.sign() == POSITIVE))
+          return false;
     internal::Double_double_metric metric(*surface_);
     const Double_double s =
       Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);

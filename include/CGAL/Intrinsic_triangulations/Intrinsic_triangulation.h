@@ -326,31 +326,30 @@ public:
   /// \brief as `flip()`, for an edge that is not Delaunay.
   ///
   /// The quadrilateral around such an edge is always strictly convex. So traits whose decisions
-  /// are exact need not look, and the flip takes O(1) unless both new faces may have zero area.
+  /// are exact need not look, and the flip takes O(1) unless both old faces may have zero area.
   /// Numbers are computed from the old hinge first, then the connectivity is changed and
   /// they are stored.
   /// \pre `connectivity().is_flippable(e)` and not `is_locally_Delaunay(e)`
   Flip_outcome flip_not_Delaunay(Edge_index e)
   {
     CGAL_precondition(connectivity_.is_flippable(e));
+    const Hinge_data old = hinge(e);
     typename Traits::Flipped_hinge_data flipped{};
-    const Boolean is_convex = traits_.construct_flipped_hinge_object()(hinge(e), flipped);
+    const Boolean is_convex = traits_.construct_flipped_hinge_object()(old, flipped);
     if (!certainly(is_convex))
       return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
     const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
     const bool is_straight = geometry_ && geometry_->flip(connectivity_, e);
     replace_hinge(e, flipped);
-    if (uses_exact_geometry && is_straight) {
-      measure_straight_face(h);
-      measure_straight_face(g);
+    if constexpr (uses_exact_geometry) {
+      update_face(h, is_straight);
+      update_face(g, is_straight);
+      if (!is_new_edge_known_to_have_length(old))
+        check_length(e);
     } else {
       bound_corners(h);
       bound_corners(g);
     }
-    if constexpr (uses_exact_geometry)
-      if (!traits_.has_positive_area_object()(flipped.ilk) &&
-          !traits_.has_positive_area_object()(flipped.jkl))
-        check_length(e);
     return Flip_outcome::FLIPPED;
   }
 
@@ -418,6 +417,15 @@ private:
     return sign != NEGATIVE;
   }
 
+  // After a flip, with what was computed from the old hinge.
+  void update_face(Halfedge_index h, bool is_straight)
+  {
+    if (is_straight && !traits_.is_accurate_object()(face_data(connectivity_.face(h))))
+      measure_straight_face(h);
+    else
+      bound_corners(h);
+  }
+
   // From its points a face is known as well as on the first day, after any number of flips.
   void measure_straight_face(Halfedge_index h)
   {
@@ -457,7 +465,14 @@ private:
                             bounds_);
   }
 
-  // Between two faces without area the new edge may have no length either.
+  // The new edge leads from one side of the old one to the other: its ends can only coincide if
+  // both lie on the old edge.
+  bool is_new_edge_known_to_have_length(const Hinge_data& old) const
+  {
+    const auto has_positive_area = traits_.has_positive_area_object();
+    return has_positive_area(old.ijk) || has_positive_area(old.jil);
+  }
+
   void check_length(Edge_index e)
   {
     if (!exact_geometry().has_length_zero(connectivity_, e))

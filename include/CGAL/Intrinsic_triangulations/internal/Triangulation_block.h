@@ -87,16 +87,14 @@ public:
 
   Flip_outcome flip_not_Delaunay(Edge_index e)
   {
+    const typename Triangulation::Hinge_data old = triangulation_.hinge(e);
+    if constexpr (Triangulation::uses_exact_geometry)
+      if (!triangulation_.is_new_edge_known_to_have_length(old))
+        return Flip_outcome::POSTPONED;
     typename Traits::Flipped_hinge_data flipped{};
-    const Boolean is_convex =
-      triangulation_.traits_.construct_flipped_hinge_object()(triangulation_.hinge(e), flipped);
+    const Boolean is_convex = triangulation_.traits_.construct_flipped_hinge_object()(old, flipped);
     if (!certainly(is_convex))
       return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
-    if constexpr (Triangulation::uses_exact_geometry) {
-      const auto has_positive_area = triangulation_.traits_.has_positive_area_object();
-      if (!has_positive_area(flipped.ilk) && !has_positive_area(flipped.jkl))
-        return Flip_outcome::POSTPONED;
-    }
     if (triangulation_.geometry_)
       triangulation_.geometry_->flip(connectivity(), e, journal_);
     triangulation_.replace_hinge(e, flipped);
