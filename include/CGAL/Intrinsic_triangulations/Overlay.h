@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/Overlay_builder.h>
 
 #include <CGAL/Iterator_range.h>
+#include <CGAL/tags.h>
 #include <CGAL/assertions.h>
 
 #include <cstdint>
@@ -92,22 +93,27 @@ public:
   /// \brief builds the overlay of a triangulation and the input that it was flipped from.
   ///
   /// O(size of the overlay), which is that of the surface plus the number of crossings.
+  /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: the overlay
+  ///   is the same, and `progress` is asked only a few times
   /// \pre `triangulation.keeps_input()`
   /// \exception Integer_overflow_error if there are 2^31 segments or more
   /// \exception Cancelled_error if `progress` returns `false`
-  template <class Traits>
+  template <class Traits, class ConcurrencyTag = Sequential_tag>
   explicit Overlay(const Intrinsic_triangulation<Traits>& triangulation,
-                   const Progress_function& progress = {})
-    : Overlay(triangulation.connectivity(), triangulation.exact_geometry().correspondence(), progress)
+                   const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
+    : Overlay(triangulation.connectivity(), triangulation.exact_geometry().correspondence(), progress,
+              ConcurrencyTag())
   {}
 
   /// \brief builds the overlay from the current connectivity and where the input lies in it.
+  /// \tparam ConcurrencyTag as above
   /// \pre `correspondence.is_prepared()`
   /// \exception Integer_overflow_error as above
   /// \exception Cancelled_error as above
+  template <class ConcurrencyTag = Sequential_tag>
   Overlay(const Delta_complex& intrinsic, const Correspondence& correspondence,
-          const Progress_function& progress = {})
-    : arrays_(internal::Overlay_builder(intrinsic, correspondence, progress).build())
+          const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
+    : arrays_(internal::Overlay_builder<ConcurrencyTag>(intrinsic, correspondence, progress).build())
   {}
 
   /// \name Size

@@ -11,12 +11,17 @@
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/internal/Crossing_locator.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -37,6 +42,8 @@ class Overlay_positions
 public:
   /// \brief computes all positions.
   ///
+  /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: the positions
+  ///   are the same, and `progress` is asked only at the beginning
   /// \param triangulation a triangulation that keeps its input
   /// \param overlay its overlay
   /// \param progress is asked during the computation
@@ -45,40 +52,51 @@ public:
   /// \exception Cancelled_error if `progress` returns `false`
   ///
   /// O(size of the overlay) arithmetic operations.
-  template <class Traits>
+  template <class Traits, class ConcurrencyTag = Sequential_tag>
   Overlay_positions(const Intrinsic_triangulation<Traits>& triangulation, const Overlay& overlay,
-                    const Progress_function& progress = {})
-    : Overlay_positions(triangulation.connectivity(), triangulation.exact_geometry(), overlay, progress)
+                    const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
+    : Overlay_positions(triangulation.connectivity(), triangulation.exact_geometry(), overlay, progress,
+                        ConcurrencyTag())
   {}
 
   /// \brief as above, from the current connectivity and the exact geometry of the input.
+  /// \tparam ConcurrencyTag as above
   /// \pre `geometry.prepare()` was called
+  template <class ConcurrencyTag = Sequential_tag>
   Overlay_positions(const Delta_complex& intrinsic, const Exact_geometry& geometry,
-                    const Overlay& overlay, const Progress_function& progress = {})
+                    const Overlay& overlay, const Progress_function& progress = {},
+                    ConcurrencyTag = ConcurrencyTag())
     : number_of_original_vertices_(overlay.number_of_original_vertices()),
       on_intrinsic_edge_(overlay.number_of_crossings(), internal::default_init),
       on_input_edge_(overlay.number_of_crossings(), internal::default_init)
   {
-    internal::Crossing_locator locate(intrinsic, geometry, overlay);
-    const internal::Loop_progress loop(progress, "the search for the places of the crossings", 0, 1,
-                                       intrinsic.number_of_edges());
-    for (Edge_index e : intrinsic.edges()) {
-      loop.at(e.idx());
-      if (overlay.intrinsic_crossings(e).empty())
-        continue;
-      double last = 0;
-      locate(e, [&](Overlay::Vertex x, double on_intrinsic_edge, double on_input_edge) {
-        on_intrinsic_edge_[index(x)] = last = (std::max)(last, on_intrinsic_edge);
-        on_input_edge_[index(x)] = on_input_edge;
+    const Correspondence& correspondence = geometry.correspondence();
+    static constexpr const char* what = "the search for the places of the crossings";
+    if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
+      internal::report_progress(progress, 0, what);
+      const std::size_t n = intrinsic.number_of_edges();
+      // Each block needs a memory of its own, of a byte an edge.
+      const std::size_t size = (std::max)(internal::elements_of_block, n / 16);
+      internal::for_each_block<ConcurrencyTag>(n, size, [&](std::size_t first, std::size_t last) {
+        internal::Input_surface surface(correspondence.input(), geometry.metric());
+        internal::Crossing_locator locate(intrinsic, correspondence, surface, overlay);
+        for (std::size_t e = first; e < last; ++e)
+          find_crossings(locate, overlay, Edge_index(size_type(e)));
       });
-    }
-    for (Edge_index e : geometry.correspondence().input().edges()) {
-      double last = 0;
-      for (Overlay::size_type i = 0; i + 1 < overlay.number_of_input_segments(e); ++i) {
-        double& position = on_input_edge_[index(overlay.input_crossing(e, i))];
-        last = position = (std::max)(last, position);
+    } else {
+      internal::Crossing_locator locate(intrinsic, correspondence, geometry.input_surface(), overlay);
+      const internal::Loop_progress loop(progress, what, 0, 1, intrinsic.number_of_edges());
+      for (Edge_index e : intrinsic.edges()) {
+        loop.at(e.idx());
+        find_crossings(locate, overlay, e);
       }
     }
+    internal::for_each_block<ConcurrencyTag>(
+      correspondence.input().number_of_edges(), internal::elements_of_block,
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t e = first; e < last; ++e)
+          make_ascending(overlay, Edge_index(size_type(e)));
+      });
   }
 
   /// returns where on `overlay.intrinsic_edge(x)` the crossing `x` lies, from 0 to 1.
@@ -144,7 +162,29 @@ public:
   }
 
 private:
-  Overlay::size_type index(Overlay::Vertex x) const
+  using size_type = Overlay::size_type;
+
+  void find_crossings(internal::Crossing_locator& locate, const Overlay& overlay, Edge_index e)
+  {
+    if (overlay.intrinsic_crossings(e).empty())
+      return;
+    double last = 0;
+    locate(e, [&](Overlay::Vertex x, double on_intrinsic_edge, double on_input_edge) {
+      on_intrinsic_edge_[index(x)] = last = (std::max)(last, on_intrinsic_edge);
+      on_input_edge_[index(x)] = on_input_edge;
+    });
+  }
+
+  void make_ascending(const Overlay& overlay, Edge_index input_edge)
+  {
+    double last = 0;
+    for (size_type i = 0; i + 1 < overlay.number_of_input_segments(input_edge); ++i) {
+      double& position = on_input_edge_[index(overlay.input_crossing(input_edge, i))];
+      last = position = (std::max)(last, position);
+    }
+  }
+
+  size_type index(Overlay::Vertex x) const
   {
     CGAL_precondition(x.idx() >= number_of_original_vertices_);
     return x.idx() - number_of_original_vertices_;
@@ -155,7 +195,7 @@ private:
     return (side.idx() & 1) ? 1 - position : position;
   }
 
-  Overlay::size_type number_of_original_vertices_;
+  size_type number_of_original_vertices_;
   internal::Large_vector<double> on_intrinsic_edge_;
   internal::Large_vector<double> on_input_edge_;
 };

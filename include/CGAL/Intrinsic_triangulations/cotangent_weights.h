@@ -11,15 +11,19 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/area_in_input_unit.h>
+#include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <boost/config.hpp>
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -75,17 +79,53 @@ BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& trian
 // Weights and areas that are accurate up to this bound are taken from what is stored.
 constexpr double stored_number_accuracy = 0x1p-32;
 
+// One number for each of n elements. Several threads compute `number.of_any_thread()`, and where that
+// is NaN, one computes `number.of_one_thread()`.
+template <class ConcurrencyTag, class Element, class Number>
+std::vector<double> numbers_of_elements(std::size_t n, const Number& number)
+{
+  using size_type = typename Element::size_type;
+  std::vector<double> result;
+  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value && Number::has_threads) {
+    result.resize(n);
+    for_each_block<ConcurrencyTag>(n, elements_of_block, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        result[i] = number.of_any_thread(Element(size_type(i)));
+    });
+    for (std::size_t i = 0; i < n; ++i)
+      if (std::isnan(result[i]))
+        result[i] = number.of_one_thread(Element(size_type(i)));
+  } else {
+    result.reserve(n);
+    for (std::size_t i = 0; i < n; ++i)
+      result.push_back(number(Element(size_type(i))));
+  }
+  return result;
+}
+
 // Gives the weight of an edge, as documented for cotangent_weights().
 template <class Traits>
 class Cotangent_weight
 {
 public:
+  static constexpr bool has_threads = is_for_threads<typename Traits::Edge_data>;
+
   explicit Cotangent_weight(const Intrinsic_triangulation<Traits>& triangulation)
     : triangulation_(triangulation)
   {}
-  double operator()(Edge_index e) const
+  double operator()(Edge_index e) const { return of_one_thread(e); }
+
+  double of_one_thread(Edge_index e) const
   {
     return cotangent_weight_by_number_type(triangulation_, e);
+  }
+  double of_any_thread(Edge_index e) const
+  {
+    try {
+      return of_one_thread(e);
+    } catch (const Invalid_surface_error&) { // the one thread finds the first of them
+      return std::numeric_limits<double>::quiet_NaN();
+    }
   }
 
 private:
@@ -98,11 +138,24 @@ class Cotangent_weight<Filtered_edge_length_traits>
   using Triangulation = Intrinsic_triangulation<Filtered_edge_length_traits>;
 
 public:
+  static constexpr bool has_threads = true;
+
   explicit Cotangent_weight(const Triangulation& triangulation)
     : triangulation_(triangulation), complex_(triangulation.connectivity())
   {}
 
   double operator()(Edge_index e) const
+  {
+    const double weight = of_any_thread(e);
+    return std::isnan(weight) ? of_one_thread(e) : weight;
+  }
+
+  double of_one_thread(Edge_index e) const
+  {
+    return cotangent_weight_by_number_type(triangulation_, e);
+  }
+  // From what is stored.
+  double of_any_thread(Edge_index e) const
   {
     const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
     const Bounded_double k = cotangent(e, h), l = cotangent(e, g);
@@ -112,7 +165,7 @@ public:
     if (error <= stored_number_accuracy * (1 + std::abs(k.value) + std::abs(l.value)) &&
         error < std::abs(weight))
       return weight;
-    return cotangent_weight_by_number_type(triangulation_, e);
+    return std::numeric_limits<double>::quiet_NaN();
   }
 
 private:
@@ -136,17 +189,24 @@ private:
 template <class Traits>
 class Face_area
 {
+  using Triangulation = Intrinsic_triangulation<Traits>;
+
 public:
-  explicit Face_area(const Intrinsic_triangulation<Traits>& triangulation)
-    : triangulation_(triangulation)
-  {}
+  static constexpr bool has_threads = is_for_threads<typename Traits::Edge_data>;
+
+  explicit Face_area(const Triangulation& triangulation) : triangulation_(triangulation) {}
+
   double operator()(Face_index f) const
   {
-    if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
-      const auto& stored = triangulation_.face_data(f);
-      if (stored.error <= stored_number_accuracy * stored.value)
-        return area_in_input_unit(stored.value / 4, triangulation_.unit_exponent(), f);
-    }
+    const double area = of_any_thread(f);
+    return std::isnan(area) ? of_one_thread(f) : area;
+  }
+
+  double of_one_thread(Face_index f) const
+  {
+    if constexpr (Triangulation::uses_exact_geometry)
+      if (is_stored(f))
+        return area_in_input_unit(triangulation_.face_data(f).value / 4, triangulation_.unit_exponent(), f);
     const double area = CGAL::to_double(triangulation_.area(f));
     if (!std::isfinite(area))
       throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, f.idx(), 1,
@@ -154,9 +214,27 @@ public:
                                     " is beyond the range of double; scale the surface");
     return area;
   }
+  double of_any_thread(Face_index f) const
+  {
+    if (Triangulation::uses_exact_geometry && !is_stored(f))
+      return std::numeric_limits<double>::quiet_NaN();
+    try {
+      return of_one_thread(f);
+    } catch (const Invalid_surface_error&) { // the one thread finds the first of them
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+  }
 
 private:
-  const Intrinsic_triangulation<Traits>& triangulation_;
+  bool is_stored(Face_index f) const
+  {
+    if constexpr (Triangulation::uses_exact_geometry)
+      return triangulation_.face_data(f).error <= stored_number_accuracy * triangulation_.face_data(f).value;
+    else
+      return false;
+  }
+
+  const Triangulation& triangulation_;
 };
 
 } // namespace internal
@@ -175,17 +253,16 @@ private:
 ///
 /// \exception Invalid_surface_error if a face has no area
 ///
+/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: the weights are
+///   the same, and several threads compute those that are stored well enough
+///
 /// O(size), but for the edges that need the exact geometry.
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 3.1.
-template <class Traits>
+template <class ConcurrencyTag = Sequential_tag, class Traits>
 std::vector<double> cotangent_weights(const Intrinsic_triangulation<Traits>& triangulation)
 {
-  const internal::Cotangent_weight<Traits> weight(triangulation);
-  std::vector<double> result;
-  result.reserve(triangulation.connectivity().number_of_edges());
-  for (Edge_index e : triangulation.connectivity().edges())
-    result.push_back(weight(e));
-  return result;
+  return internal::numbers_of_elements<ConcurrencyTag, Edge_index>(
+    triangulation.connectivity().number_of_edges(), internal::Cotangent_weight<Traits>(triangulation));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -196,15 +273,12 @@ std::vector<double> cotangent_weights(const Intrinsic_triangulation<Traits>& tri
 /// those of the number type. O(size), but for the faces that need the exact geometry.
 /// \exception Invalid_surface_error if the unit of the input is so large that an area is beyond the
 ///   range of `double`, or, with `Filtered_edge_length_traits`, so small that it is below
-template <class Traits>
+/// \tparam ConcurrencyTag as for `cotangent_weights()`
+template <class ConcurrencyTag = Sequential_tag, class Traits>
 std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulation)
 {
-  const internal::Face_area<Traits> area(triangulation);
-  std::vector<double> result;
-  result.reserve(triangulation.connectivity().number_of_faces());
-  for (Face_index f : triangulation.connectivity().faces())
-    result.push_back(area(f));
-  return result;
+  return internal::numbers_of_elements<ConcurrencyTag, Face_index>(
+    triangulation.connectivity().number_of_faces(), internal::Face_area<Traits>(triangulation));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators

@@ -10,15 +10,19 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/assemble_columns.h>
 #include <CGAL/Intrinsic_triangulations/internal/assemble_symmetric_matrix.h>
+#include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -34,25 +38,41 @@ enum class Stiffness_factor {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-template <class Edge_weight>
-Eigen::SparseMatrix<double> stiffness_matrix(const Delta_complex& complex,
-                                             const Edge_weight& weight, Stiffness_factor factor)
+template <class ConcurrencyTag, class Edge_weight>
+Eigen::SparseMatrix<double> assemble_stiffness_matrix(const Delta_complex& complex,
+                                                      const Edge_weight& weight, Stiffness_factor factor)
 {
   const double scale = factor == Stiffness_factor::HALF ? -0.5 : -1;
-  return assemble_symmetric_matrix(
+  return assemble_symmetric_matrix<ConcurrencyTag>(
     complex, [&](Edge_index e) { return scale * weight(e); },
     [](int, double sum_of_others) { return -sum_of_others; });
 }
 
 // For each vertex the sum over all corners that meet there of the area of the face times a
 // factor.
-inline std::vector<double> corner_sums(const Delta_complex& complex,
-                                       const std::vector<double>& areas, double factor)
+template <class ConcurrencyTag>
+std::vector<double> corner_sums(const Delta_complex& complex, const std::vector<double>& areas,
+                                double factor)
 {
   std::vector<double> sums(complex.number_of_vertices(), 0);
-  for (Halfedge_index h : complex.halfedges())
-    if (!complex.is_border(h))
-      sums[complex.target(h).idx()] += factor * areas[complex.face(h).idx()];
+  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+    for_each_block<ConcurrencyTag>(sums.size(), elements_of_block, [&](std::size_t first, std::size_t last) {
+      std::vector<Halfedge_index> corners;
+      for (std::size_t v = first; v < last; ++v) {
+        corners.clear();
+        for_each_halfedge_around(complex, Vertex_index(Vertex_index::size_type(v)), [&](Halfedge_index h) {
+          if (!complex.is_border(h))
+            corners.push_back(h);
+        });
+        std::sort(corners.begin(), corners.end()); // sums of numbers in another order are rounded otherwise
+        for (Halfedge_index h : corners)
+          sums[v] += factor * areas[complex.face(h).idx()];
+      }
+    });
+  else
+    for (Halfedge_index h : complex.halfedges())
+      if (!complex.is_border(h))
+        sums[complex.target(h).idx()] += factor * areas[complex.face(h).idx()];
   return sums;
 }
 
@@ -86,13 +106,16 @@ inline double area_beside(const Delta_complex& complex, const std::vector<double
 /// \param complex the triangles
 /// \param weights `cot k + cot l` for each edge, as `cotangent_weights()` returns them
 /// \param factor the factor
+/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: the matrix is the
+///   same, bit for bit
 /// \pre there is a weight for each edge. O(size).
-inline Eigen::SparseMatrix<double>
+template <class ConcurrencyTag = Sequential_tag>
+Eigen::SparseMatrix<double>
 stiffness_matrix(const Delta_complex& complex, const std::vector<double>& weights,
                  Stiffness_factor factor = Stiffness_factor::HALF)
 {
   CGAL_precondition(weights.size() == complex.number_of_edges());
-  return internal::stiffness_matrix(
+  return internal::assemble_stiffness_matrix<ConcurrencyTag>(
     complex, [&](Edge_index e) { return weights[e.idx()]; }, factor);
 }
 
@@ -103,15 +126,20 @@ stiffness_matrix(const Delta_complex& complex, const std::vector<double>& weight
 /// triangulation it is that of the intrinsic Laplace-Beltrami operator: no entry off the
 /// diagonal is positive but those of border edges. For a triangulation that was not
 /// flipped it is the usual, extrinsic one. One pass over the edges computes all weights.
+/// \tparam ConcurrencyTag as above
 /// \exception Invalid_surface_error as `cotangent_weights()`
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 3.1.
-template <class Traits>
+template <class ConcurrencyTag = Sequential_tag, class Traits>
 Eigen::SparseMatrix<double>
 stiffness_matrix(const Intrinsic_triangulation<Traits>& triangulation,
                  Stiffness_factor factor = Stiffness_factor::HALF)
 {
-  return internal::stiffness_matrix(triangulation.connectivity(),
-                                    internal::Cotangent_weight<Traits>(triangulation), factor);
+  const Delta_complex& complex = triangulation.connectivity();
+  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+    return stiffness_matrix<ConcurrencyTag>(complex, cotangent_weights<ConcurrencyTag>(triangulation), factor);
+  else
+    return internal::assemble_stiffness_matrix<ConcurrencyTag>(
+      complex, internal::Cotangent_weight<Traits>(triangulation), factor);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -122,11 +150,13 @@ stiffness_matrix(const Intrinsic_triangulation<Traits>& triangulation,
 /// \param complex the triangles
 /// \param areas the area of each face. O(size).
 /// \pre there is an area for each face
-inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Delta_complex& complex,
-                                                      const std::vector<double>& areas)
+/// \tparam ConcurrencyTag as for `stiffness_matrix()`
+template <class ConcurrencyTag = Sequential_tag>
+Eigen::SparseMatrix<double> lumped_mass_matrix(const Delta_complex& complex,
+                                               const std::vector<double>& areas)
 {
   CGAL_precondition(areas.size() == complex.number_of_faces());
-  const std::vector<double> sums = internal::corner_sums(complex, areas, 1. / 3);
+  const std::vector<double> sums = internal::corner_sums<ConcurrencyTag>(complex, areas, 1. / 3);
   Eigen::SparseMatrix<double> mass(Eigen::Index(sums.size()), Eigen::Index(sums.size()));
   mass.setIdentity();
   std::copy(sums.begin(), sums.end(), mass.valuePtr());
@@ -135,10 +165,12 @@ inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Delta_complex& compl
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief as above, with the areas of `face_areas()`.
-template <class Traits>
+/// \tparam ConcurrencyTag as above
+template <class ConcurrencyTag = Sequential_tag, class Traits>
 Eigen::SparseMatrix<double> lumped_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)
 {
-  return lumped_mass_matrix(triangulation.connectivity(), face_areas(triangulation));
+  return lumped_mass_matrix<ConcurrencyTag>(triangulation.connectivity(),
+                                            face_areas<ConcurrencyTag>(triangulation));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -150,27 +182,31 @@ Eigen::SparseMatrix<double> lumped_mass_matrix(const Intrinsic_triangulation<Tra
 /// \param complex the triangles
 /// \param areas the area of each face. O(size).
 /// \pre there is an area for each face
-inline Eigen::SparseMatrix<double> galerkin_mass_matrix(const Delta_complex& complex,
-                                                        const std::vector<double>& areas)
+/// \tparam ConcurrencyTag as for `stiffness_matrix()`
+template <class ConcurrencyTag = Sequential_tag>
+Eigen::SparseMatrix<double> galerkin_mass_matrix(const Delta_complex& complex,
+                                                 const std::vector<double>& areas)
 {
   CGAL_precondition(areas.size() == complex.number_of_faces());
-  std::vector<double> diagonal = internal::corner_sums(complex, areas, 1. / 6);
+  std::vector<double> diagonal = internal::corner_sums<ConcurrencyTag>(complex, areas, 1. / 6);
   for (Edge_index e : complex.edges())
     if (complex.is_loop(e)) // two corners of each face beside it are the same vertex
       diagonal[complex.target(complex.halfedge(e)).idx()] +=
         internal::area_beside(complex, areas, e) / 6;
-  return internal::assemble_symmetric_matrix(
+  return internal::assemble_symmetric_matrix<ConcurrencyTag>(
     complex, [&](Edge_index e) { return internal::area_beside(complex, areas, e) / 12; },
     [&](int v, double) { return diagonal[std::size_t(v)]; });
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief as above, with the areas of `face_areas()`.
-template <class Traits>
+/// \tparam ConcurrencyTag as above
+template <class ConcurrencyTag = Sequential_tag, class Traits>
 Eigen::SparseMatrix<double>
 galerkin_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)
 {
-  return galerkin_mass_matrix(triangulation.connectivity(), face_areas(triangulation));
+  return galerkin_mass_matrix<ConcurrencyTag>(triangulation.connectivity(),
+                                              face_areas<ConcurrencyTag>(triangulation));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -189,25 +225,29 @@ struct Laplace_beltrami_operator
 ///
 /// The i-th row is that of the i-th vertex of the mesh. Conventions as for
 /// `stiffness_matrix()`, parameters and exceptions as for `intrinsic_delaunay_triangulation()`.
-template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
+template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
+          class NamedParameters = parameters::Default_named_parameters>
 Laplace_beltrami_operator
 intrinsic_delaunay_laplacian(const TriangleMesh& mesh,
                              const NamedParameters& np = parameters::default_values())
 {
-  const auto triangulation = intrinsic_delaunay_triangulation(mesh, np);
-  return {stiffness_matrix(triangulation), lumped_mass_matrix(triangulation)};
+  const auto triangulation = intrinsic_delaunay_triangulation<ConcurrencyTag>(mesh, np);
+  return {stiffness_matrix<ConcurrencyTag>(triangulation), lumped_mass_matrix<ConcurrencyTag>(triangulation)};
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the extrinsic operator, from the triangles of the mesh as they are; otherwise
 /// as `intrinsic_delaunay_laplacian()`.
-template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
+template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
+          class NamedParameters = parameters::Default_named_parameters>
 Laplace_beltrami_operator
 extrinsic_laplacian(const TriangleMesh& mesh,
                     const NamedParameters& np = parameters::default_values())
 {
-  const auto triangulation = intrinsic_triangulation(mesh, np);
-  return {stiffness_matrix(triangulation), lumped_mass_matrix(triangulation)};
+  const auto triangulation = intrinsic_triangulation<ConcurrencyTag>(mesh, np);
+  return {stiffness_matrix<ConcurrencyTag>(triangulation), lumped_mass_matrix<ConcurrencyTag>(triangulation)};
 }
 
 } // namespace Intrinsic_triangulations

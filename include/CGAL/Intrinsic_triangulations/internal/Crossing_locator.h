@@ -5,8 +5,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CROSSING_LOCATOR_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CROSSING_LOCATOR_H
 
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -50,25 +50,26 @@ inline Located located(const Mpfr_interval& x)
 class Crossing_locator
 {
 public:
-  Crossing_locator(const Delta_complex& intrinsic, const Exact_geometry& geometry,
-                   const Overlay& overlay)
-    : intrinsic_(intrinsic), geometry_(geometry), overlay_(overlay),
-      point_strip_(geometry.correspondence().input(), geometry.metric().points()),
-      plane_strip_(geometry.correspondence().input(), geometry.metric().points())
+  // \param surface the input, which remembers what it is asked
+  Crossing_locator(const Delta_complex& intrinsic, const Correspondence& correspondence,
+                   Input_surface& surface, const Overlay& overlay)
+    : intrinsic_(intrinsic), correspondence_(correspondence), surface_(surface), overlay_(overlay),
+      point_strip_(correspondence.input(), surface.metric().points()),
+      plane_strip_(correspondence.input(), surface.metric().points())
   {}
 
   // Calls `visit(x, on_intrinsic_edge, on_input_edge)` for each crossing of e in order.
   template <class Visit>
   void operator()(Edge_index e, const Visit& visit)
   {
-    bool is_good = !geometry_.metric().points().empty() && locate_by_points(e);
+    bool is_good = !surface_.metric().points().empty() && locate_by_points(e);
     if (!is_good) {
-      Double_double_metric metric(geometry_.input_surface());
+      Double_double_metric metric(surface_);
       is_good = locate(e, metric);
     }
     for (long precision : {128l, 512l, 2048l})
       if (!is_good) {
-        Mpfr_metric precise_metric(geometry_.input_surface(), {precision});
+        Mpfr_metric precise_metric(surface_, {precision});
         is_good = locate(e, precise_metric);
       }
     for (std::size_t i = 0; i < positions_.size(); ++i) {
@@ -87,13 +88,13 @@ private:
 
   bool locate_by_points(Edge_index e)
   {
-    const Delta_complex& input = geometry_.correspondence().input();
+    const Delta_complex& input = correspondence_.input();
     crossed_.clear();
     for (Overlay::Vertex x : overlay_.intrinsic_crossings(e))
       crossed_.push_back(input.opposite(overlay_.crossing_input_halfedge(x)));
     const bool is_in_plane =
       std::all_of(crossed_.begin(), crossed_.end(),
-                  [&](Halfedge_index h) { return geometry_.input_surface().is_flat(h); });
+                  [&](Halfedge_index h) { return surface_.is_flat(h); });
     return is_in_plane ? locate_in(plane_strip_) : locate_in(point_strip_);
   }
 
@@ -118,9 +119,8 @@ private:
   bool locate(Edge_index e, Metric& metric)
   {
     using Real = typename Metric::Real;
-    const Correspondence& correspondence = geometry_.correspondence();
-    const Unfolding<Metric> unfolding(intrinsic_, correspondence, metric);
-    const Edge_layout<Metric> layout(overlay_, correspondence.input(), metric, unfolding, e);
+    const Unfolding<Metric> unfolding(intrinsic_, correspondence_, metric);
+    const Edge_layout<Metric> layout(overlay_, correspondence_.input(), metric, unfolding, e);
     const Real length = squared_norm(layout.target());
     bool is_good = true;
     positions_.clear();
@@ -168,7 +168,8 @@ private:
   }
 
   const Delta_complex& intrinsic_;
-  const Exact_geometry& geometry_;
+  const Correspondence& correspondence_;
+  Input_surface& surface_;
   const Overlay& overlay_;
   Point_strip point_strip_;
   Plane_strip plane_strip_;

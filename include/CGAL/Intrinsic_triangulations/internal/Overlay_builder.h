@@ -10,13 +10,18 @@
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/Input_edge_tracer.h>
 #include <CGAL/Intrinsic_triangulations/internal/Overlay_arrays.h>
+#include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -29,15 +34,20 @@ namespace internal {
 //
 // Most intrinsic triangles are input triangles; they are copied with few accesses to memory,
 // which are what takes the time.
+//
+// Several threads work on blocks of edges or faces: first all blocks are counted, and what was
+// counted before a block is where its numbers begin. So the result is the same as with one.
+template <class ConcurrencyTag>
 class Overlay_builder
 {
   using size_type = Overlay_arrays::size_type;
+  static constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
 
 public:
   Overlay_builder(const Delta_complex& intrinsic, const Correspondence& correspondence,
                   const Progress_function& progress)
     : intrinsic_(intrinsic), input_(correspondence.input()), correspondence_(correspondence),
-      coordinates_(correspondence.coordinates()), progress_(progress)
+      coordinates_(correspondence.coordinates()), tracer_(intrinsic, correspondence), progress_(progress)
   {
     CGAL_precondition(correspondence.is_prepared());
   }
@@ -52,23 +62,70 @@ public:
   }
 
 private:
+  static std::size_t block(std::size_t first) { return first / elements_of_block; }
+
+  // Calls f(first, last) for blocks of [0, n), which are one unless there are several threads.
+  template <class Function>
+  static void for_each_block(std::size_t n, const Function& f)
+  {
+    internal::for_each_block<ConcurrencyTag>(n, elements_of_block, f);
+  }
+
+  // One count for each block of [0, n).
+  template <class Count>
+  static std::vector<Count> make_counts(std::size_t n)
+  {
+    return std::vector<Count>(is_parallel ? block(n) + 1 : 1);
+  }
+
+  // Replaces the counts of blocks by the sums of those before. Returns the sum of all.
+  static std::uint64_t sum_up(std::vector<std::uint64_t>& counts)
+  {
+    std::uint64_t sum = 0;
+    for (std::uint64_t& x : counts)
+      sum += std::exchange(x, sum);
+    return sum;
+  }
+
   void number_intrinsic_segments()
   {
+    const std::size_t n = intrinsic_.number_of_edges();
     overlay_.number_of_original_vertices = intrinsic_.number_of_vertices();
-    std::uint64_t crossings = 0, coinciding = 0;
-    overlay_.first_segments.resize(intrinsic_.number_of_edges(), default_init);
-    for (Edge_index e : intrinsic_.edges()) {
-      overlay_.first_segments[e.idx()] = size_type(e.idx() + crossings);
-      crossings += std::uint64_t(coordinates_.number_of_crossings(e));
-      coinciding += coordinates_.is_original(e) ? 1 : 0;
-      check_size(crossings); // each term is below 2^61: the sum cannot wrap before
-    }
+    overlay_.first_segments.resize(n, default_init);
+    auto crossings = make_counts<std::uint64_t>(n), coinciding = crossings;
+    for_each_block(n, [&](std::size_t first, std::size_t last) {
+      std::uint64_t sum = 0, number_of_coinciding = 0;
+      for (std::size_t i = first; i < last; ++i) {
+        const Edge_index e{size_type(i)};
+        overlay_.first_segments[i] = size_type(i + sum);
+        sum += std::uint64_t(coordinates_.number_of_crossings(e));
+        number_of_coinciding += coordinates_.is_original(e) ? 1 : 0;
+        check_size(sum); // each term is below 2^61: the sum cannot wrap before
+      }
+      crossings[block(first)] = sum;
+      coinciding[block(first)] = number_of_coinciding;
+    });
+    allocate(sum_up(crossings), sum_up(coinciding));
+    if (crossings.size() > 1)
+      for_each_block(n, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+          overlay_.first_segments[i] += size_type(crossings[block(first)]);
+      });
+
+    const Loop_progress progress = part(0, 0.4, n);
+    for_each_block(n, [&](std::size_t first, std::size_t last) {
+      fill_intrinsic_segments(first, last, progress);
+    });
+  }
+
+  void allocate(std::uint64_t crossings, std::uint64_t coinciding)
+  {
+    check_size(crossings);
     // Each chord that an input edge cuts out of an intrinsic triangle adds a face.
     const std::uint64_t number_of_chords = crossings + input_.number_of_edges() - coinciding;
     const std::uint64_t number_of_segments = 2 * (intrinsic_.number_of_edges() + crossings) - coinciding;
     check_size(number_of_segments);
     overlay_.first_input_segment = size_type(intrinsic_.number_of_edges() + crossings);
-    next_input_segment_ = overlay_.first_input_segment;
 
     overlay_.halfedges.resize(2 * number_of_segments, default_init);
     overlay_.parents.resize(number_of_segments, default_init);
@@ -76,14 +133,18 @@ private:
     overlay_.faces.resize(intrinsic_.number_of_faces() + number_of_chords, default_init);
     overlay_.coinciding_halfedges.resize(intrinsic_.number_of_edges(), default_init);
     overlay_.input_edges.resize(input_.number_of_edges(), default_init);
+  }
 
-    const Loop_progress progress = part(0, 0.4, intrinsic_.number_of_edges());
-    size_type segment = 0, crossing = intrinsic_.number_of_vertices();
-    for (Edge_index e : intrinsic_.edges()) {
-      progress.at(e.idx());
+  void fill_intrinsic_segments(std::size_t first, std::size_t last, const Loop_progress& progress)
+  {
+    size_type segment = overlay_.first_segments[first];
+    size_type crossing = intrinsic_.number_of_vertices() + segment - size_type(first);
+    for (std::size_t i = first; i < last; ++i) {
+      const Edge_index e{size_type(i)};
+      progress.at(i);
       const Halfedge_index h = intrinsic_.halfedge(e);
       size_type from = intrinsic_.source(h).idx();
-      for (std::int64_t i = coordinates_.number_of_crossings(e); i > 0; --i) {
+      for (std::int64_t left = coordinates_.number_of_crossings(e); left > 0; --left) {
         overlay_.parents[segment] = e.idx();
         overlay_.vertex_halfedges[crossing] = 2 * segment;
         set_intrinsic_segment(segment++, from, crossing);
@@ -128,85 +189,116 @@ private:
     record(2 * segment + 1).target = source;
   }
 
-  // The n input halfedges that leave the corner opposite to ij. Those that leave a vertex within
-  // an intrinsic triangle are consecutive around it.
-  template <class Function>
-  void for_each_start(Halfedge_index ij, std::int64_t n, const Function& function) const
-  {
-    if (n == 0)
-      return;
-    const Halfedge_index ki = intrinsic_.prev(ij);
-    Halfedge_index start = correspondence_.input_halfedge(ki);
-    if (coordinates_.is_original(intrinsic_.edge(ki)))
-      start = input_.next_around_source(start);
-    for (std::int64_t i = 0; i < n; ++i, start = input_.next_around_source(start))
-      function(start, i);
-  }
-
-  // Where an input edge leaves a corner, the opposite side is crossed.
   void follow_input_edges()
   {
     const Loop_progress progress = part(0.4, 0.7, intrinsic_.number_of_edges());
-    for (Edge_index e : intrinsic_.edges()) {
-      progress.at(e.idx());
-      if (coordinates_.crossings(e) <= 0)
-        continue;
-      for (Halfedge_index h : {intrinsic_.halfedge(e), intrinsic_.opposite(intrinsic_.halfedge(e))})
-        for_each_start(h, coordinates_.triangle_crossings(intrinsic_, h).e_k,
-                       [&](Halfedge_index input_halfedge, std::int64_t i) {
-                         if (input_halfedge == input_.halfedge(input_.edge(input_halfedge)))
-                           follow(input_halfedge, h, i);
-                       });
-    }
-  }
-
-  // Follows an input halfedge that leaves a corner as number `start` of those there and
-  // crosses the opposite side ij.
-  void follow(Halfedge_index input_halfedge, Halfedge_index ij, std::int64_t start)
-  {
-    const size_type edge = input_.edge(input_halfedge).idx();
-    const size_type first = next_input_segment_;
-    size_type from = input_.source(input_halfedge).idx();
-    std::int64_t position = coordinates_.triangle_crossings(intrinsic_, ij).c_i + start;
-    while (true) {
-      // It leaves the triangle to the left of ij at `position`, counted from i.
-      const size_type crossing = cross(ij, position);
-      overlay_.parents[next_input_segment_] = edge;
-      set_ends(next_input_segment_++, from, crossing);
-      from = crossing;
-
-      const std::int64_t n = coordinates_.number_of_crossings(intrinsic_.edge(ij));
-      const Halfedge_index ji = intrinsic_.opposite(ij);
-      position = n - 1 - position;
-      const Triangle_crossings t = coordinates_.triangle_crossings(intrinsic_, ji);
-      if (position < t.c_i) { // around the source of ji
-        ij = intrinsic_.prev(ji);
-        position = coordinates_.number_of_crossings(intrinsic_.edge(ij)) - 1 - position;
-      } else if (position < t.c_i + t.e_k) {
-        break;
-      } else { // around its target
-        ij = intrinsic_.next(ji);
-        position = n - 1 - position;
+    if constexpr (is_parallel) {
+      follow_in_blocks();
+    } else {
+      size_type segment = overlay_.first_input_segment;
+      for (Edge_index e : intrinsic_.edges()) {
+        progress.at(e.idx());
+        tracer_.for_each_path_across(
+          e, [&](Halfedge_index input_halfedge, Halfedge_index ij, std::int64_t start) {
+            begin_input_edge(input_halfedge, segment);
+            size_type from = input_.source(input_halfedge).idx();
+            tracer_.follow(ij, start, [&](const Input_edge_tracer::Crossing& x) {
+              from = add_input_segment(input_halfedge, segment, from, crossed(x));
+            });
+            end_input_edge(input_halfedge, segment, from);
+          });
       }
     }
-    overlay_.parents[next_input_segment_] = edge;
-    set_ends(next_input_segment_++, from, input_.target(input_halfedge).idx());
-    overlay_.input_edges[edge] = {2 * first, next_input_segment_ - first};
   }
 
-  // Links the four segments where the current input segment leaves the triangle to the left
-  // of ij; returns the crossing.
-  size_type cross(Halfedge_index ij, std::int64_t position)
+  // The numbers of segments depend on the lengths of all paths before: so the paths of a block
+  // are kept until these are known.
+  void follow_in_blocks()
   {
-    const Edge_index e = intrinsic_.edge(ij);
-    const bool is_from_left = ij == intrinsic_.halfedge(e);
-    if (!is_from_left)
-      position = coordinates_.number_of_crossings(e) - 1 - position;
-    const size_type before = overlay_.first_segments[e.idx()] + size_type(position);
+    struct Path
+    {
+      Halfedge_index input_halfedge;
+      std::size_t end; // behind its last crossing
+    };
+    struct Paths
+    {
+      std::vector<Path> paths;
+      std::vector<Crossed> crossings;
+    };
+    const std::size_t n = intrinsic_.number_of_edges();
+    auto blocks = make_counts<Paths>(n);
+    for_each_block(n, [&](std::size_t first, std::size_t last) {
+      Paths& here = blocks[block(first)];
+      for (std::size_t i = first; i < last; ++i)
+        tracer_.for_each_path_across(
+          Edge_index(size_type(i)), [&](Halfedge_index input_halfedge, Halfedge_index ij, std::int64_t start) {
+            tracer_.follow(ij, start, [&](const Input_edge_tracer::Crossing& x) {
+              here.crossings.push_back(crossed(x));
+            });
+            here.paths.push_back({input_halfedge, here.crossings.size()});
+          });
+    });
+    std::vector<std::uint64_t> segments;
+    for (const Paths& paths : blocks)
+      segments.push_back(paths.crossings.size() + paths.paths.size());
+    sum_up(segments);
+    for_each_block(n, [&](std::size_t first, std::size_t) {
+      size_type segment = overlay_.first_input_segment + size_type(segments[block(first)]);
+      const Paths& here = blocks[block(first)];
+      std::size_t i = 0;
+      for (const Path& path : here.paths) {
+        begin_input_edge(path.input_halfedge, segment);
+        size_type from = input_.source(path.input_halfedge).idx();
+        for (; i < path.end; ++i)
+          from = add_input_segment(path.input_halfedge, segment, from, here.crossings[i]);
+        end_input_edge(path.input_halfedge, segment, from);
+      }
+    });
+  }
+
+  // A crossing, as what is crossed.
+  struct Crossed
+  {
+    Halfedge_index halfedge; // from its left
+    size_type segment;       // of its edge, before the crossing
+  };
+  Crossed crossed(const Input_edge_tracer::Crossing& x) const
+  {
+    return {x.halfedge, overlay_.first_segments[intrinsic_.edge(x.halfedge).idx()] + size_type(x.position)};
+  }
+
+  void begin_input_edge(Halfedge_index input_halfedge, size_type segment)
+  {
+    overlay_.input_edges[input_.edge(input_halfedge).idx()].first_halfedge = 2 * segment;
+  }
+  // Adds the segment that ends at a crossing, which is returned.
+  size_type add_input_segment(Halfedge_index input_halfedge, size_type& segment, size_type from,
+                              const Crossed& crossing)
+  {
+    const size_type to = cross(crossing, segment);
+    overlay_.parents[segment] = input_.edge(input_halfedge).idx();
+    set_ends(segment++, from, to);
+    return to;
+  }
+  void end_input_edge(Halfedge_index input_halfedge, size_type& segment, size_type from)
+  {
+    const size_type e = input_.edge(input_halfedge).idx();
+    overlay_.parents[segment] = e;
+    set_ends(segment++, from, input_.target(input_halfedge).idx());
+    Overlay_arrays::Input_edge& edge = overlay_.input_edges[e];
+    edge.count = segment - edge.first_halfedge / 2;
+  }
+
+  // Links the four segments that meet at a crossing, at which an input segment ends; returns the
+  // crossing.
+  size_type cross(const Crossed& crossing, size_type input_segment)
+  {
     // Out of the crossing, counterclockwise from the direction of halfedge 2e.
+    const size_type before = crossing.segment;
     const size_type ahead = 2 * (before + 1), back = 2 * before + 1;
-    size_type left = 2 * next_input_segment_ + 1, right = 2 * (next_input_segment_ + 1);
-    if (!is_from_left)
+    size_type left = 2 * input_segment + 1, right = 2 * (input_segment + 1);
+    const Edge_index e = intrinsic_.edge(crossing.halfedge);
+    if (crossing.halfedge != intrinsic_.halfedge(e))
       std::swap(left, right);
     link(ahead, left);
     link(left, back);
@@ -235,10 +327,33 @@ private:
 
   void fill_faces()
   {
-    const Loop_progress progress = part(0.7, 1, intrinsic_.number_of_faces());
-    size_type face = 0;
-    for (Face_index f : intrinsic_.faces()) {
-      progress.at(f.idx());
+    const std::size_t n = intrinsic_.number_of_faces();
+    const Loop_progress progress = part(0.7, 1, n);
+    auto faces = make_counts<std::uint64_t>(n);
+    if (faces.size() > 1) {
+      for_each_block(n, [&](std::size_t first, std::size_t last) {
+        for (std::size_t f = first; f < last; ++f)
+          faces[block(first)] += number_of_parts(Face_index(size_type(f)));
+      });
+      sum_up(faces);
+    }
+    for_each_block(n, [&](std::size_t first, std::size_t last) {
+      fill_faces(first, last, size_type(faces[block(first)]), progress);
+    });
+  }
+
+  // Into how many faces its chords divide a face.
+  std::uint64_t number_of_parts(Face_index f) const
+  {
+    const Triangle_crossings t = coordinates_.triangle_crossings(intrinsic_, intrinsic_.halfedge(f));
+    return std::uint64_t(1 + t.c_i + t.c_j + t.c_k + t.e_i + t.e_j + t.e_k);
+  }
+
+  void fill_faces(std::size_t first, std::size_t last, size_type face, const Loop_progress& progress)
+  {
+    for (std::size_t i = first; i < last; ++i) {
+      const Face_index f{size_type(i)};
+      progress.at(i);
       const Halfedge_index ij = intrinsic_.halfedge(f), jk = intrinsic_.next(ij),
                            ki = intrinsic_.prev(ij);
       if (is_one_segment(ij) && is_one_segment(jk) && is_one_segment(ki)) {
@@ -255,7 +370,7 @@ private:
             make_face(face++, part, f);
         });
     }
-    CGAL_postcondition(face == overlay_.faces.size());
+    CGAL_postcondition(last < intrinsic_.number_of_faces() || face == overlay_.faces.size());
   }
 
   bool is_one_segment(Halfedge_index h) const
@@ -277,7 +392,7 @@ private:
   void link_corner(Halfedge_index ij, std::int64_t n)
   {
     size_type out = first_part(intrinsic_.prev(ij));
-    for_each_start(ij, n, [&](Halfedge_index input_halfedge, std::int64_t) {
+    tracer_.for_each_start(ij, n, [&](Halfedge_index input_halfedge, std::int64_t) {
       const size_type next_out = first_part_in_input(input_halfedge);
       link(out, next_out);
       out = next_out;
@@ -316,16 +431,23 @@ private:
 
   void name_vertex_halfedges()
   {
-    for (Vertex_index v : intrinsic_.vertices()) {
-      const Halfedge_index h = intrinsic_.halfedge(v);
-      overlay_.vertex_halfedges[v.idx()] =
-        h.is_valid() ? first_part(intrinsic_.opposite(h)) ^ 1 : Overlay_arrays::null;
-    }
+    for_each_block(intrinsic_.number_of_vertices(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v) {
+        const Halfedge_index h = intrinsic_.halfedge(Vertex_index(size_type(v)));
+        overlay_.vertex_halfedges[v] =
+          h.is_valid() ? first_part(intrinsic_.opposite(h)) ^ 1 : Overlay_arrays::null;
+      }
+    });
   }
 
+  // Several threads cannot ask in between: it is done at the beginning.
   Loop_progress part(double begin, double end, std::size_t number_of_elements) const
   {
-    return Loop_progress(progress_, "the construction of the overlay", begin, end, number_of_elements);
+    static constexpr const char* what = "the construction of the overlay";
+    static const Progress_function nobody;
+    if (is_parallel)
+      report_progress(progress_, begin, what);
+    return Loop_progress(is_parallel ? nobody : progress_, what, begin, end, number_of_elements);
   }
 
   Overlay_arrays::Halfedge& record(size_type h) { return overlay_.halfedges[h]; }
@@ -334,9 +456,9 @@ private:
   const Delta_complex& input_;
   const Correspondence& correspondence_;
   const Normal_coordinates& coordinates_;
+  const Input_edge_tracer tracer_;
   const Progress_function& progress_;
   Overlay_arrays overlay_;
-  size_type next_input_segment_ = 0;
 };
 
 } // namespace internal

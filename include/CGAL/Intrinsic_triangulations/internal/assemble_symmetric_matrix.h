@@ -8,6 +8,9 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/assemble_columns.h>
+
+#include <CGAL/tags.h>
 
 #include <Eigen/SparseCore>
 
@@ -15,6 +18,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -42,14 +46,7 @@ public:
   explicit Symmetric_matrix_assembler(const Delta_complex& complex)
     : complex_(complex), size_(complex.number_of_vertices()), below_(size_, 0), above_(size_, 0),
       bucket_(size_, default_init), diagonal_(size_, default_init)
-  {
-    if (std::size_t(complex.number_of_halfedges()) + size_ >
-        std::size_t((std::numeric_limits<Index>::max)()))
-      throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE,
-                                  complex.number_of_edges(), 1,
-                                  std::to_string(complex.number_of_edges()) +
-                                    " edges are more than a sparse matrix can hold");
-  }
+  {}
 
   template <class Edge_value, class Diagonal_value>
   Matrix assemble(const Edge_value& edge_value, const Diagonal_value& diagonal_value)
@@ -182,13 +179,22 @@ private:
 
 // The matrix whose entry (v, w) is the sum of edge_value(e) over the edges e between v and w,
 // and whose entry (v, v) is diagonal_value(v, sum of the other entries of the row). Loops are
-// left out.
-template <class Edge_value, class Diagonal_value>
+// left out. With Parallel_tag both functions are called by several threads.
+template <class ConcurrencyTag, class Edge_value, class Diagonal_value>
 Eigen::SparseMatrix<double> assemble_symmetric_matrix(const Delta_complex& complex,
                                                       const Edge_value& edge_value,
                                                       const Diagonal_value& diagonal_value)
 {
-  return Symmetric_matrix_assembler(complex).assemble(edge_value, diagonal_value);
+  using Index = Eigen::SparseMatrix<double>::StorageIndex;
+  if (std::size_t(complex.number_of_halfedges()) + complex.number_of_vertices() >
+      std::size_t((std::numeric_limits<Index>::max)()))
+    throw Invalid_surface_error(
+      Invalid_surface_error::Defect::OUT_OF_RANGE, complex.number_of_edges(), 1,
+      std::to_string(complex.number_of_edges()) + " edges are more than a sparse matrix can hold");
+  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+    return assemble_columns<ConcurrencyTag>(complex, edge_value, diagonal_value);
+  else
+    return Symmetric_matrix_assembler(complex).assemble(edge_value, diagonal_value);
 }
 
 } // namespace internal

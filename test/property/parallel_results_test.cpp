@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Several threads: overlays, positions, weights and matrices are those of one thread, bit for bit.
+// Most surfaces have some blocks of 2^14 elements.
+
+#include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/sample_gluings.h>
+#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+
+#include <tbb/global_control.h>
+
+#include <Eigen/SparseCore>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using CGAL::Parallel_tag;
+using Filtered = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+using Matrix = Eigen::SparseMatrix<double>;
+
+template <class Traits = IT::Filtered_edge_length_traits>
+IT::Intrinsic_triangulation<Traits> triangulation(const IT::Indexed_triangles& s)
+{
+  return {IT::make_Delta_complex_from_triangles(s.points.size(), s.triangles), s.points};
+}
+
+Filtered Delaunay(const IT::Indexed_triangles& s)
+{
+  Filtered t = triangulation(s);
+  EXPECT_EQ(IT::flip_to_Delaunay(t).status, IT::Flip_status::DELAUNAY);
+  return t;
+}
+
+// Edges with the same ends, loops, faces glued to themselves.
+Filtered Delaunay(const IT::Glued_triangles& s)
+{
+  IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(s.number_of_faces, s.glued_sides);
+  std::vector<double> lengths(complex.number_of_edges());
+  for (IT::Face_index f : complex.faces()) {
+    IT::Halfedge_index h = complex.halfedge(f);
+    for (std::size_t i = 0; i < 3; ++i, h = complex.next(h))
+      lengths[complex.edge(h).idx()] = s.side_lengths[3 * f.idx() + i];
+  }
+  Filtered t = Filtered::from_lengths(std::move(complex), std::move(lengths));
+  EXPECT_EQ(IT::flip_to_Delaunay(t).status, IT::Flip_status::DELAUNAY);
+  return t;
+}
+
+IT::Indexed_triangles shuffled(IT::Indexed_triangles triangles)
+{
+  std::shuffle(triangles.triangles.begin(), triangles.triangles.end(), std::mt19937(1));
+  return triangles;
+}
+
+std::vector<std::pair<std::string, Filtered>> surfaces()
+{
+  IT::Indexed_triangles with_isolated_vertices = IT::bad_torus(20, 20);
+  with_isolated_vertices.points.insert(with_isolated_vertices.points.end(), 20000, {0, 0, 9});
+  std::vector<std::pair<std::string, Filtered>> result;
+  result.emplace_back("torus", Delaunay(IT::bad_torus(150, 150)));
+  result.emplace_back("shuffled torus", Delaunay(shuffled(IT::bad_torus(120, 120))));
+  result.emplace_back("with border, long edges", Delaunay(IT::sheared_grid(150, 120, 5.25)));
+  result.emplace_back("shuffled, with border", Delaunay(shuffled(IT::random_diagonal_grid(150, 120, 1, 7))));
+  result.emplace_back("prism, high degree", Delaunay(IT::prism(9000)));
+  result.emplace_back("pillow", Delaunay(IT::pillow(200)));
+  result.emplace_back("isolated vertices", Delaunay(with_isolated_vertices));
+  result.emplace_back("large gluing", Delaunay(IT::random_gluing(20000, 3)));
+  result.emplace_back("open gluing", Delaunay(IT::random_gluing(300, 6, true)));
+  result.emplace_back("one-vertex torus", Delaunay(IT::sheared_one_vertex_torus(7.3)));
+  result.emplace_back("glued to itself", Delaunay(IT::self_glued_triangle()));
+  return result;
+}
+
+void expect_same_overlay(const IT::Overlay& a, const IT::Overlay& b)
+{
+  ASSERT_EQ(a.number_of_vertices(), b.number_of_vertices());
+  ASSERT_EQ(a.number_of_segments(), b.number_of_segments());
+  ASSERT_EQ(a.number_of_faces(), b.number_of_faces());
+  for (IT::Overlay::Halfedge h : a.halfedges()) {
+    ASSERT_EQ(a.next(h), b.next(h));
+    ASSERT_EQ(a.target(h), b.target(h));
+    ASSERT_EQ(a.face(h), b.face(h));
+    ASSERT_EQ(a.input_halfedge(h), b.input_halfedge(h));
+    ASSERT_EQ(a.intrinsic_halfedge(h), b.intrinsic_halfedge(h));
+  }
+  for (IT::Overlay::Vertex v : a.vertices())
+    ASSERT_EQ(a.halfedge(v), b.halfedge(v));
+  for (IT::Overlay::Face f : a.faces()) {
+    ASSERT_EQ(a.halfedge(f), b.halfedge(f));
+    ASSERT_EQ(a.input_face(f), b.input_face(f));
+    ASSERT_EQ(a.intrinsic_face(f), b.intrinsic_face(f));
+  }
+  for (std::uint32_t e = 0; e < a.number_of_input_edges(); ++e) {
+    const IT::Edge_index edge(e);
+    ASSERT_EQ(a.number_of_input_segments(edge), b.number_of_input_segments(edge));
+    ASSERT_EQ(a.input_part(edge, 0), b.input_part(edge, 0));
+    ASSERT_EQ(*a.intrinsic_segments(edge).begin(), *b.intrinsic_segments(edge).begin());
+  }
+}
+
+bool are_same(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+void expect_same_matrix(const Matrix& a, const Matrix& b)
+{
+  ASSERT_EQ(a.rows(), b.rows());
+  ASSERT_EQ(a.nonZeros(), b.nonZeros());
+  ASSERT_TRUE(b.isCompressed());
+  EXPECT_TRUE(std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()));
+  EXPECT_TRUE(std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr()));
+  EXPECT_EQ(std::memcmp(a.valuePtr(), b.valuePtr(), std::size_t(a.nonZeros()) * sizeof(double)), 0);
+}
+
+template <class Function>
+void for_each_number_of_threads(const Function& function)
+{
+  for (std::size_t threads : {1, 2, 3}) {
+    SCOPED_TRACE(std::to_string(threads) + " threads");
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    function();
+  }
+}
+
+TEST(Parallel_results, overlays_and_positions)
+{
+  for (const auto& [name, t] : surfaces()) {
+    SCOPED_TRACE(name);
+    const IT::Overlay expected(t);
+    const IT::Overlay_positions expected_positions(t, expected);
+    for_each_number_of_threads([&, &t = t] {
+      const IT::Overlay overlay(t, {}, Parallel_tag());
+      expect_same_overlay(expected, overlay);
+      const IT::Overlay_positions positions(t, overlay, {}, Parallel_tag());
+      for (IT::Overlay::Vertex x : expected.crossings()) {
+        ASSERT_EQ(positions.on_input_edge(x), expected_positions.on_input_edge(x));
+        ASSERT_EQ(positions.on_intrinsic_edge(x), expected_positions.on_intrinsic_edge(x));
+      }
+    });
+  }
+}
+
+TEST(Parallel_results, weights_areas_and_matrices)
+{
+  for (const auto& [name, t] : surfaces()) {
+    SCOPED_TRACE(name);
+    const std::vector<double> weights = IT::cotangent_weights(t), areas = IT::face_areas(t);
+    const Matrix stiffness = IT::stiffness_matrix(t), lumped = IT::lumped_mass_matrix(t),
+                 Galerkin = IT::galerkin_mass_matrix(t);
+    for_each_number_of_threads([&, &t = t] {
+      EXPECT_TRUE(are_same(IT::cotangent_weights<Parallel_tag>(t), weights));
+      EXPECT_TRUE(are_same(IT::face_areas<Parallel_tag>(t), areas));
+      expect_same_matrix(stiffness, IT::stiffness_matrix<Parallel_tag>(t));
+      expect_same_matrix(lumped, IT::lumped_mass_matrix<Parallel_tag>(t));
+      expect_same_matrix(Galerkin, IT::galerkin_mass_matrix<Parallel_tag>(t));
+    });
+  }
+}
+
+TEST(Parallel_results, rounded_numbers)
+{
+  auto t = triangulation<IT::Edge_length_traits<double>>(IT::bad_torus(120, 120));
+  IT::flip_to_Delaunay(t);
+  for_each_number_of_threads([&] {
+    EXPECT_TRUE(are_same(IT::cotangent_weights<Parallel_tag>(t), IT::cotangent_weights(t)));
+    EXPECT_TRUE(are_same(IT::face_areas<Parallel_tag>(t), IT::face_areas(t)));
+    expect_same_matrix(IT::stiffness_matrix(t), IT::stiffness_matrix<Parallel_tag>(t));
+  });
+}
+
+// Whatever thread meets them, it is the first face without an area that is named.
+TEST(Parallel_results, the_first_bad_element_is_named)
+{
+  IT::Indexed_triangles s = IT::sheared_grid(150, 120, 0);
+  for (std::array<std::uint32_t, 3> face : {s.triangles[20000], s.triangles[30000]}) {
+    const std::array<double, 3> p = s.points[face[0]], q = s.points[face[1]];
+    s.points[face[2]] = {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
+  }
+  const auto element = [](const auto& function) {
+    try {
+      function();
+    } catch (const IT::Invalid_surface_error& error) {
+      EXPECT_EQ(error.defect(), IT::Invalid_surface_error::Defect::DEGENERATE_FACE);
+      return error.element();
+    }
+    return std::size_t(0);
+  };
+  const auto expect = [&](const auto& t) {
+    const std::size_t expected = element([&] { IT::cotangent_weights(t); });
+    EXPECT_GT(expected, 10000u);
+    for_each_number_of_threads([&] {
+      EXPECT_EQ(element([&] { IT::cotangent_weights<Parallel_tag>(t); }), expected);
+      EXPECT_EQ(element([&] { IT::stiffness_matrix<Parallel_tag>(t); }), expected);
+    });
+  };
+  expect(triangulation(s));
+  expect(triangulation<IT::Edge_length_traits<double>>(s));
+}
+
+TEST(Parallel_results, can_be_cancelled)
+{
+  const Filtered t = Delaunay(IT::bad_torus(100, 100));
+  const IT::Overlay overlay(t);
+  for (int calls : {0, 1, 2}) {
+    int left = calls;
+    const IT::Progress_function progress = [&left](double fraction) {
+      EXPECT_TRUE(fraction >= 0 && fraction <= 1);
+      return left-- > 0;
+    };
+    EXPECT_THROW(IT::Overlay(t, progress, Parallel_tag()), IT::Cancelled_error);
+  }
+  EXPECT_THROW(IT::Overlay_positions(
+                 t, overlay, [](double) { return false; }, Parallel_tag()),
+               IT::Cancelled_error);
+}
+
+} // namespace
