@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/Polygon_sides.h>
 #include <CGAL/Intrinsic_triangulations/internal/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/polygon_texts.h>
+#include <CGAL/Intrinsic_triangulations/internal/unit_of_length.h>
 
 #include <CGAL/number_utils.h>
 
@@ -151,15 +152,39 @@ private:
       const Coordinates p = coordinates(v);
       if (!(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
         bad.add(v);
+      else if (is_used_[v])
+        for (int i = 0; i < 3; ++i)
+          box_.add(i, p[i]);
     }
     all_finite_ = bad.count() == 0;
-    if (all_finite_)
+    if (all_finite_) {
+      examine_scaled_coordinates();
       return;
+    }
     const Coordinates p = coordinates(bad.first());
     std::ostringstream text;
     text.precision(17);
     text << "vertex " << bad.first() << " has the coordinates (" << p[0] << ", " << p[1] << ", " << p[2] << ")";
     add(Finding_kind::NOT_FINITE, bad.count(), bad.elements(), text.str());
+  }
+
+  // What the constructors refuse to scale.
+  void examine_scaled_coordinates()
+  {
+    exponent_ = unit_exponent<double>(box_.half_extent());
+    if (exponent_ == 0)
+      return;
+    Element_collector vanishing;
+    for (std::size_t v = 0; v < number_of_vertices_; ++v)
+      if (Coordinates p = coordinates(v); is_used_[v] && !scale_point(p, box_, exponent_))
+        vanishing.add(v);
+    if (vanishing.count() == 0)
+      return;
+    const Coordinates p = coordinates(vanishing.first());
+    std::ostringstream text;
+    text << "vertex " << vanishing.first() << " at (" << p[0] << ", " << p[1] << ", " << p[2]
+         << ") has a coordinate that is lost beside the size of the surface, about " << 2 * box_.half_extent();
+    add(Finding_kind::COORDINATE_RANGE, vanishing.count(), vanishing.elements(), text.str());
   }
 
   // Number of corners, repeated corners and zero areas.
@@ -349,7 +374,7 @@ private:
       return;
     report_.exponent_of_longest_edge = lengths_.exponent_of_longest();
     report_.exponent_of_shortest_edge = lengths_.exponent_of_shortest();
-    if (!lengths_.is_too_wide())
+    if (!lengths_.vanishes_in_unit(exponent_))
       return;
     Element_collector shortest;
     shortest.add(lengths_.shortest_edge());
@@ -420,6 +445,8 @@ private:
   std::vector<unsigned char> is_used_;
   Element_collector bad_index_;
   std::vector<Index> number_of_fans_;
+  Box box_; // of the vertices that are used
+  int exponent_ = 0;
   Length_range lengths_;
   Surface_report report_;
 };
