@@ -6,6 +6,7 @@
 #include "Stopwatch.h"
 #include "child_process.h"
 #include "kernels/Kernel.h"
+#include "repair.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
@@ -163,6 +164,7 @@ private:
     result_.path = surface_.path;
     result_.counts = count_elements(exact.connectivity);
     result_.ties = exact.tessellation->ties;
+    result_.repairs = repairs(surface_);
   }
 
   Outcome flip(const Compared_type& type, const Wanted& wanted) const

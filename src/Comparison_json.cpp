@@ -2,6 +2,8 @@
 
 #include "Comparison.h"
 
+#include "repair.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -52,6 +54,7 @@ Json to_json_value(const Surface_comparison& comparison)
           {"edges", comparison.counts.edges},
           {"faces", comparison.counts.faces},
           {"ties", comparison.ties},
+          {"repair", to_json_value(comparison.repairs)},
           {"number_types", std::move(rows)}};
 }
 

@@ -2,14 +2,11 @@
 
 #include "mesh_file.h"
 
+#include "formats/vtp.h"
 #include "text.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
-#ifdef CGAL_USE_VTK
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/VTK.h>
-#endif
 
 #include <algorithm>
 #include <cctype>
@@ -29,9 +26,7 @@ const Named_format formats[] = {
   {Mesh_format::PLY, ".ply", true},
   {Mesh_format::OFF, ".off", true},
   {Mesh_format::OBJ, ".obj", true},
-#ifdef CGAL_USE_VTK
   {Mesh_format::VTP, ".vtp", true},
-#endif
   {Mesh_format::STL, ".stl", false},
   {Mesh_format::TS, ".ts", false}};
 
@@ -102,15 +97,12 @@ void write_mesh(std::ostream& os, const std::vector<std::array<double, 3>>& poin
     CGAL::IO::write_GOCAD(os, places, faces, all_digits);
     return;
   case Mesh_format::VTP:
-#ifdef CGAL_USE_VTK
-    CGAL::Surface_mesh<Point> mesh;
-    for (const Point& p : places)
-      mesh.add_vertex(p);
-    for (const std::vector<std::size_t>& face : faces)
-      mesh.add_face(CGAL::SM_Vertex_index(face[0]), CGAL::SM_Vertex_index(face[1]),
-                    CGAL::SM_Vertex_index(face[2]));
-    CGAL::IO::write_VTP(os, mesh);
-#endif
+    Flat_polygons polygons;
+    for (const auto& triangle : triangles) {
+      polygons.corners.insert(polygons.corners.end(), triangle.begin(), triangle.end());
+      polygons.ends.push_back(polygons.corners.size());
+    }
+    write_vtp(os, points, polygons);
     return;
   }
 }

@@ -23,7 +23,7 @@ enum class Mesh_format {
   VTP
 };
 
-// The format that the end of a file name tells; none for VTP if the command was built without VTK.
+// The format that the end of a file name tells.
 std::optional<Mesh_format> find_mesh_format(const std::string& path);
 
 // Whether faces may have any number of corners.

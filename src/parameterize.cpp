@@ -8,6 +8,7 @@
 #include "Stopwatch.h"
 #include "commands.h"
 #include "finite_weights.h"
+#include "repair.h"
 #include "text.h"
 #include "triangulate.h"
 #include "write_textured_mesh.h"
@@ -167,6 +168,7 @@ Json json_value(const Parameterize_options& options, const Result& result)
   json["over_input"] = json_value(result.on_input);
   json["over_intrinsic"] = json_value(result.on_intrinsic);
   json["circle_pattern"] = json_value(result.pattern);
+  json["repair"] = to_json_value(repairs(result.triangulation.surface));
   json["seconds"] = result.seconds;
   return json;
 }

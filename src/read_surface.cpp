@@ -6,6 +6,9 @@
 #include "formats/checks.h"
 #include "formats/polygon_soup.h"
 #include "formats/text_file.h"
+#ifdef IDT_READS_VTP
+#include "formats/vtp.h"
+#endif
 
 #include <CGAL/IO/polygon_soup_io.h>
 
@@ -55,9 +58,11 @@ bool read_soup(const std::string& path, const std::string& extension, std::uintm
     std::istringstream in(*plain_off);
     return read_soup(in, extension, points, polygons);
   }
-#ifdef CGAL_USE_VTK
-  if (extension == "vtp")
-    return CGAL::IO::read_VTP(path, points, polygons);
+#ifdef IDT_READS_VTP
+  if (extension == "vtp") {
+    read_vtp(path, points, polygons);
+    return true;
+  }
 #endif
   Watched_file file(path, size, progress);
   // CGAL's OBJ reader loses the corners of a face that stand behind a tab.
@@ -91,7 +96,7 @@ std::string check_file(const std::string& path, std::uintmax_t& size)
     refuse(path, "the file cannot be read (" + error.message() + ")");
 
   static const std::string known = "known are .off, .obj, .ply, .stl, .ts"
-#ifdef CGAL_USE_VTK
+#ifdef IDT_READS_VTP
                                    ", .vtp"
 #endif
     ;
@@ -100,7 +105,7 @@ std::string check_file(const std::string& path, std::uintmax_t& size)
   if (dot == std::string::npos)
     refuse(path, "the name has no extension that tells the format (" + known + ")");
   const std::string extension = lower_case(name.substr(dot + 1));
-#ifndef CGAL_USE_VTK
+#ifndef IDT_READS_VTP
   if (extension == "vtp")
     refuse(path, "VTP files can be read only if the command is built with VTK (" + known + ")");
 #else
@@ -146,7 +151,7 @@ Surface_input read_surface(const std::string& path,
         diagnose_off(path, load(path));
       else if (extension == "stl")
         diagnose_stl(path, load(path));
-      else if (extension != "vtp" && reason.empty())
+      else if (reason.empty())
         diagnose_by_position(path, extension);
       refuse(path, "the file cannot be read" + reason +
                      (extension == "off" ? std::string()

@@ -37,6 +37,13 @@ bool is_repairable(const IT::Finding& finding) { return IT::is_repairable(findin
 
 std::string message(const IT::Repair& repair) { return IT::message(repair); }
 
+std::optional<std::vector<IT::Repair>> repairs(const Surface& surface)
+{
+  if (!surface.repair)
+    return std::nullopt;
+  return surface.repair->repairs;
+}
+
 void write_repair_map(std::ostream& os, const Surface& surface)
 {
   const auto write = [&os](const char* element, const std::vector<std::size_t>& inputs) {

@@ -8,8 +8,12 @@
 
 #include <CGAL/Intrinsic_triangulations/Surface_report.h>
 
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace idt {
 
@@ -22,6 +26,13 @@ bool is_repairable(const CGAL::Intrinsic_triangulations::Finding& finding);
 
 // What was done, in a sentence.
 std::string message(const CGAL::Intrinsic_triangulations::Repair& repair);
+
+// What was done to a surface; nothing unless it was asked for.
+std::optional<std::vector<CGAL::Intrinsic_triangulations::Repair>> repairs(const Surface& surface);
+
+// The same as an array of kinds with numbers and first elements, or null.
+nlohmann::ordered_json
+to_json_value(const std::optional<std::vector<CGAL::Intrinsic_triangulations::Repair>>& repairs);
 
 // For each vertex and face where it comes from, as comma-separated values:
 // `element,index,input`. \pre the surface was repaired

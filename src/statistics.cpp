@@ -3,6 +3,7 @@
 #include "Triangulation_result.h"
 
 #include "peak_memory.h"
+#include "repair.h"
 
 #include <nlohmann/json.hpp>
 
@@ -19,27 +20,6 @@ Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 Json number(const std::optional<double>& x) { return x ? number(*x) : Json(nullptr); }
 
-const char* name(IT::Repair_kind kind)
-{
-  switch (kind) {
-  case IT::Repair_kind::MERGED_VERTEX:
-    return "merged vertices";
-  case IT::Repair_kind::COLLAPSED_FACE:
-    return "collapsed faces";
-  case IT::Repair_kind::DUPLICATE_FACE:
-    return "duplicate faces";
-  case IT::Repair_kind::TRIANGULATED_FACE:
-    return "triangulated faces";
-  case IT::Repair_kind::REVERSED_FACE:
-    return "reversed faces";
-  case IT::Repair_kind::SPLIT_VERTEX:
-    return "split vertices";
-  case IT::Repair_kind::DROPPED_VERTEX:
-    return "dropped vertices";
-  }
-  return "";
-}
-
 Json mollification(const Surface& surface)
 {
   if (!surface.mollification)
@@ -48,18 +28,6 @@ Json mollification(const Surface& surface)
           {"epsilon", number(surface.mollification->epsilon)},
           {"changed_edges", surface.mollification->number_of_changed_edges},
           {"largest_relative_change", number(surface.mollification->largest_relative_change)}};
-}
-
-Json repair(const Surface& surface)
-{
-  if (!surface.repair)
-    return nullptr;
-  Json json = Json::array();
-  for (const IT::Repair& repair : surface.repair->repairs)
-    json.push_back({{"kind", name(repair.kind)},
-                    {"count", repair.count},
-                    {"first", repair.elements}});
-  return json;
 }
 
 Json stages(const Outcome& outcome)
@@ -134,7 +102,7 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   json["negative_weights_after"] = member(after, &Weight_summary::negative);
   json["verification"] = verification(outcome);
   json["mollification"] = mollification(result.surface);
-  json["repair"] = repair(result.surface);
+  json["repair"] = to_json_value(repairs(result.surface));
   json["status"] = status_word(outcome);
   json["seconds"] = {
     {"read", result.surface.read_seconds},

@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "finite_weights.h"
 #include "paper_table.h"
+#include "repair.h"
 #include "text.h"
 #include "triangulate.h"
 
@@ -52,6 +53,7 @@ struct Row
   std::optional<std::uint64_t> longest;
   std::optional<std::uint64_t> crossings;
   std::optional<double> seconds; // to build and to flip
+  std::optional<std::vector<IT::Repair>> repairs;
   const Paper_row* paper = nullptr;
   // Of the Laplace-Beltrami operators before and after the flips.
   std::optional<Operator_summary> before;
@@ -144,6 +146,7 @@ Json json_row(const Row& row)
           {"condition_ratio", json_value(condition_ratio(row))},
           {"crossings", json_value(row.crossings)},
           {"seconds", json_value(row.seconds)},
+          {"repair", to_json_value(row.repairs)},
           {"paper", json_value(row.paper)},
           {"extrinsic", json_value(row.before)},
           {"intrinsic", json_value(row.after)}};
@@ -208,6 +211,7 @@ Exit_status run_table(const Table_options& options)
     }
     row.seconds =
       result.surface.build_seconds + result.outcome.build_seconds + result.outcome.flip_seconds;
+    row.repairs = repairs(result.surface);
     row.paper = find_paper_row(row.model, result.counts.vertices);
     if (!options.without_condition)
       find_condition(result, row);

@@ -260,7 +260,7 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
   command
     .add_option("--overlay", options->overlay_path,
                 "write the overlay of input and result as a mesh of polygons")
-    ->type_name("F.(ply|off|obj)");
+    ->type_name("F.(ply|off|obj|vtp)");
   command
     .add_option("--repair-map", options->repair_map_path,
                 "write where the vertices and faces of the repaired surface come from, as CSV: "

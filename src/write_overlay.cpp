@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Triangulation_result.h"
+#include "formats/vtp.h"
 
 #include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
 
@@ -8,11 +9,11 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/IO/OBJ.h>
-#ifdef CGAL_USE_VTK
-#include <CGAL/boost/graph/IO/VTK.h>
-#endif
 
+#include <array>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -46,11 +47,20 @@ void write_overlay(std::ostream& os, const Triangulation_result& result, Mesh_fo
   case Mesh_format::OBJ:
     CGAL::IO::write_OBJ(os, mesh, all_digits);
     return;
-  case Mesh_format::VTP:
-#ifdef CGAL_USE_VTK
-    CGAL::IO::write_VTP(os, mesh);
-#endif
+  case Mesh_format::VTP: {
+    std::vector<std::array<double, 3>> places;
+    places.reserve(mesh.number_of_vertices());
+    for (const auto v : mesh.vertices())
+      places.push_back({{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()}});
+    Flat_polygons polygons;
+    for (const auto f : mesh.faces()) {
+      for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+        polygons.corners.push_back(static_cast<std::uint32_t>(v));
+      polygons.ends.push_back(polygons.corners.size());
+    }
+    write_vtp(os, places, polygons);
     return;
+  }
   case Mesh_format::STL:
   case Mesh_format::TS:
     break; // the command line does not allow them

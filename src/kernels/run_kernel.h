@@ -67,7 +67,7 @@ inline IT::Input_metric input_metric(const Surface& surface)
   if (!surface.has_points())
     return IT::Input_metric::from_lengths(surface.lengths);
   return IT::Input_metric::from_points(
-    IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end()));
+    surface.connectivity, IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end()));
 }
 
 // The squared edge lengths and areas handle a face of zero area; half-angle tangents do

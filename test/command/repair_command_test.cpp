@@ -71,6 +71,32 @@ TEST_F(Command_repair, is_an_option_of_each_command_that_reads)
   EXPECT_EQ(idt("parameterize disk.off --repair --uv uv.obj").status, 0);
 }
 
+TEST_F(Command_repair, stands_in_the_file_of_each_command_in_the_same_form)
+{
+  const auto json = [&] { return Json::parse(content(folder_ / "j.json")); };
+  write("disk.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 2 0\n4 0 1 2 3\n3 2 1 4\n");
+  ASSERT_EQ(idt("triangulate disk.off --repair --stats j.json").status, 0);
+  const Json expected = json()["repair"];
+  ASSERT_EQ(expected, Json::parse(R"([{"kind": "triangulated faces", "count": 1, "first": [0]}])"));
+  ASSERT_EQ(idt("parameterize disk.off --repair --json j.json").status, 0);
+  EXPECT_EQ(json()["repair"], expected);
+  ASSERT_EQ(idt("compare disk.off --repair --number-types double --json j.json").status, 0);
+  EXPECT_EQ(json()["surfaces"][0]["repair"], expected);
+  ASSERT_EQ(idt("table disk.off --repair --json j.json").status, 0);
+  EXPECT_EQ(json()[0]["repair"], expected);
+
+  write_kite("kite.off");
+  for (const std::string option : {"", " --repair"}) {
+    const Json nothing = option.empty() ? Json(nullptr) : Json::array();
+    ASSERT_EQ(idt("parameterize kite.off --json j.json" + option).status, 0);
+    EXPECT_EQ(json().at("repair"), nothing);
+    ASSERT_EQ(idt("compare kite.off --number-types double --json j.json" + option).status, 0);
+    EXPECT_EQ(json()["surfaces"][0].at("repair"), nothing);
+    ASSERT_EQ(idt("table kite.off --json j.json" + option).status, 0);
+    EXPECT_EQ(json()[0].at("repair"), nothing);
+  }
+}
+
 TEST_F(Command_repair, has_nothing_to_say_about_a_surface)
 {
   write_kite("kite.off");

@@ -211,9 +211,6 @@ TEST_F(Read_surface, what_the_command_writes_comes_back)
     EXPECT_EQ(again.triangles, input.triangles);
   }
   EXPECT_FALSE(idt::find_mesh_format("a.xyz"));
-#ifndef CGAL_USE_VTK
-  EXPECT_FALSE(idt::find_mesh_format("a.vtp"));
-#endif
   EXPECT_FALSE(idt::holds_polygons(idt::Mesh_format::STL));
 }
 
@@ -324,9 +321,7 @@ TEST_F(Read_surface, files_that_are_none)
   refused("empty.off", "", "the file is empty");
   refused("name", "OFF\n", "no extension");
   refused("name.foo", "OFF\n", "the extension \".foo\" is not known (known are .off, .obj, .ply, .stl, .ts");
-#ifndef CGAL_USE_VTK
   refused("name.vtp", "<VTKFile/>", "only if the command is built with VTK");
-#endif
   const std::string locked = write("locked.off", "OFF\n0 0 0\n");
   fs::permissions(locked, fs::perms::none);
   if (!std::ifstream(locked)) // root opens it all the same

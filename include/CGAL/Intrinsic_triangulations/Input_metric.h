@@ -46,6 +46,14 @@ public:
     const int exponent = internal::normalize_points(points);
     return from_normalized_points(std::move(points), exponent);
   }
+  /// \brief as above, without a look at where the isolated vertices of `input` are: in the unit that
+  /// `Intrinsic_triangulation` chooses.
+  /// \exception Invalid_surface_error if a coordinate is not finite
+  static Input_metric from_points(const Delta_complex& input, Point_vector points)
+  {
+    const int exponent = internal::normalize_points(points, internal::Is_used_vertex{input});
+    return from_normalized_points(std::move(points), exponent);
+  }
   /// constructs the metric from the length of each edge.
   /// \exception Invalid_surface_error if a length is not positive and finite
   static Input_metric from_lengths(std::vector<double> lengths)

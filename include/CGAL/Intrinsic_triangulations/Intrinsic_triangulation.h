@@ -99,7 +99,7 @@ public:
                           const Traits& traits = Traits(), ConcurrencyTag = ConcurrencyTag())
     : Intrinsic_triangulation(std::move(connectivity), traits)
   {
-    exponent_ = internal::normalize_points<ConcurrencyTag>(points);
+    exponent_ = internal::normalize_points<ConcurrencyTag>(points, internal::Is_used_vertex{connectivity_});
     internal::construct_metric_from_points<ConcurrencyTag>(connectivity_, traits_, points, edges_, faces_, bounds_);
     if constexpr (uses_exact_geometry)
       keep_input(Input_metric::from_normalized_points(std::move(points), exponent_));

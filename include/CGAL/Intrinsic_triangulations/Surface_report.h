@@ -31,7 +31,8 @@ enum class Finding_kind {
   INCONSISTENT_ORIENTATION, ///< the two faces of an edge traverse it in the same direction
   NON_MANIFOLD_VERTEX,      ///< the faces around a vertex form more than one fan
   ZERO_LENGTH_EDGE,         ///< the ends of an edge coincide
-  LENGTH_RANGE,             ///< no power of two scales all squared lengths into the range of `double`
+  COORDINATE_RANGE,         ///< a coordinate is lost when the surface is scaled into the range of `double`
+  LENGTH_RANGE,             ///< no power of two scales all squared lengths, and their products, into the range of `double`
   ZERO_AREA_FACE,           ///< not fatal: the three distinct corners of a face are collinear
   UNREFERENCED_VERTEX,      ///< not fatal: no face names a vertex
   SEVERAL_COMPONENTS        ///< not fatal: the surface is in several pieces
@@ -138,8 +139,10 @@ inline const Finding_properties& finding_properties(const Finding_kind kind)
      " CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() or orient_polygon_soup()"},
     {Defect::ZERO_LENGTH_EDGE, true, "edge", "edges", "of zero length",
      "merge the two vertices and remove the faces that vanish, or move one of them"},
+    {Defect::OUT_OF_RANGE, true, "vertex", "vertices", "out of range",
+     "no scaling brings both into the range of double: round it to zero, or remove the outliers"},
     {Defect::OUT_OF_RANGE, true, "edge", "edges", "out of range",
-     "no scaling brings both squared lengths into the range of double: remove the outliers"},
+     "no scaling brings both squared lengths, and their products, into the range of double: remove the outliers"},
     {Defect::DEGENERATE_FACE, false, "face", "faces", "of zero area", ""},
     {Defect::EMPTY, false, "vertex", "vertices", "not referenced by any face", ""},
     {Defect::EMPTY, false, "component", "components", "in all", ""}};

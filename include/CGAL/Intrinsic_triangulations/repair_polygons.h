@@ -32,6 +32,7 @@ inline bool is_repairable(Finding_kind kind)
   case Finding_kind::TOO_MANY_ELEMENTS:
   case Finding_kind::BAD_INDEX:
   case Finding_kind::NOT_FINITE:
+  case Finding_kind::COORDINATE_RANGE:
   case Finding_kind::LENGTH_RANGE:
     return false;
   default:

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/Length_range.h>
 #include <CGAL/Intrinsic_triangulations/internal/Surface_examiner.h>
 #include <CGAL/Intrinsic_triangulations/internal/are_collinear.h>
+#include <CGAL/Intrinsic_triangulations/internal/unit_of_length.h>
 
 #include <CGAL/number_utils.h>
 
@@ -27,7 +28,8 @@ namespace Intrinsic_triangulations {
 /// found before leave the question a meaning: a face with a bad index is left
 /// out of all that follows, and lengths and areas are not examined where a
 /// coordinate is not finite. No topological question assumes an orientation.
-/// Coordinates are examined as `double`.
+/// Coordinates are examined as `double`, and whether they are in range is answered as the constructors of
+/// `Intrinsic_triangulation` do with traits on `double`: what is not refused here is not refused there.
 ///
 /// \tparam PointRange a model of `RandomAccessRange`, of points whose coordinates are `p[0]`, `p[1]` and `p[2]`
 /// \tparam PolygonRange a model of `ForwardRange`, of ranges of integers of any length
@@ -66,19 +68,27 @@ bool has_nothing_to_report(const Delta_complex& complex, const PointRange& point
   };
   if (complex.number_of_faces() == 0)
     return false;
+  internal::Box box;
   for (Vertex_index v : complex.vertices()) {
     const std::array<double, 3> p = place(v);
     if (!complex.halfedge(v).is_valid() ||
         !(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
       return false;
+    for (int i = 0; i < 3; ++i)
+      box.add(i, p[i]);
   }
+  const int exponent = internal::unit_exponent<double>(box.half_extent());
+  if (exponent != 0)
+    for (Vertex_index v : complex.vertices())
+      if (std::array<double, 3> p = place(v); !internal::scale_point(p, box, exponent))
+        return false;
   internal::Length_range lengths;
   for (Edge_index e : complex.edges()) {
     const Halfedge_index h = complex.halfedge(e);
     if (!lengths.add(place(complex.source(h)), place(complex.target(h)), e.idx()))
       return false;
   }
-  if (lengths.is_too_wide())
+  if (lengths.vanishes_in_unit(exponent))
     return false;
   for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f), i = complex.next(h), j = complex.prev(h);

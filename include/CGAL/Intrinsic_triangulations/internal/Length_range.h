@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The extreme lengths of a surface, and whether their squares fit into double together.
+// The extreme lengths of a surface, and whether the square of the smallest vanishes beside its size.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_LENGTH_RANGE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_LENGTH_RANGE_H
@@ -47,9 +47,14 @@ public:
   int exponent_of_longest() const { return exponent(longest_); }
   int exponent_of_shortest() const { return exponent(shortest_); }
 
-  // With coordinate differences below 2^510 a squared length is below 3 * 2^1020; one of
-  // 2^-485 has a square of 2^-970, whose 53 bits are all above the smallest subnormal number.
-  bool is_too_wide() const { return exponent_of_longest() - exponent_of_shortest() > 510 + 484; }
+  // Whether the shortest squared length is zero once lengths are divided by 2^e, as the
+  // constructors of triangulations do. One component of a difference says it for all: where the
+  // square of the largest vanishes, so do those of the others.
+  bool vanishes_in_unit(int e) const
+  {
+    const double length = std::ldexp(shortest_, -e);
+    return length * length == 0;
+  }
 
 private:
   // A difference that overflows is less than 2 * 2^1024.

@@ -9,7 +9,10 @@
 #include <CGAL/Intrinsic_triangulations/internal/Disjoint_sets.h>
 #include <CGAL/Intrinsic_triangulations/internal/Element_collector.h>
 #include <CGAL/Intrinsic_triangulations/internal/Length_range.h>
+#include <CGAL/Intrinsic_triangulations/internal/Polygon_sides.h>
 #include <CGAL/Intrinsic_triangulations/internal/are_collinear.h>
+#include <CGAL/Intrinsic_triangulations/internal/polygon_texts.h>
+#include <CGAL/Intrinsic_triangulations/internal/unit_of_length.h>
 
 #include <CGAL/number_utils.h>
 
@@ -17,10 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
-#include <limits>
-#include <numeric>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -30,10 +30,7 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Examines one list of polygons. Every pass is over flat arrays: the corners
-// of all faces one after the other, and the sides in buckets by their smaller
-// vertex (a counting sort), so that the sides of an edge are found in one
-// bucket with one mark per vertex.
+// Examines one list of polygons, in passes over the flat arrays of Polygon_sides.
 template <class PointRange>
 class Surface_examiner
 {
@@ -52,7 +49,7 @@ public:
     if (flatten(polygons)) {
       examine_coordinates();
       examine_faces();
-      sort_sides();
+      polygons_.sort_sides(number_of_vertices_);
       examine_edges();
       examine_lengths();
       examine_use();
@@ -63,14 +60,10 @@ public:
   }
 
 private:
-  typedef std::uint32_t Index;
-  static constexpr Index none_ = (std::numeric_limits<Index>::max)();
+  typedef Polygon_sides::Index Index;
+  typedef Polygon_sides::Side Side;
+  static constexpr Index none_ = Polygon_sides::none;
 
-  // A side of a face: the corners that it joins, in the face's direction.
-  struct Side
-  {
-    Index other, source, target;
-  };
   // The sides of the edge from the current bucket's vertex to this one.
   struct Edge_mark
   {
@@ -83,43 +76,6 @@ private:
     const auto& point = points_[static_cast<std::ptrdiff_t>(vertex)];
     return Coordinates{{CGAL::to_double(point[0]), CGAL::to_double(point[1]), CGAL::to_double(point[2])}};
   }
-  std::size_t begin_of_face(const std::size_t face) const
-  {
-    return all_triangles_ ? 3 * face : first_corner_[face];
-  }
-  std::size_t face_of_corner(const std::size_t corner) const
-  {
-    if (all_triangles_)
-      return corner / 3;
-    return static_cast<std::size_t>(std::upper_bound(first_corner_.begin(), first_corner_.end(), corner) -
-                                    first_corner_.begin()) -
-           1;
-  }
-  std::size_t degree(const std::size_t face) const { return begin_of_face(face + 1) - begin_of_face(face); }
-
-  // The corner vertex across a side, or none_ if the face is not a triangle.
-  Index third_vertex(const Side& side) const
-  {
-    const std::size_t face = face_of_corner(side.source);
-    if (degree(face) != 3)
-      return none_;
-    const std::size_t begin = begin_of_face(face);
-    return corners_[3 * begin + 3 - side.source - side.target];
-  }
-  bool leaves(const Side& side, const std::size_t vertex) const { return corners_[side.source] == vertex; }
-
-  // A face as text: "5 (corners 1, 2, 3)".
-  std::string face_text(const std::size_t face) const
-  {
-    std::ostringstream text;
-    text << face << " (corners ";
-    const std::size_t begin = begin_of_face(face), end = begin_of_face(face + 1);
-    for (std::size_t c = begin; c < end && c < begin + 8; ++c)
-      text << (c == begin ? "" : ", ") << corners_[c];
-    text << (end > begin + 8 ? ", ...)" : ")");
-    return text.str();
-  }
-
   Finding& add(const Finding_kind kind, const std::size_t count, std::vector<std::size_t> elements,
                std::string description)
   {
@@ -133,37 +89,11 @@ private:
   {
     Finding& finding = add(kind, edges.count(), {}, std::move(description));
     for (const std::size_t s : edges.elements()) {
-      finding.elements.push_back(face_of_corner(sides_[s].source));
-      finding.edges.push_back(ends(s));
+      finding.elements.push_back(polygons_.face_of_side(s));
+      finding.edges.push_back(polygons_.ends(s));
     }
   }
-  std::array<std::size_t, 2> ends(const std::size_t side) const
-  {
-    const std::size_t a = corners_[sides_[side].source], b = corners_[sides_[side].target];
-    return {{(std::min)(a, b), (std::max)(a, b)}};
-  }
-  std::string edge_text(const std::size_t side) const
-  {
-    const std::array<std::size_t, 2> v = ends(side);
-    return "edge " + std::to_string(v[0]) + "-" + std::to_string(v[1]);
-  }
-  // The faces of an edge as text: "faces 5, 8, 9, ...".
-  std::string faces_text(const std::size_t side) const
-  {
-    std::string text;
-    std::size_t written = 0;
-    for (std::size_t s = side; s < bucket_begin_[ends(side)[0] + 1]; ++s) {
-      if (sides_[s].other != sides_[side].other)
-        continue;
-      if (written++ == 8)
-        return "faces " + text + ", ...";
-      text += (written == 1 ? "" : ", ") + std::to_string(face_of_corner(sides_[s].source));
-    }
-    return (written == 1 ? "face " : "faces ") + text;
-  }
-
-  // Copies the corners. The corners of a face with a bad index all become
-  // none_, so that nothing later looks at that face.
+  // Copies the corners, and returns whether there is something to examine.
   template <class PolygonRange>
   bool flatten(const PolygonRange& polygons)
   {
@@ -184,10 +114,9 @@ private:
       return false;
     }
     is_used_.assign(n, 0);
-    corners_.reserve(3 * number_of_faces);
+    polygons_.reserve(number_of_faces);
     std::size_t face = 0, bad_value = 0;
     for (const auto& polygon : polygons) {
-      const std::size_t begin = corners_.size();
       bool is_good = true;
       for (const auto index : polygon) {
         const std::size_t value = static_cast<std::size_t>(index);
@@ -198,22 +127,12 @@ private:
           if (bad_index_.count() == 0)
             bad_value = value;
         }
-        corners_.push_back(static_cast<Index>(value));
+        polygons_.add_corner(value);
       }
-      const std::size_t end = corners_.size();
-      if (!is_good) {
+      if (!is_good)
         bad_index_.add(face);
-        std::fill(corners_.begin() + static_cast<std::ptrdiff_t>(begin), corners_.end(), none_);
-      }
-      if (all_triangles_ && end - begin != 3) {
-        all_triangles_ = false;
-        first_corner_.reserve(number_of_faces + 1);
-        for (std::size_t f = 0; f <= face; ++f)
-          first_corner_.push_back(static_cast<Index>(3 * f));
-      }
-      if (!all_triangles_)
-        first_corner_.push_back(static_cast<Index>(end));
-      if (end >= none_) {
+      polygons_.end_face(is_good);
+      if (polygons_.number_of_corners() >= none_) {
         add(Finding_kind::TOO_MANY_ELEMENTS, 1, {}, "the faces have more corners than 32-bit indices can number");
         return false;
       }
@@ -225,15 +144,6 @@ private:
             ", but there are " + std::to_string(n) + " vertices");
     return true;
   }
-  // What was -1 before it was converted is shown as -1.
-  static std::string index_text(const std::size_t value)
-  {
-    if (value > (std::numeric_limits<std::size_t>::max)() / 2)
-      return "-" + std::to_string(std::size_t(0) - value);
-    if (value > none_ / 2 && value <= none_)
-      return "-" + std::to_string(std::size_t(none_) + 1 - value);
-    return std::to_string(value);
-  }
 
   void examine_coordinates()
   {
@@ -242,10 +152,15 @@ private:
       const Coordinates p = coordinates(v);
       if (!(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
         bad.add(v);
+      else if (is_used_[v])
+        for (int i = 0; i < 3; ++i)
+          box_.add(i, p[i]);
     }
     all_finite_ = bad.count() == 0;
-    if (all_finite_)
+    if (all_finite_) {
+      examine_scaled_coordinates();
       return;
+    }
     const Coordinates p = coordinates(bad.first());
     std::ostringstream text;
     text.precision(17);
@@ -253,19 +168,38 @@ private:
     add(Finding_kind::NOT_FINITE, bad.count(), bad.elements(), text.str());
   }
 
+  // What the constructors refuse to scale.
+  void examine_scaled_coordinates()
+  {
+    exponent_ = unit_exponent<double>(box_.half_extent());
+    if (exponent_ == 0)
+      return;
+    Element_collector vanishing;
+    for (std::size_t v = 0; v < number_of_vertices_; ++v)
+      if (Coordinates p = coordinates(v); is_used_[v] && !scale_point(p, box_, exponent_))
+        vanishing.add(v);
+    if (vanishing.count() == 0)
+      return;
+    const Coordinates p = coordinates(vanishing.first());
+    std::ostringstream text;
+    text << "vertex " << vanishing.first() << " at (" << p[0] << ", " << p[1] << ", " << p[2]
+         << ") has a coordinate that is lost beside the size of the surface, about " << 2 * box_.half_extent();
+    add(Finding_kind::COORDINATE_RANGE, vanishing.count(), vanishing.elements(), text.str());
+  }
+
   // Number of corners, repeated corners and zero areas.
   void examine_faces()
   {
     Element_collector not_triangles, repeated, flat;
-    std::vector<Index> last_face(all_triangles_ ? 0 : number_of_vertices_, none_); // for polygons only
+    std::vector<Index> last_face(polygons_.are_triangles() ? 0 : number_of_vertices_, none_); // for polygons only
     for (std::size_t f = 0; f < report_.number_of_faces; ++f) {
-      const std::size_t begin = begin_of_face(f), end = begin_of_face(f + 1);
+      const std::size_t begin = polygons_.begin_of_face(f), end = polygons_.begin_of_face(f + 1);
       if (end - begin != 3)
         not_triangles.add(f);
-      if (begin == end || corners_[begin] == none_)
+      if (begin == end || polygons_.vertex(begin) == none_)
         continue;
       if (end - begin == 3) {
-        const Index a = corners_[begin], b = corners_[begin + 1], c = corners_[begin + 2];
+        const Index a = polygons_.vertex(begin), b = polygons_.vertex(begin + 1), c = polygons_.vertex(begin + 2);
         if (a == b || b == c || c == a)
           repeated.add(f);
         else if (all_finite_ && are_collinear(coordinates(a), coordinates(b), coordinates(c)))
@@ -274,52 +208,25 @@ private:
       }
       bool is_repeated = false;
       for (std::size_t c = begin; c < end; ++c) {
-        is_repeated = is_repeated || last_face[corners_[c]] == f;
-        last_face[corners_[c]] = static_cast<Index>(f);
+        is_repeated = is_repeated || last_face[polygons_.vertex(c)] == f;
+        last_face[polygons_.vertex(c)] = static_cast<Index>(f);
       }
       if (is_repeated)
         repeated.add(f);
     }
     if (not_triangles.count() != 0) {
-      const std::size_t f = not_triangles.first(), corners = degree(f);
-      const bool has_text = corners != 0 && corners_[begin_of_face(f)] != none_;
+      const std::size_t f = not_triangles.first(), corners = polygons_.degree(f);
+      const bool has_text = corners != 0 && polygons_.vertex(polygons_.begin_of_face(f)) != none_;
       add(Finding_kind::NOT_A_TRIANGLE, not_triangles.count(), not_triangles.elements(),
-          "face " + (has_text ? face_text(f) : std::to_string(f)) + " has " + std::to_string(corners) +
+          "face " + (has_text ? face_text(polygons_, f) : std::to_string(f)) + " has " + std::to_string(corners) +
             (corners == 1 ? " corner" : " corners") + " instead of 3");
     }
     if (repeated.count() != 0)
       add(Finding_kind::REPEATED_CORNER, repeated.count(), repeated.elements(),
-          "face " + face_text(repeated.first()) + " names a vertex twice");
+          "face " + face_text(polygons_, repeated.first()) + " names a vertex twice");
     if (flat.count() != 0)
       add(Finding_kind::ZERO_AREA_FACE, flat.count(), flat.elements(),
-          "face " + face_text(flat.first()) + " has zero area");
-  }
-  // Calls function(source corner, target corner) for the sides of the faces
-  // that have at least three corners, without the sides from a vertex to itself.
-  template <class Function>
-  void for_each_side(Function function) const
-  {
-    for (std::size_t f = 0; f < report_.number_of_faces; ++f) {
-      const std::size_t begin = begin_of_face(f), end = begin_of_face(f + 1);
-      if (end - begin < 3 || corners_[begin] == none_)
-        continue;
-      for (std::size_t c = begin, last = end - 1; c < end; last = c++)
-        if (corners_[last] != corners_[c])
-          function(static_cast<Index>(last), static_cast<Index>(c));
-    }
-  }
-  void sort_sides()
-  {
-    bucket_begin_.assign(number_of_vertices_ + 2, 0);
-    for_each_side(
-      [this](const Index s, const Index t) { ++bucket_begin_[(std::min)(corners_[s], corners_[t]) + 2]; });
-    std::partial_sum(bucket_begin_.begin(), bucket_begin_.end(), bucket_begin_.begin());
-    sides_.resize(bucket_begin_.back());
-    for_each_side([this](const Index s, const Index t) {
-      const std::pair<Index, Index> v = std::minmax({corners_[s], corners_[t]});
-      sides_[bucket_begin_[v.first + 1]++] = Side{v.second, s, t};
-    });
-    bucket_begin_.pop_back(); // now the beginning of each bucket, and the end of the last
+          "face " + face_text(polygons_, flat.first()) + " has zero area");
   }
 
   void examine_edges()
@@ -327,30 +234,30 @@ private:
     Element_collector crowded, turned, coincident, duplicates;
     std::vector<Edge_mark> marks(number_of_vertices_, Edge_mark{none_, 0, 0, false, false});
     std::vector<std::array<Index, 3>> crowded_faces; // other, third, face
-    Disjoint_sets fans(corners_.size());
+    Disjoint_sets fans(polygons_.number_of_corners());
     Length_range lengths;
     for (std::size_t a = 0; a < number_of_vertices_; ++a) {
-      const std::size_t begin = bucket_begin_[a], end = bucket_begin_[a + 1];
+      const std::size_t begin = polygons_.bucket_begin(a), end = polygons_.bucket_begin(a + 1);
       for (std::size_t s = begin; s < end; ++s) {
-        const Side& side = sides_[s];
+        const Side& side = polygons_.side(s);
         Edge_mark& mark = marks[side.other];
         if (mark.bucket != a) {
           mark = Edge_mark{static_cast<Index>(a), static_cast<Index>(s), 1, false, false};
           continue;
         }
-        const Side& first = sides_[mark.first_side];
-        const bool same_direction = leaves(side, a) == leaves(first, a);
+        const Side& first = polygons_.side(mark.first_side);
+        const bool same_direction = polygons_.leaves(side, a) == polygons_.leaves(first, a);
         fans.unite(same_direction ? side.source : side.target, first.source);
         fans.unite(same_direction ? side.target : side.source, first.target);
         if (++mark.count == 2) {
-          const Index third = third_vertex(side);
+          const Index third = polygons_.third_vertex(side);
           mark.same_direction = same_direction;
-          mark.same_third = third != none_ && third > side.other && third == third_vertex(first);
+          mark.same_third = third != none_ && third > side.other && third == polygons_.third_vertex(first);
         }
       }
       bool is_crowded = false;
       for (std::size_t s = begin; s < end; ++s) {
-        const Side& side = sides_[s];
+        const Side& side = polygons_.side(s);
         const Edge_mark& mark = marks[side.other];
         if (mark.first_side == s) {
           ++report_.number_of_edges;
@@ -363,7 +270,7 @@ private:
           } else if (mark.same_direction)
             turned.add(s);
         } else if (mark.count == 2 && mark.same_third)
-          duplicates.add(face_of_corner(side.source));
+          duplicates.add(polygons_.face_of_corner(side.source));
       }
       if (is_crowded)
         find_duplicates_in_bucket(begin, end, marks, crowded_faces, duplicates);
@@ -371,22 +278,22 @@ private:
     report_.is_orientable = turned.count() == 0 || (crowded.count() == 0 && is_orientable(marks));
     if (duplicates.count() != 0)
       add(Finding_kind::DUPLICATE_FACE, duplicates.count(), duplicates.elements(),
-          "face " + face_text(duplicates.first()) + " has the same corners as face " +
+          "face " + face_text(polygons_, duplicates.first()) + " has the same corners as face " +
             std::to_string(first_face_like(duplicates.first())));
     if (crowded.count() != 0)
       add_edges(Finding_kind::NON_MANIFOLD_EDGE, crowded,
-                edge_text(crowded.first()) + " has " + std::to_string(number_of_faces_at(crowded.first())) +
-                  " faces (" + faces_text(crowded.first()) + ")");
+                edge_text(polygons_, crowded.first()) + " has " + std::to_string(number_of_faces_at(crowded.first())) +
+                  " faces (" + faces_text(polygons_, crowded.first()) + ")");
     if (turned.count() != 0)
       add_edges(Finding_kind::INCONSISTENT_ORIENTATION, turned,
-                edge_text(turned.first()) + " is traversed in the same direction by both its faces (" +
-                  faces_text(turned.first()) +
+                edge_text(polygons_, turned.first()) + " is traversed in the same direction by both its faces (" +
+                  faces_text(polygons_, turned.first()) +
                   (report_.is_orientable || crowded.count() != 0
                      ? ")"
                      : ") and the surface is one-sided, so that no choice of directions fits"));
     if (coincident.count() != 0)
       add_edges(Finding_kind::ZERO_LENGTH_EDGE, coincident,
-                edge_text(coincident.first()) + " of " + faces_text(coincident.first()) +
+                edge_text(polygons_, coincident.first()) + " of " + faces_text(polygons_, coincident.first()) +
                   " has zero length, its ends coincide");
     count_fans(fans);
     if (all_finite_)
@@ -395,8 +302,10 @@ private:
   std::size_t number_of_faces_at(const std::size_t side) const
   {
     std::size_t count = 0;
-    for (std::size_t s = side; s < bucket_begin_[ends(side)[0] + 1]; ++s)
-      count += sides_[s].other == sides_[side].other;
+    polygons_.for_each_face_of_edge(side, [&count](std::size_t) {
+      ++count;
+      return true;
+    });
     return count;
   }
   // Among the faces at the edges of a bucket that have more than two.
@@ -406,11 +315,11 @@ private:
   {
     faces.clear();
     for (std::size_t s = begin; s < end; ++s) {
-      if (marks[sides_[s].other].count <= 2)
+      if (marks[polygons_.side(s).other].count <= 2)
         continue;
-      const Index third = third_vertex(sides_[s]);
-      if (third != none_ && third > sides_[s].other)
-        faces.push_back({{sides_[s].other, third, static_cast<Index>(face_of_corner(sides_[s].source))}});
+      const Index third = polygons_.third_vertex(polygons_.side(s));
+      if (third != none_ && third > polygons_.side(s).other)
+        faces.push_back({{polygons_.side(s).other, third, static_cast<Index>(polygons_.face_of_side(s))}});
     }
     std::sort(faces.begin(), faces.end());
     for (std::size_t i = 1; i < faces.size(); ++i)
@@ -420,14 +329,14 @@ private:
   std::size_t first_face_like(const std::size_t face) const
   {
     const auto sorted_corners = [this](const std::size_t f) {
-      const std::size_t c = begin_of_face(f);
-      std::array<Index, 3> v = {{corners_[c], corners_[c + 1], corners_[c + 2]}};
+      const std::size_t c = polygons_.begin_of_face(f);
+      std::array<Index, 3> v = {{polygons_.vertex(c), polygons_.vertex(c + 1), polygons_.vertex(c + 2)}};
       std::sort(v.begin(), v.end());
       return v;
     };
     const std::array<Index, 3> v = sorted_corners(face);
     std::size_t f = 0;
-    while (f != face && (degree(f) != 3 || sorted_corners(f) != v))
+    while (f != face && (polygons_.degree(f) != 3 || sorted_corners(f) != v))
       ++f;
     return f;
   }
@@ -439,17 +348,17 @@ private:
     Disjoint_sets turns(2 * std::size_t(f));
     marks.assign(marks.size(), Edge_mark{none_, 0, 0, false, false});
     for (std::size_t a = 0; a < number_of_vertices_; ++a)
-      for (std::size_t s = bucket_begin_[a]; s < bucket_begin_[a + 1]; ++s) {
-        Edge_mark& mark = marks[sides_[s].other];
+      for (std::size_t s = polygons_.bucket_begin(a); s < polygons_.bucket_begin(a + 1); ++s) {
+        Edge_mark& mark = marks[polygons_.side(s).other];
         if (mark.bucket != a) {
           mark.bucket = static_cast<Index>(a);
           mark.first_side = static_cast<Index>(s);
           continue;
         }
-        const Side& first = sides_[mark.first_side];
-        const Index x = static_cast<Index>(face_of_corner(first.source));
-        const Index y = static_cast<Index>(face_of_corner(sides_[s].source));
-        const bool same = leaves(first, a) == leaves(sides_[s], a);
+        const Side& first = polygons_.side(mark.first_side);
+        const Index x = static_cast<Index>(polygons_.face_of_corner(first.source));
+        const Index y = static_cast<Index>(polygons_.face_of_side(s));
+        const bool same = polygons_.leaves(first, a) == polygons_.leaves(polygons_.side(s), a);
         turns.unite(x, same ? y + f : y);
         turns.unite(x + f, same ? y : y + f);
       }
@@ -465,13 +374,13 @@ private:
       return;
     report_.exponent_of_longest_edge = lengths_.exponent_of_longest();
     report_.exponent_of_shortest_edge = lengths_.exponent_of_shortest();
-    if (!lengths_.is_too_wide())
+    if (!lengths_.vanishes_in_unit(exponent_))
       return;
     Element_collector shortest;
     shortest.add(lengths_.shortest_edge());
     std::ostringstream text;
-    text << edge_text(lengths_.shortest_edge()) << " (length about " << lengths_.shortest() << ") and "
-         << edge_text(lengths_.longest_edge()) << " (length about ";
+    text << edge_text(polygons_, lengths_.shortest_edge()) << " (length about " << lengths_.shortest() << ") and "
+         << edge_text(polygons_, lengths_.longest_edge()) << " (length about ";
     if (std::isinf(lengths_.longest()))
       text << "2^1024";
     else
@@ -487,12 +396,12 @@ private:
     number_of_fans_.assign(number_of_vertices_, 0);
     Element_collector pinched;
     for (std::size_t f = 0; f < report_.number_of_faces; ++f) {
-      const std::size_t begin = begin_of_face(f), end = begin_of_face(f + 1);
-      if (end - begin < 3 || corners_[begin] == none_)
+      const std::size_t begin = polygons_.begin_of_face(f), end = polygons_.begin_of_face(f + 1);
+      if (end - begin < 3 || polygons_.vertex(begin) == none_)
         continue;
       for (std::size_t c = begin; c < end; ++c)
         if (fans.find(static_cast<Index>(c)) == c)
-          ++number_of_fans_[corners_[c]];
+          ++number_of_fans_[polygons_.vertex(c)];
     }
     for (std::size_t v = 0; v < number_of_vertices_; ++v)
       if (number_of_fans_[v] > 1)
@@ -501,10 +410,10 @@ private:
       return;
     std::string faces;
     std::size_t written = 0;
-    for (std::size_t c = 0; c < corners_.size() && written < 2; ++c)
-      if (corners_[c] == pinched.first() && fans.find(static_cast<Index>(c)) == c)
+    for (std::size_t c = 0; c < polygons_.number_of_corners() && written < 2; ++c)
+      if (polygons_.vertex(c) == pinched.first() && fans.find(static_cast<Index>(c)) == c)
         faces += (written++ == 0 ? "one with face " : ", another with face ") +
-                 std::to_string(face_of_corner(c));
+                 std::to_string(polygons_.face_of_corner(c));
     add(Finding_kind::NON_MANIFOLD_VERTEX, pinched.count(), pinched.elements(),
         "the faces around vertex " + std::to_string(pinched.first()) + " form " +
           std::to_string(number_of_fans_[pinched.first()]) + " fans that touch only there (" + faces + ")");
@@ -512,7 +421,7 @@ private:
   void examine_use()
   {
     Disjoint_sets pieces(number_of_vertices_);
-    for_each_side([&](const Index s, const Index t) { pieces.unite(corners_[s], corners_[t]); });
+    polygons_.for_each_side([&](const Index s, const Index t) { pieces.unite(polygons_.vertex(s), polygons_.vertex(t)); });
     Element_collector unused, roots;
     for (std::size_t v = 0; v < number_of_vertices_; ++v) {
       if (!is_used_[v])
@@ -531,15 +440,13 @@ private:
 
   decltype(std::begin(std::declval<const PointRange&>())) points_;
   std::size_t number_of_vertices_;
-  std::vector<Index> corners_;
-  std::vector<Index> first_corner_; // only if not all faces are triangles
-  bool all_triangles_ = true;
+  Polygon_sides polygons_;
   bool all_finite_ = true;
   std::vector<unsigned char> is_used_;
   Element_collector bad_index_;
-  std::vector<Index> bucket_begin_;
-  std::vector<Side> sides_;
   std::vector<Index> number_of_fans_;
+  Box box_; // of the vertices that are used
+  int exponent_ = 0;
   Length_range lengths_;
   Surface_report report_;
 };

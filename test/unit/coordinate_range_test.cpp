@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// At the ends of the range of double: the examination refuses what the constructors would refuse,
+// for the same reason, and nothing else.
+
+#include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/validate_triangles.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Defect = IT::Invalid_surface_error::Defect;
+using Points = std::vector<std::array<double, 3>>;
+using Triangles = std::vector<std::array<std::size_t, 3>>;
+
+constexpr double least = std::numeric_limits<double>::denorm_min();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// The smallest number whose square is not rounded to zero.
+const double smallest_root = std::sqrt(2.) * 0x1p-538;
+
+template <class Construct>
+std::optional<Defect> refusal(const Construct& construct)
+{
+  try {
+    construct();
+    return std::nullopt;
+  } catch (const IT::Invalid_surface_error& error) {
+    return error.defect();
+  }
+}
+
+template <class Traits>
+std::optional<Defect> refusal_of_constructor(const Points& points, const Triangles& triangles)
+{
+  return refusal([&] {
+    const IT::Intrinsic_triangulation<Traits> t(
+      IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
+    for (IT::Edge_index e : t.connectivity().edges())
+      EXPECT_TRUE(t.squared_length(e) >= 0 && t.edge_data(e) > 0 && std::isfinite(t.edge_data(e)));
+    for (IT::Face_index f : t.connectivity().faces()) {
+      const IT::Halfedge_index h = t.connectivity().halfedge(f);
+      EXPECT_TRUE(std::isfinite(t.traits().compute_area_object()(
+        t.face_data(f), t.edge_data(t.connectivity().edge(h)), t.edge_data(t.connectivity().edge(h)),
+        t.edge_data(t.connectivity().edge(h)))));
+    }
+    const IT::Input_metric metric =
+      IT::Input_metric::from_points(t.connectivity(), {points.begin(), points.end()});
+    EXPECT_EQ(metric.unit_exponent(), t.unit_exponent());
+    metric.check(t.connectivity());
+  });
+}
+
+// Returns what all of them say.
+std::optional<Defect> common_refusal(const Points& points, const Triangles& triangles)
+{
+  const IT::Surface_report report = IT::examine_polygons(points, triangles);
+  const std::string text = IT::message(report);
+  const std::optional<Defect> examination = refusal([&] { IT::throw_if_fatal(report); });
+  EXPECT_EQ(examination, refusal_of_constructor<IT::Filtered_edge_length_traits>(points, triangles)) << text;
+  EXPECT_EQ(examination, refusal_of_constructor<IT::Edge_length_traits<double>>(points, triangles)) << text;
+  std::size_t findings = 0;
+  for (const IT::Finding& finding : report.findings)
+    findings += finding.kind != IT::Finding_kind::SEVERAL_COMPONENTS;
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(points.size(), triangles);
+  EXPECT_EQ(IT::has_nothing_to_report(complex, points), findings == 0) << text;
+  return examination;
+}
+
+struct Case
+{
+  const char* name;
+  std::optional<Defect> refusal;
+  Points points;
+  Triangles triangles = {{0, 1, 2}};
+};
+
+const std::optional<Defect> none;
+
+const Case cases[] = {
+  {"the smallest triangle", none, {{0, 0, 0}, {least, 0, 0}, {0, least, 0}}},
+  {"coordinates below all normal numbers", none, {{1e-320, 0, 0}, {3e-320, 1e-320, 0}, {0, 2e-320, 5e-321}}},
+  {"a difference that is subnormal", none, {{0x1p-1022, 0, 0}, {0x1.1p-1022, 0, 0}, {0, 0x1p-1022, 0}}},
+  {"the largest triangle", none, {{-1.7e308, 0, 0}, {1.7e308, 0, 0}, {0, 1.7e308, -1.7e308}}},
+  {"a unit in the last place, far away", none, {{1e308, 0, 0}, {std::nextafter(1e308, infinity), 1e292, 0}, {1e308, 0, 1e292}}},
+  {"a small edge beside 1", none, {{0, 0, 0}, {1e-150, 0, 0}, {0, 1, 0}}},
+  {"an edge whose square vanishes", Defect::OUT_OF_RANGE, {{0, 0, 0}, {1e-200, 0, 0}, {0, 1, 0}}},
+  {"a subnormal edge beside 1", Defect::OUT_OF_RANGE, {{0, 0, 0}, {1e-320, 0, 0}, {0, 1, 0}}},
+  {"the shortest edge beside 1", none, {{0, 0, 0}, {smallest_root, 0, 0}, {0, 1, 0}}},
+  {"a little less", Defect::OUT_OF_RANGE, {{0, 0, 0}, {std::nextafter(smallest_root, 0.), 0, 0}, {0, 1, 0}}},
+  {"three components, each of which vanishes", Defect::OUT_OF_RANGE, {{0, 0, 0}, {0x1p-538, 0x1p-538, 0x1p-538}, {0, 1, 0}}},
+  {"squares that fit, but not their products", Defect::OUT_OF_RANGE, {{0, 0, 0}, {1e-150, 0, 0}, {0, 1e140, 0}}},
+  {"a coordinate that is lost, no short edge", Defect::OUT_OF_RANGE, {{1e-320, 0, 0}, {1e250, 0, 0}, {0, 1e250, 0}}},
+  {"some of its bits are lost", Defect::OUT_OF_RANGE, {{0x1.8p-900, 0, 0}, {0x1p276, 0, 0}, {0, 0x1p276, 0}}},
+  {"none of its bits is lost", none, {{0x1p-900, 0, 0}, {0x1p275, 0, 0}, {0, 0x1p275, 0}}},
+  {"a tiny surface in a plane far away", none, {{1e308, 0, 0}, {1e308, 1e-300, 0}, {1e308, 0, 1e-300}}},
+  {"a large surface in a plane nearly through zero", none, {{1e-320, 0, 0}, {1e-320, 1e300, 0}, {1e-320, 0, 1e300}}},
+  {"an isolated vertex far away", none, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e300, 0, 0}}},
+  {"a tiny surface beside an isolated vertex", none, {{0, 0, 0}, {1e-250, 0, 0}, {0, 1e-250, 0}, {1, 0, 0}}},
+  {"an isolated vertex that would overflow", none, {{0, 0, 0}, {1e-300, 0, 0}, {0, 1e-300, 0}, {1e300, 0, 0}}},
+  {"an isolated vertex that would underflow", none, {{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}, {1e-320, 0, 0}}},
+  {"an isolated vertex that is nowhere", Defect::NOT_FINITE, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {infinity, 0, 0}}},
+  {"a coincidence", Defect::ZERO_LENGTH_EDGE, {{1e-320, 0, 0}, {1e-320, 0, 0}, {0, 1e-320, 0}}},
+  {"two components, one of them too small", Defect::OUT_OF_RANGE, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}}, {{0, 1, 2}, {3, 4, 5}}}};
+
+TEST(Coordinate_range, Of_the_examination_is_that_of_the_constructors)
+{
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.name);
+    EXPECT_EQ(common_refusal(c.points, c.triangles), c.refusal);
+  }
+}
+
+TEST(Coordinate_range, Is_the_same_for_coordinates_of_any_magnitude)
+{
+  std::mt19937 random(11);
+  const auto number = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
+  std::size_t accepted = 0, refused = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const int middle = number(-1074, 1022), width = number(0, 3) == 0 ? 2200 : number(0, 700);
+    Points points;
+    for (int v = 0; v < 5; ++v) {
+      points.emplace_back();
+      for (double& x : points.back())
+        if (number(0, 2) != 0)
+          x = std::ldexp(number(-8, 8) / 8., (std::max)(-1071, (std::min)(1023, middle + number(-width, width) / 2)));
+    }
+    const Triangles triangles = {{0, 1, 2}, {2, 1, 3}};
+    // Where several things are wrong, each has its own order in which it looks for them.
+    bool has_coincidence = false;
+    for (const auto& [a, b] : std::vector<std::array<std::size_t, 2>>{{0, 1}, {1, 2}, {2, 0}, {1, 3}, {3, 2}})
+      has_coincidence = has_coincidence || points[a] == points[b];
+    if (has_coincidence)
+      continue;
+    ++(common_refusal(points, triangles) ? refused : accepted);
+    ASSERT_FALSE(HasFailure()) << round;
+  }
+  EXPECT_GT(accepted, 500u);
+  EXPECT_GT(refused, 500u);
+}
+
+TEST(Coordinate_range, Names_the_vertex_whose_coordinate_is_lost)
+{
+  const Points points = {{1e250, 0, 0}, {1e-320, 0, 0}, {0, 1e250, 0}};
+  const IT::Surface_report report = IT::examine_polygons(points, Triangles{{0, 1, 2}});
+  const IT::Finding* const finding = report.find(IT::Finding_kind::COORDINATE_RANGE);
+  ASSERT_NE(finding, nullptr);
+  EXPECT_EQ(report.first_fatal(), finding);
+  EXPECT_EQ(finding->elements, std::vector<std::size_t>{1});
+  EXPECT_NE(IT::message(report).find("vertex 1 at (9.99989e-321, 0, 0)"), std::string::npos) << IT::message(report);
+}
+
+} // namespace
