@@ -50,29 +50,13 @@ Eigen::SparseMatrix<double> assemble_stiffness_matrix(const Delta_complex& compl
 
 // For each vertex the sum over all corners that meet there of the area of the face times a
 // factor.
-template <class ConcurrencyTag>
-std::vector<double> corner_sums(const Delta_complex& complex, const std::vector<double>& areas,
-                                double factor)
+inline std::vector<double> corner_sums(const Delta_complex& complex,
+                                       const std::vector<double>& areas, double factor)
 {
   std::vector<double> sums(complex.number_of_vertices(), 0);
-  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
-    for_each_block<ConcurrencyTag>(sums.size(), elements_of_block, [&](std::size_t first, std::size_t last) {
-      std::vector<Halfedge_index> corners;
-      for (std::size_t v = first; v < last; ++v) {
-        corners.clear();
-        for_each_halfedge_around(complex, Vertex_index(Vertex_index::size_type(v)), [&](Halfedge_index h) {
-          if (!complex.is_border(h))
-            corners.push_back(h);
-        });
-        std::sort(corners.begin(), corners.end()); // sums of numbers in another order are rounded otherwise
-        for (Halfedge_index h : corners)
-          sums[v] += factor * areas[complex.face(h).idx()];
-      }
-    });
-  else
-    for (Halfedge_index h : complex.halfedges())
-      if (!complex.is_border(h))
-        sums[complex.target(h).idx()] += factor * areas[complex.face(h).idx()];
+  for (Halfedge_index h : complex.halfedges())
+    if (!complex.is_border(h))
+      sums[complex.target(h).idx()] += factor * areas[complex.face(h).idx()];
   return sums;
 }
 
@@ -150,13 +134,11 @@ stiffness_matrix(const Intrinsic_triangulation<Traits>& triangulation,
 /// \param complex the triangles
 /// \param areas the area of each face. O(size).
 /// \pre there is an area for each face
-/// \tparam ConcurrencyTag as for `stiffness_matrix()`
-template <class ConcurrencyTag = Sequential_tag>
-Eigen::SparseMatrix<double> lumped_mass_matrix(const Delta_complex& complex,
-                                               const std::vector<double>& areas)
+inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Delta_complex& complex,
+                                                      const std::vector<double>& areas)
 {
   CGAL_precondition(areas.size() == complex.number_of_faces());
-  const std::vector<double> sums = internal::corner_sums<ConcurrencyTag>(complex, areas, 1. / 3);
+  const std::vector<double> sums = internal::corner_sums(complex, areas, 1. / 3);
   Eigen::SparseMatrix<double> mass(Eigen::Index(sums.size()), Eigen::Index(sums.size()));
   mass.setIdentity();
   std::copy(sums.begin(), sums.end(), mass.valuePtr());
@@ -165,12 +147,12 @@ Eigen::SparseMatrix<double> lumped_mass_matrix(const Delta_complex& complex,
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief as above, with the areas of `face_areas()`.
-/// \tparam ConcurrencyTag as above
+/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked, for the areas
 template <class ConcurrencyTag = Sequential_tag, class Traits>
 Eigen::SparseMatrix<double> lumped_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)
 {
-  return lumped_mass_matrix<ConcurrencyTag>(triangulation.connectivity(),
-                                            face_areas<ConcurrencyTag>(triangulation));
+  return lumped_mass_matrix(triangulation.connectivity(),
+                            face_areas<ConcurrencyTag>(triangulation));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -188,7 +170,7 @@ Eigen::SparseMatrix<double> galerkin_mass_matrix(const Delta_complex& complex,
                                                  const std::vector<double>& areas)
 {
   CGAL_precondition(areas.size() == complex.number_of_faces());
-  std::vector<double> diagonal = internal::corner_sums<ConcurrencyTag>(complex, areas, 1. / 6);
+  std::vector<double> diagonal = internal::corner_sums(complex, areas, 1. / 6);
   for (Edge_index e : complex.edges())
     if (complex.is_loop(e)) // two corners of each face beside it are the same vertex
       diagonal[complex.target(complex.halfedge(e)).idx()] +=

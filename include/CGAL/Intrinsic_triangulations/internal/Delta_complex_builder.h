@@ -8,9 +8,12 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -29,17 +32,6 @@ inline void check_size(std::size_t number_of_halfedges)
                                 "the surface has too many edges for 32-bit indices");
 }
 
-// A border halfedge wins, as the complex wants it.
-inline void set_vertex_halfedges(const Delta_complex::Halfedge_vector& records,
-                                 Delta_complex::Descriptor_vector& vertex_halfedges)
-{
-  for (std::size_t h = 0; h < records.size(); ++h) {
-    Halfedge_index& current = vertex_halfedges[records[h].target];
-    if (!current.is_valid() || records[h].face == Face_index::null_index())
-      current = Halfedge_index(std::uint32_t(h));
-  }
-}
-
 class Delta_complex_builder
 {
 public:
@@ -47,6 +39,7 @@ public:
   static Delta_complex from_triangles(std::size_t number_of_vertices, const TriangleRange& triangles)
   {
     Delta_complex_builder b;
+    b.corner_vertex_.reserve(3 * std::size_t(std::distance(std::begin(triangles), std::end(triangles))));
     for (const auto& t : triangles)
       for (int i = 0; i < 3; ++i)
         b.corner_vertex_.push_back(checked_corner(t, i, b.corner_vertex_.size() / 3,
@@ -133,33 +126,59 @@ private:
     return std::uint32_t(v);
   }
 
+  // Calls function(side, source, target) for all sides, in order.
+  template <class Function>
+  void for_each_side(const Function& function) const
+  {
+    for (std::uint32_t s = 0; s < corner_vertex_.size(); s += 3) {
+      const std::uint32_t i = corner_vertex_[s], j = corner_vertex_[s + 1], k = corner_vertex_[s + 2];
+      function(s, i, j);
+      function(s + 1, j, k);
+      function(s + 2, k, i);
+    }
+  }
+
+  // A side in the bucket of its smaller end.
+  struct Gathered_side
+  {
+    std::uint32_t larger_end;
+    std::uint32_t side_and_direction; // odd if it runs to the smaller end
+    std::uint32_t side() const { return side_and_direction >> 1; }
+    bool has_direction_of(const Gathered_side& other) const
+    {
+      return ((side_and_direction ^ other.side_and_direction) & 1) == 0;
+    }
+  };
+
   // Sides are gathered by their smaller end vertex (a counting sort); within such a
   // bucket, which is as large as a vertex degree, partners are found by their larger end
-  // through a table over all vertices that is written and read bucket by bucket.
+  // through a table over all vertices: an entry counts if it lies in the bucket.
   void glue_by_end_vertices()
   {
-    const std::size_t n = corner_vertex_.size();
-    glued_to_.assign(n, null);
-    std::vector<std::uint32_t> bucket_begin(number_of_vertices_ + 2, 0), bucket(n);
-    for (std::uint32_t s = 0; s < n; ++s)
-      ++bucket_begin[smaller_end(s) + 2];
+    glued_to_.assign(corner_vertex_.size(), null);
+    Large_vector<std::uint32_t> bucket_begin(number_of_vertices_ + 2, 0);
+    for_each_side([&](std::uint32_t, std::uint32_t i, std::uint32_t j) { ++bucket_begin[(std::min)(i, j) + 2]; });
     for (std::size_t v = 2; v < bucket_begin.size(); ++v)
       bucket_begin[v] += bucket_begin[v - 1];
-    for (std::uint32_t s = 0; s < n; ++s)
-      bucket[bucket_begin[smaller_end(s) + 1]++] = s;
+    Large_vector<Gathered_side> sides(corner_vertex_.size(), default_init);
+    for_each_side([&](std::uint32_t s, std::uint32_t i, std::uint32_t j) {
+      sides[bucket_begin[(std::min)(i, j) + 1]++] = {(std::max)(i, j), 2 * s + (i > j ? 1 : 0)};
+    });
 
-    std::vector<std::uint32_t> waiting(number_of_vertices_, null);
+    Large_vector<std::uint32_t> waiting(number_of_vertices_, null); // positions in sides
     for (std::size_t v = 0; v < number_of_vertices_; ++v) {
-      for (std::uint32_t i = bucket_begin[v]; i < bucket_begin[v + 1]; ++i) {
-        const std::uint32_t s = bucket[i];
-        std::uint32_t& partner = waiting[larger_end(s)];
-        if (partner == null || smaller_end(partner) != v) {
-          partner = s;
+      const std::uint32_t begin = bucket_begin[v];
+      for (std::uint32_t i = begin; i < bucket_begin[v + 1]; ++i) {
+        const Gathered_side& side = sides[i];
+        std::uint32_t& position = waiting[side.larger_end];
+        if (position < begin || position >= i) {
+          position = i;
           continue;
         }
+        const std::uint32_t s = side.side(), partner = sides[position].side();
         if (glued_to_[partner] != null)
           throw_at_edge(Defect::NON_MANIFOLD_EDGE, s, "has more than two faces");
-        if (corner_vertex_[partner] == corner_vertex_[s])
+        if (side.has_direction_of(sides[position]))
           throw_at_edge(Defect::INCONSISTENT_ORIENTATION, s,
                         "is traversed twice in the same direction; orient the faces first");
         glued_to_[partner] = s;
@@ -169,15 +188,6 @@ private:
   }
 
   std::uint32_t side_target(std::uint32_t s) const { return corner_vertex_[next_side(s)]; }
-  std::uint32_t smaller_end(std::uint32_t s) const
-  {
-    return (std::min)(corner_vertex_[s], side_target(s));
-  }
-  std::uint32_t larger_end(std::uint32_t s) const
-  {
-    return (std::max)(corner_vertex_[s], side_target(s));
-  }
-
   [[noreturn]] void throw_at_edge(Defect defect, std::uint32_t s, const char* what) const
   {
     throw Invalid_surface_error(defect, s / 3, 1,
@@ -224,19 +234,36 @@ private:
   {
     const std::uint32_t n = std::uint32_t(glued_to_.size());
     Delta_complex::Halfedge_vector records(2 * number_of_edges, default_init);
-    Delta_complex::Descriptor_vector face_halfedges(n / 3), vertex_halfedges(number_of_vertices_);
-    for (std::uint32_t s = 0; s < n; ++s) {
-      Delta_complex::Halfedge& r = records[halfedge_of[s]];
-      r.next = halfedge_of[next_side(s)];
-      r.prev = halfedge_of[previous_side(s)];
-      r.target = corner_vertex_[next_side(s)];
-      r.face = s / 3;
-      if (s % 3 == 0)
-        face_halfedges[s / 3] = Halfedge_index(halfedge_of[s]);
+    Delta_complex::Descriptor_vector face_halfedges(n / 3, default_init), vertex_halfedges(number_of_vertices_);
+    const auto point_to = [&vertex_halfedges](std::uint32_t v, std::uint32_t h) {
+      if (h < vertex_halfedges[v].idx()) // the null descriptor is larger than all
+        vertex_halfedges[v] = Halfedge_index(h);
+    };
+    bool has_border = false;
+    for (std::uint32_t s = 0; s < n; s += 3) {
+      const std::uint32_t v[] = {corner_vertex_[s], corner_vertex_[s + 1], corner_vertex_[s + 2]};
+      const std::uint32_t h[] = {halfedge_of[s], halfedge_of[s + 1], halfedge_of[s + 2]};
+      records[h[0]] = {h[1], h[2], v[1], s / 3};
+      records[h[1]] = {h[2], h[0], v[2], s / 3};
+      records[h[2]] = {h[0], h[1], v[0], s / 3};
+      face_halfedges[s / 3] = Halfedge_index(h[0]);
+      point_to(v[1], h[0]);
+      point_to(v[2], h[1]);
+      point_to(v[0], h[2]);
+      has_border = has_border || glued_to_[s] == null || glued_to_[s + 1] == null || glued_to_[s + 2] == null;
     }
-    // The border halfedge opposite to side s is followed by the one opposite to the last
-    // side of the fan that begins with s, turning around the source of s.
-    for (std::uint32_t s = 0; s < n; ++s) {
+    if (has_border)
+      add_border(halfedge_of, records, vertex_halfedges);
+    return Delta_complex(std::move(records), std::move(vertex_halfedges), std::move(face_halfedges));
+  }
+
+  // The border halfedge opposite to side s is followed by the one opposite to the last
+  // side of the fan that begins with s, turning around the source of s. It is the halfedge of its
+  // target, as the complex wants it.
+  void add_border(const std::vector<std::uint32_t>& halfedge_of, Delta_complex::Halfedge_vector& records,
+                  Delta_complex::Descriptor_vector& vertex_halfedges) const
+  {
+    for (std::uint32_t s = 0; s < glued_to_.size(); ++s) {
       if (glued_to_[s] != null)
         continue;
       std::uint32_t t = previous_side(s);
@@ -247,32 +274,40 @@ private:
       r.target = corner_vertex_[s];
       r.face = Face_index::null_index();
       records[halfedge_of[t] ^ 1].prev = halfedge_of[s] ^ 1;
+      vertex_halfedges[corner_vertex_[s]] = Halfedge_index(halfedge_of[s] ^ 1);
     }
-    set_vertex_halfedges(records, vertex_halfedges);
-    return Delta_complex(std::move(records), std::move(vertex_halfedges), std::move(face_halfedges));
   }
 
-  // Sides glued by their end vertices can leave two fans at one vertex.
+  // Calls function(h) for the halfedges in the fan of halfedge(v).
+  template <class Function>
+  static void for_each_in_fan(const Delta_complex& complex, Vertex_index v, const Function& function)
+  {
+    const Halfedge_index first = complex.halfedge(v);
+    if (!first.is_valid())
+      return;
+    Halfedge_index h = first;
+    do {
+      function(h);
+      h = complex.next_around_target(h);
+    } while (h != first);
+  }
+
+  // Sides glued by their end vertices can leave two fans at one vertex. Then one of them is not met.
   static void check_fans(const Delta_complex& complex)
   {
-    std::vector<bool> is_visited(complex.number_of_halfedges(), false);
-    for (Vertex_index v : complex.vertices()) {
-      const Halfedge_index first = complex.halfedge(v);
-      if (!first.is_valid())
-        continue;
-      Halfedge_index h = first;
-      do {
-        is_visited[h.idx()] = true;
-        h = complex.next_around_target(h);
-      } while (h != first);
-    }
-    for (Halfedge_index h : complex.halfedges())
-      if (!is_visited[h.idx()]) {
-        const std::size_t v = complex.target(h).idx();
-        throw Invalid_surface_error(Defect::NON_MANIFOLD_VERTEX, v, 1,
-                                    "the faces at vertex " + std::to_string(v) +
-                                      " form more than one fan; duplicate the vertex first");
-      }
+    std::size_t number_of_met = 0;
+    for (Vertex_index v : complex.vertices())
+      for_each_in_fan(complex, v, [&](Halfedge_index) { ++number_of_met; });
+    if (number_of_met == complex.number_of_halfedges())
+      return;
+    std::vector<bool> is_met(complex.number_of_halfedges(), false);
+    for (Vertex_index v : complex.vertices())
+      for_each_in_fan(complex, v, [&](Halfedge_index h) { is_met[h.idx()] = true; });
+    const std::size_t h = std::size_t(std::find(is_met.begin(), is_met.end(), false) - is_met.begin());
+    const std::size_t v = complex.target(Halfedge_index(std::uint32_t(h))).idx();
+    throw Invalid_surface_error(Defect::NON_MANIFOLD_VERTEX, v, 1,
+                                "the faces at vertex " + std::to_string(v) +
+                                  " form more than one fan; duplicate the vertex first");
   }
 
   std::size_t number_of_vertices_ = 0;

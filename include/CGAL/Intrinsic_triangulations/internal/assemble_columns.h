@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -62,22 +61,22 @@ public:
     for_each_halfedge_around(complex_, Vertex_index(Vertex_index::size_type(c)), [&](Halfedge_index h) {
       const Index row = Index(complex_.source(h).idx());
       if (row != c)
-        edges_.emplace_back(row, complex_.edge(h).idx());
+        edges_.push_back(std::uint64_t(row) << 32 | complex_.edge(h).idx());
     });
-    std::sort(edges_.begin(), edges_.end());
+    sort(0);
     const std::size_t begin = rows_.size();
     std::size_t i = 0;
     double sum = 0;
-    for (; i < edges_.size() && edges_[i].first < c;)
+    while (i < edges_.size() && row(i) < c)
       sum += append(i);
-    const std::size_t diagonal = rows_.size();
+    const std::size_t diagonal = rows_.size(), larger = i;
     rows_.push_back(c);
     values_.push_back(0);
-    const std::size_t larger = i;
     while (i < edges_.size())
       append(i);
-    std::sort(edges_.begin() + std::ptrdiff_t(larger), edges_.end(),
-              [](const auto& a, const auto& b) { return a.second < b.second; });
+    for (i = larger; i < edges_.size(); ++i)
+      edges_[i] &= 0xffffffff;
+    sort(larger);
     for (i = larger; i < edges_.size(); ++i)
       sum += value(i);
     values_[diagonal] = diagonal_value_(c, sum);
@@ -96,16 +95,36 @@ public:
   }
 
 private:
-  double value(std::size_t i) const { return edge_value_(Edge_index(edges_[i].second)); }
+  Index row(std::size_t i) const { return Index(edges_[i] >> 32); }
+  double value(std::size_t i) const
+  {
+    return edge_value_(Edge_index(Edge_index::size_type(edges_[i] & 0xffffffff)));
+  }
+
+  // Few vertices have so many edges that another way would be faster.
+  void sort(std::size_t first)
+  {
+    if (edges_.size() - first > 32) {
+      std::sort(edges_.begin() + std::ptrdiff_t(first), edges_.end());
+      return;
+    }
+    for (std::size_t i = first + 1; i < edges_.size(); ++i) {
+      const std::uint64_t x = edges_[i];
+      std::size_t j = i;
+      for (; j > first && edges_[j - 1] > x; --j)
+        edges_[j] = edges_[j - 1];
+      edges_[j] = x;
+    }
+  }
 
   // Appends the sum of the edges from number i on that lead to the same vertex, and returns it.
   double append(std::size_t& i)
   {
-    const Index row = edges_[i].first;
+    const Index r = row(i);
     double sum = value(i);
-    while (++i < edges_.size() && edges_[i].first == row)
+    while (++i < edges_.size() && row(i) == r)
       sum += value(i);
-    rows_.push_back(row);
+    rows_.push_back(r);
     values_.push_back(sum);
     return sum;
   }
@@ -115,7 +134,7 @@ private:
   const Diagonal_value& diagonal_value_;
   std::vector<Index> rows_, sizes_;
   std::vector<double> values_;
-  std::vector<std::pair<Index, Edge_index::size_type>> edges_; // other vertex and edge
+  std::vector<std::uint64_t> edges_; // of a column: the other vertex, and the edge
 };
 
 // As assemble_symmetric_matrix() with one thread, bit for bit. \pre the matrix can hold as many entries
@@ -124,11 +143,12 @@ Eigen::SparseMatrix<double> assemble_columns(const Delta_complex& complex, const
                                              const Diagonal_value& diagonal_value)
 {
   using Index = Eigen::SparseMatrix<double>::StorageIndex;
+  constexpr std::size_t columns_of_block = 4096;
   const std::size_t n = complex.number_of_vertices();
   std::vector<Column_block<Edge_value, Diagonal_value>> blocks(
-    n / elements_of_block + 1, {complex, edge_value, diagonal_value});
-  for_each_block<ConcurrencyTag>(n, elements_of_block, [&](std::size_t first, std::size_t last) {
-    auto& block = blocks[first / elements_of_block];
+    n / columns_of_block + 1, {complex, edge_value, diagonal_value});
+  for_each_block<ConcurrencyTag>(n, columns_of_block, [&](std::size_t first, std::size_t last) {
+    auto& block = blocks[first / columns_of_block];
     block.reserve(last - first);
     for (std::size_t c = first; c < last; ++c)
       block.add(Index(c));
@@ -139,8 +159,8 @@ Eigen::SparseMatrix<double> assemble_columns(const Delta_complex& complex, const
   Eigen::SparseMatrix<double> result{Eigen::Index(n), Eigen::Index(n)};
   result.resizeNonZeros(Eigen::Index(starts.back()));
   result.outerIndexPtr()[0] = 0;
-  for_each_block<ConcurrencyTag>(n, elements_of_block, [&](std::size_t first, std::size_t) {
-    const std::size_t block = first / elements_of_block;
+  for_each_block<ConcurrencyTag>(n, columns_of_block, [&](std::size_t first, std::size_t) {
+    const std::size_t block = first / columns_of_block;
     blocks[block].copy_to(result, Index(first), Index(starts[block]));
   });
   return result;
