@@ -10,9 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/assemble_columns.h>
 #include <CGAL/Intrinsic_triangulations/internal/assemble_symmetric_matrix.h>
-#include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>

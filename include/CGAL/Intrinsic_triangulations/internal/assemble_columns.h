@@ -11,6 +11,7 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -57,28 +58,27 @@ public:
   // Appends a column. Numbers are added up in the same order as by Symmetric_matrix_assembler.
   void add(Index c)
   {
-    edges_.clear();
+    entries_.clear();
     for_each_halfedge_around(complex_, Vertex_index(Vertex_index::size_type(c)), [&](Halfedge_index h) {
+      const Edge_index e = complex_.edge(h);
       const Index row = Index(complex_.source(h).idx());
       if (row != c)
-        edges_.push_back(std::uint64_t(row) << 32 | complex_.edge(h).idx());
+        entries_.push_back({std::uint64_t(row) << 32 | e.idx(), edge_value_(e)});
     });
-    sort(0);
+    sort(0, [](const Entry& x) { return x.row_and_edge; });
     const std::size_t begin = rows_.size();
     std::size_t i = 0;
     double sum = 0;
-    while (i < edges_.size() && row(i) < c)
+    while (i < entries_.size() && entries_[i].row() < c)
       sum += append(i);
     const std::size_t diagonal = rows_.size(), larger = i;
     rows_.push_back(c);
     values_.push_back(0);
-    while (i < edges_.size())
+    while (i < entries_.size())
       append(i);
-    for (i = larger; i < edges_.size(); ++i)
-      edges_[i] &= 0xffffffff;
-    sort(larger);
-    for (i = larger; i < edges_.size(); ++i)
-      sum += value(i);
+    sort(larger, [](const Entry& x) { return std::uint32_t(x.row_and_edge); });
+    for (i = larger; i < entries_.size(); ++i)
+      sum += entries_[i].value;
     values_[diagonal] = diagonal_value_(c, sum);
     sizes_.push_back(Index(rows_.size() - begin));
   }
@@ -95,46 +95,54 @@ public:
   }
 
 private:
-  Index row(std::size_t i) const { return Index(edges_[i] >> 32); }
-  double value(std::size_t i) const
+  struct Entry
   {
-    return edge_value_(Edge_index(Edge_index::size_type(edges_[i] & 0xffffffff)));
-  }
+    std::uint64_t row_and_edge; // no two are the same
+    double value;
+    Index row() const { return Index(row_and_edge >> 32); }
+  };
 
-  // Few vertices have so many edges that another way would be faster.
-  void sort(std::size_t first)
+  // Sorts the entries from number `first` on. Few of them are put where they belong without a branch
+  // that nothing could predict.
+  template <class Key>
+  void sort(std::size_t first, const Key& key)
   {
-    if (edges_.size() - first > 32) {
-      std::sort(edges_.begin() + std::ptrdiff_t(first), edges_.end());
+    const std::size_t n = entries_.size() - first;
+    Entry* const entries = entries_.data() + first;
+    if (n > few) {
+      std::sort(entries, entries + n, [&key](const Entry& a, const Entry& b) { return key(a) < key(b); });
       return;
     }
-    for (std::size_t i = first + 1; i < edges_.size(); ++i) {
-      const std::uint64_t x = edges_[i];
-      std::size_t j = i;
-      for (; j > first && edges_[j - 1] > x; --j)
-        edges_[j] = edges_[j - 1];
-      edges_[j] = x;
+    std::array<Entry, few> sorted;
+    for (std::size_t i = 0; i < n; ++i) {
+      std::size_t rank = 0;
+      for (std::size_t j = 0; j < n; ++j)
+        rank += key(entries[j]) < key(entries[i]);
+      sorted[rank] = entries[i];
     }
+    std::copy(sorted.begin(), sorted.begin() + std::ptrdiff_t(n), entries);
   }
 
   // Appends the sum of the edges from number i on that lead to the same vertex, and returns it.
   double append(std::size_t& i)
   {
-    const Index r = row(i);
-    double sum = value(i);
-    while (++i < edges_.size() && row(i) == r)
-      sum += value(i);
-    rows_.push_back(r);
+    const Index row = entries_[i].row();
+    double sum = entries_[i].value;
+    while (++i < entries_.size() && entries_[i].row() == row)
+      sum += entries_[i].value;
+    rows_.push_back(row);
     values_.push_back(sum);
     return sum;
   }
+
+  static constexpr std::size_t few = 16;
 
   const Delta_complex& complex_;
   const Edge_value& edge_value_;
   const Diagonal_value& diagonal_value_;
   std::vector<Index> rows_, sizes_;
   std::vector<double> values_;
-  std::vector<std::uint64_t> edges_; // of a column: the other vertex, and the edge
+  std::vector<Entry> entries_; // of a column
 };
 
 // As assemble_symmetric_matrix() with one thread, bit for bit. \pre the matrix can hold as many entries

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/assemble_columns.h>
+#include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
 
 #include <CGAL/tags.h>
 
@@ -179,7 +180,8 @@ private:
 
 // The matrix whose entry (v, w) is the sum of edge_value(e) over the edges e between v and w,
 // and whose entry (v, v) is diagonal_value(v, sum of the other entries of the row). Loops are
-// left out. With Parallel_tag both functions are called by several threads.
+// left out. With Parallel_tag both functions may be
+// called by several threads.
 template <class ConcurrencyTag, class Edge_value, class Diagonal_value>
 Eigen::SparseMatrix<double> assemble_symmetric_matrix(const Delta_complex& complex,
                                                       const Edge_value& edge_value,
@@ -192,9 +194,9 @@ Eigen::SparseMatrix<double> assemble_symmetric_matrix(const Delta_complex& compl
       Invalid_surface_error::Defect::OUT_OF_RANGE, complex.number_of_edges(), 1,
       std::to_string(complex.number_of_edges()) + " edges are more than a sparse matrix can hold");
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
-    return assemble_columns<ConcurrencyTag>(complex, edge_value, diagonal_value);
-  else
-    return Symmetric_matrix_assembler(complex).assemble(edge_value, diagonal_value);
+    if (number_of_threads<ConcurrencyTag>() > 2) // two threads take as long for all columns as one for all edges
+      return assemble_columns<ConcurrencyTag>(complex, edge_value, diagonal_value);
+  return Symmetric_matrix_assembler(complex).assemble(edge_value, diagonal_value);
 }
 
 } // namespace internal

@@ -14,6 +14,7 @@
 #include <type_traits>
 
 #ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #endif
 
@@ -25,6 +26,17 @@ namespace internal {
 // and are read and written in one piece.
 template <class T>
 constexpr bool is_for_threads = std::is_same<T, double>::value || std::is_same<T, float>::value;
+
+// How many threads there may be.
+template <class ConcurrencyTag>
+std::size_t number_of_threads()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+    return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+#endif
+  return 1;
+}
 
 // A block of so many elements is worth a task of its own.
 constexpr std::size_t elements_of_block = std::size_t(1) << 14;
