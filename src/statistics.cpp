@@ -28,6 +28,8 @@ const char* name(IT::Repair_kind kind)
     return "collapsed faces";
   case IT::Repair_kind::DUPLICATE_FACE:
     return "duplicate faces";
+  case IT::Repair_kind::DUPLICATE_PART:
+    return "duplicate parts of faces";
   case IT::Repair_kind::TRIANGULATED_FACE:
     return "triangulated faces";
   case IT::Repair_kind::REVERSED_FACE:
@@ -132,6 +134,8 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   json["min_weight_after"] = after ? number(after->smallest) : Json(nullptr);
   json["negative_weights_before"] = member(before, &Weight_summary::negative);
   json["negative_weights_after"] = member(after, &Weight_summary::negative);
+  json["infinite_weights_before"] = member(before, &Weight_summary::infinite);
+  json["infinite_weights_after"] = member(after, &Weight_summary::infinite);
   json["verification"] = verification(outcome);
   json["mollification"] = mollification(result.surface);
   json["repair"] = repair(result.surface);
