@@ -88,15 +88,16 @@ FT times_power_of_two(const FT& x, int exponent)
     return std::ldexp(x, exponent);
   else if constexpr (has_small_exponent_range<FT>)
     return FT(std::ldexp(x.inf(), exponent), std::ldexp(x.sup(), exponent));
-  else {
+  else if constexpr (has_exact_roots<FT>) {
     FT result = x;
     for (int rest = exponent; rest != 0;) {
       const int step = (std::max)(-1000, (std::min)(1000, rest));
-      result *= FT(std::ldexp(1., step));
+      result = result * FT(std::ldexp(1., step));
       rest -= step;
     }
     return result;
-  }
+  } else
+    return x;
 }
 
 template <class FT>
