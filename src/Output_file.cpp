@@ -3,6 +3,7 @@
 #include "Output_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -16,14 +17,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Creates a file that was not there, so that no other process writes to the same.
+// The file behind symbolic links, which need not be there. Renaming onto a link would replace it.
+std::string behind_links(const std::string& path, std::error_code& error)
+{
+  fs::path target = path;
+  for (int links = 0; fs::is_symlink(fs::symlink_status(target, error)); ++links) {
+    const fs::path link = fs::read_symlink(target, error);
+    if (links == 40)
+      error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+    if (error)
+      return path;
+    target = target.parent_path() / link;
+  }
+  error.clear();
+  return target.string();
+}
+
+// Creates a file that was not there, so that no other process writes to the same. Who may not read
+// what it is to replace may not read it either.
 int create_beside(const std::string& target, std::string& temporary)
 {
+  const bool is_old = fs::exists(target);
   for (int attempt = 0; attempt < 1000; ++attempt) {
     // A name may have 255 bytes.
     const fs::path path(target);
     temporary = (path.parent_path() / path.filename().string().substr(0, 200)).string() + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
-    const int descriptor = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    const int descriptor = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, is_old ? 0600 : 0666);
     if (descriptor >= 0) {
       ::close(descriptor);
       return 0;
@@ -45,10 +64,9 @@ Output_file::Output_file(const std::string& path) : path_(path), target_(path)
   if (fs::is_directory(status))
     fail(EISDIR);
   if (!fs::exists(status) || fs::is_regular_file(status)) {
-    // Renaming onto a symbolic link would replace the link.
-    const fs::path real = fs::weakly_canonical(path, error);
-    if (!error)
-      target_ = real.string();
+    target_ = behind_links(path, error);
+    if (error)
+      fail(error.value());
     if (const int error_number = create_beside(target_, temporary_))
       fail(error_number);
   }
@@ -78,6 +96,9 @@ void Output_file::commit()
   stream_.close();
   if (!stream_)
     fail(errno == 0 ? reason : errno);
+  struct stat old = {};
+  if (!temporary_.empty() && ::stat(target_.c_str(), &old) == 0)
+    static_cast<void>(::chmod(temporary_.c_str(), old.st_mode & 07777));
   if (!temporary_.empty() && std::rename(temporary_.c_str(), target_.c_str()) != 0)
     fail(errno);
   is_committed_ = true;
@@ -115,9 +136,13 @@ void check_output_paths(const std::vector<std::string>& outputs,
 
 void flush_standard_output()
 {
+  static bool has_failed = false; // and that was said
+  if (has_failed)
+    return;
   errno = 0;
   std::cout.flush();
-  if (!std::cout)
+  has_failed = !std::cout;
+  if (has_failed)
     throw Output_error(std::string("the standard output cannot be written") +
                        (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
 }

@@ -48,7 +48,7 @@ void check_output_paths(const std::vector<std::string>& outputs,
                         const std::vector<std::string>& inputs);
 
 // Writes what is waiting for the standard output.
-// \exception Output_error if it could not be written, now or before
+// \exception Output_error if it could not be written, the first time that this is found out
 void flush_standard_output();
 
 } // namespace idt

@@ -20,6 +20,8 @@
 #include <filesystem>
 #include <iostream>
 #include <numeric>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace idt {
@@ -40,11 +42,12 @@ Surface_input read(const std::string& path)
 [[noreturn]] void refuse(const IT::Surface_report& report, const std::string& path, bool is_repaired)
 {
   const IT::Finding& finding = *report.first_fatal();
-  std::string text = IT::message(report, path);
+  std::optional<std::string> advice;
   if (is_repaired)
-    text += "; --repair was of no use";
+    advice = "--repair was of no use";
   else if (is_repairable(finding))
-    text += "; the option --repair does what can be done";
+    advice = "the option --repair does what can be done";
+  const std::string text = IT::message(report, path, advice);
   throw IT::Invalid_surface_error(finding.defect, finding.elements.empty() ? 0 : finding.elements.front(),
                                   finding.count, text);
 }

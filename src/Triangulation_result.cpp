@@ -84,7 +84,10 @@ std::string describe_status(const Triangulation_result& result)
   if (!outcome.failure.empty())
     return (report.status == IT::Flip_status::DELAUNAY ? "not known in full: " : "not finished: ") +
            outcome.failure;
-  if (outcome.verification && !outcome.verification->is_Delaunay())
+  // What was not finished need not be Delaunay.
+  const bool is_finished =
+    report.status != IT::Flip_status::BUDGET_EXHAUSTED && report.status != IT::Flip_status::CANCELLED;
+  if (is_finished && outcome.verification && !outcome.verification->is_Delaunay())
     return "not Delaunay: " + describe_verification(outcome);
   switch (report.status) {
   case IT::Flip_status::DELAUNAY:
@@ -97,6 +100,12 @@ std::string describe_status(const Triangulation_result& result)
            first_of(report.inconsistent, outcome.connectivity) +
            " failed the test again after the flip";
   case IT::Flip_status::NOT_FLIPPABLE:
+    // Exact numbers come to that beside faces of zero area alone.
+    if (result.options.number_type == Number_type::CORE ||
+        result.options.number_type == Number_type::HALF_ANGLE_CORE)
+      return "not Delaunay: beside a face of zero area, " +
+             first_of(report.not_flippable, outcome.connectivity) +
+             " should be flipped and cannot; the number type " + name(Number_type::FILTERED) + " passes such faces";
     return "not Delaunay: rounding leaves " +
            first_of(report.not_flippable, outcome.connectivity) +
            " that should be flipped and cannot";

@@ -18,6 +18,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <iostream>
 #include <system_error>
 
 namespace idt {
@@ -53,6 +54,11 @@ void write_all(int descriptor, const std::string& text)
   ::_exit(0); // without the destructors and buffers that belong to the parent
 }
 
+[[noreturn]] void fail_to_fork()
+{
+  throw Output_error(std::string("there can be no other process: ") + std::strerror(errno));
+}
+
 class Child
 {
 public:
@@ -61,7 +67,7 @@ public:
     folder_ = make_temporary_folder();
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0)
-      fail();
+      fail_to_fork();
     process_ = ::fork();
     if (process_ == 0) {
       ::close(ends[0]);
@@ -73,7 +79,7 @@ public:
     if (process_ < 0) {
       ::close(in_);
       errno = error_number;
-      fail();
+      fail_to_fork();
     }
   }
   Child(const Child&) = delete;
@@ -119,11 +125,6 @@ public:
   }
 
 private:
-  [[noreturn]] static void fail()
-  {
-    throw Output_error(std::string("there can be no other process: ") + std::strerror(errno));
-  }
-
   // Returns whether it ended well.
   bool wait()
   {
@@ -139,12 +140,99 @@ private:
   int in_ = -1;
 };
 
+class Expendable_child
+{
+public:
+  explicit Expendable_child(const std::function<int()>& function) : folder_(make_temporary_folder())
+  {
+    // Lest both write what waits there.
+    std::cout.flush();
+    std::cerr.flush();
+    int ends[2];
+    process_ = ::pipe2(ends, O_CLOEXEC) == 0 ? ::fork() : -1;
+    if (process_ < 0) {
+      const int error_number = errno;
+      remove_folder();
+      errno = error_number;
+      fail_to_fork();
+    }
+    if (process_ == 0) {
+      ::close(ends[0]);
+      be_the_child(function, ends[1]);
+    }
+    ::close(ends[1]);
+    in_ = ends[0];
+  }
+  Expendable_child(const Expendable_child&) = delete;
+  Expendable_child& operator=(const Expendable_child&) = delete;
+  ~Expendable_child()
+  {
+    ::close(in_);
+    remove_folder();
+  }
+
+  std::optional<int> wait()
+  {
+    int result = 0;
+    ssize_t n = 0;
+    for (bool is_told = false;;) {
+      struct pollfd in = {in_, POLLIN, 0};
+      if (::poll(&in, 1, 50) > 0) {
+        n = ::read(in_, &result, sizeof result);
+        if (n >= 0)
+          break;
+      }
+      if (is_interrupted() && !is_told) {
+        ::kill(process_, SIGTERM);
+        is_told = true;
+      }
+    }
+    while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR)
+      ;
+    return n == sizeof result ? std::optional<int>(result) : std::nullopt;
+  }
+
+private:
+  [[noreturn]] void be_the_child(const std::function<int()>& function, int out)
+  {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (!folder_.empty())
+      ::setenv("TMPDIR", folder_.c_str(), 1);
+    try {
+      const int result = function();
+      std::cout.flush();
+      if (::write(out, &result, sizeof result) != sizeof result)
+        ::_exit(1);
+    } catch (...) {
+      ::_exit(1);
+    }
+    ::_exit(0); // without the destructors that belong to the parent
+  }
+
+  void remove_folder() const
+  {
+    std::error_code error;
+    if (!folder_.empty())
+      std::filesystem::remove_all(folder_, error);
+  }
+
+  std::string folder_; // what it leaves when it is killed goes with this folder
+  pid_t process_ = -1;
+  int in_ = -1;
+};
+
 } // namespace
 
 Child_result run_in_child_process(const std::function<void(const Say_function&)>& function,
                                   double seconds)
 {
   return Child(function).listen(seconds);
+}
+
+std::optional<int> run_in_expendable_process(const std::function<int()>& function)
+{
+  Expendable_child child(function);
+  return child.wait();
 }
 
 } // namespace idt

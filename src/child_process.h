@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Work that may take for ever without asking whether to go on.
+// Work that may take for ever without asking whether to go on, or end the process that does it.
 
 #ifndef IDT_CHILD_PROCESS_H
 #define IDT_CHILD_PROCESS_H
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,12 @@ using Say_function = std::function<void(const std::string& line)>;
 // \exception Output_error if there can be no such process
 Child_result run_in_child_process(const std::function<void(const Say_function&)>& function,
                                   double seconds);
+
+// Runs `function` in a copy of this process, which shares the standard output and error, and
+// returns what it returned; nothing if the process ended before, as CORE ends it where it does not
+// know what to do, and so does recursion that is too deep. An interruption is passed on.
+// \exception Output_error if there can be no such process
+std::optional<int> run_in_expendable_process(const std::function<int()>& function);
 
 } // namespace idt
 

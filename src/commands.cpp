@@ -29,8 +29,9 @@ CLI::Option* add_repair_option(CLI::App& command, bool& is_repaired)
                           "remove duplicate faces and unused vertices; all that is done is reported");
 }
 
-Exit_status report_current_exception()
+Exit_status report_current_exception(const std::string& input)
 {
+  const std::string prefix = input.empty() ? std::string() : input + ": ";
   namespace IT = CGAL::Intrinsic_triangulations;
   try {
     throw;
@@ -43,9 +44,9 @@ Exit_status report_current_exception()
   } catch (const IT::Error& error) {
     return say(error.what(), Exit_status::NOT_FINISHED);
   } catch (const std::bad_alloc&) {
-    return say("there is not enough memory", Exit_status::OUTPUT_FAILED);
+    return say(prefix + "there is not enough memory", Exit_status::OUTPUT_FAILED);
   } catch (const std::exception& error) {
-    return say(std::string("internal error: ") + error.what(), Exit_status::OUTPUT_FAILED);
+    return say(prefix + "internal error: " + error.what(), Exit_status::OUTPUT_FAILED);
   }
 }
 
@@ -59,12 +60,15 @@ Exit_status for_each_input(const std::vector<std::string>& inputs,
       break;
     }
     try {
-      keep_first_failure(status, function(input));
+      const Exit_status end = function(input);
+      keep_first_failure(status, end);
+      if (end == Exit_status::OUTPUT_FAILED)
+        break;
     } catch (const Output_error&) {
       keep_first_failure(status, report_current_exception());
       break;
     } catch (...) {
-      keep_first_failure(status, report_current_exception());
+      keep_first_failure(status, report_current_exception(input));
     }
   }
   return status;

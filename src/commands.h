@@ -31,7 +31,8 @@ CLI::Option* add_repair_option(CLI::App& command, bool& is_repaired);
 
 // Writes a message to the standard error and says which status it stands for; to be
 // called in a handler.
-Exit_status report_current_exception();
+// \param input what was worked on, for messages that do not name it themselves
+Exit_status report_current_exception(const std::string& input = std::string());
 
 // Does the same for each input until the command is interrupted. An input that fails
 // does not keep the others from being worked on; the first failure decides. If the output

@@ -5,12 +5,14 @@
 #include "Exit_status.h"
 #include "Interruption.h"
 #include "Output_file.h"
+#include "command_line.h"
 #include "commands.h"
 
 #include <CLI/CLI.hpp>
 
 #include <iostream>
 #include <string>
+#include <vector>
 
 int main(int argc, char** argv)
 {
@@ -39,7 +41,8 @@ int main(int argc, char** argv)
           return value.empty() ? std::string("must not be empty") : std::string();
         });
     try {
-      app.parse(argc, argv);
+      idt::check_values(app, std::vector<std::string>(argv + (argc > 0), argv + argc));
+      idt::parse(app, argc, argv);
       status = selected();
     } catch (const CLI::ParseError& error) {
       // Asking for help is no error. CLI11 has a status for each kind of mistake.

@@ -76,6 +76,8 @@ void check(Parameterize_options& options)
   for (const std::string& obj_path : {options.uv_path, options.uv_input_path})
     if (!obj_path.empty() && find_mesh_format(obj_path) != Mesh_format::OBJ)
       throw Usage_error(obj_path + ": the map is written as an OBJ file, whose name ends in .obj");
+    else if (obj_path.find_first_of("\r\n") != std::string::npos)
+      throw Usage_error("--uv and --uv-input: a name with a line end cannot be written in an OBJ file");
     else if (!obj_path.empty())
       for (const std::string& path : textured_mesh_paths(obj_path))
         outputs.push_back(path);

@@ -2,6 +2,9 @@
 
 #include "repair.h"
 
+#include "Interruption.h"
+#include "Progress.h"
+
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 
 #include <cstdint>
@@ -16,7 +19,13 @@ Repair_report repair(Surface_input& input)
 {
   IT::Repaired_polygons repaired;
   try {
-    repaired = IT::repair_polygons(input.points, input.polygons());
+    Progress progress(input.path);
+    repaired = IT::repair_polygons(input.points, input.polygons(), [&progress](double fraction) {
+      progress.show("repairing", fraction);
+      return !is_interrupted();
+    });
+  } catch (const IT::Cancelled_error&) {
+    throw IT::Cancelled_error(input.path + ": cancelled while it was repaired");
   } catch (const IT::Invalid_surface_error& error) {
     throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(),
                                     input.path + ": " + error.what());

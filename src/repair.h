@@ -19,6 +19,7 @@ namespace idt {
 
 // Makes a surface of what was read, as far as possible, and says what was done.
 // \exception Invalid_surface_error if the input cannot be repaired; the message begins with its path
+// \exception Cancelled_error if an interruption ends the repair
 Repair_report repair(Surface_input& input);
 
 // Whether that mends what was found.

@@ -20,6 +20,8 @@ const char* name(IT::Repair_kind kind)
     return "collapsed faces";
   case IT::Repair_kind::DUPLICATE_FACE:
     return "duplicate faces";
+  case IT::Repair_kind::DUPLICATE_PART:
+    return "duplicate parts of faces";
   case IT::Repair_kind::TRIANGULATED_FACE:
     return "triangulated faces";
   case IT::Repair_kind::REVERSED_FACE:

@@ -100,6 +100,8 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   json["min_weight_after"] = after ? number(after->smallest) : Json(nullptr);
   json["negative_weights_before"] = member(before, &Weight_summary::negative);
   json["negative_weights_after"] = member(after, &Weight_summary::negative);
+  json["infinite_weights_before"] = member(before, &Weight_summary::infinite);
+  json["infinite_weights_after"] = member(after, &Weight_summary::infinite);
   json["verification"] = verification(outcome);
   json["mollification"] = mollification(result.surface);
   json["repair"] = to_json_value(repairs(result.surface));

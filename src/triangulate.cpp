@@ -8,12 +8,15 @@
 #include "Output_file.h"
 #include "Progress.h"
 #include "Stopwatch.h"
+#include "child_process.h"
+#include "command_line.h"
 #include "commands.h"
 #include "repair.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -124,6 +127,53 @@ void write_files(const Triangulate_options& options, Triangulation_result& resul
              [&](std::ostream& os) { os << statistics(result).dump(2) << '\n'; });
 }
 
+Exit_status triangulate_file(const std::string& path, const Triangulate_options& options,
+                             const Kernel_options& kernel, const Load_options& load, bool& is_first)
+{
+  Surface surface = load_surface(path, load);
+  if (!options.overlay_path.empty())
+    check_points(surface);
+  Triangulation_result result = triangulate(std::move(surface), kernel);
+  write_files(options, result);
+  if (!is_first)
+    std::cout << '\n';
+  is_first = false;
+  write_report(std::cout, result);
+  flush_standard_output();
+  const Exit_status status = exit_status(result.outcome);
+  if (status != Exit_status::DONE)
+    std::cerr << "idt: " << path << ": " << describe_status(result) << std::endl;
+  return status;
+}
+
+// Calls exit() where it meets what it was not made for.
+bool may_end_the_process(Number_type number_type)
+{
+  return number_type == Number_type::CORE || number_type == Number_type::HALF_ANGLE_CORE;
+}
+
+// Does it in another process, which is all that ends then.
+Exit_status survive(const std::string& path, const Kernel_options& kernel,
+                    const std::function<Exit_status()>& triangulate_input, bool& is_first)
+{
+  constexpr int has_report = 256;
+  const std::optional<int> end = run_in_expendable_process([&] {
+    Exit_status status;
+    try {
+      status = triangulate_input();
+    } catch (...) {
+      status = report_current_exception(path);
+    }
+    return static_cast<int>(status) + (is_first ? 0 : has_report);
+  });
+  if (!end)
+    throw CGAL::Intrinsic_triangulations::Undecided_error(
+      path + ": as " + name(kernel.number_type) + ": the number type cannot go on with these numbers; " +
+      name(Number_type::FILTERED) + " can");
+  is_first = is_first && *end < has_report;
+  return static_cast<Exit_status>(*end % has_report);
+}
+
 Exit_status run_triangulate(const Triangulate_options& options)
 {
   check(options);
@@ -135,20 +185,9 @@ Exit_status run_triangulate(const Triangulate_options& options)
 
   bool is_first = true;
   return for_each_input(options.inputs, [&](const std::string& path) {
-    Surface surface = load_surface(path, load);
-    if (!options.overlay_path.empty())
-      check_points(surface);
-    Triangulation_result result = triangulate(std::move(surface), kernel);
-    write_files(options, result);
-    if (!is_first)
-      std::cout << '\n';
-    is_first = false;
-    write_report(std::cout, result);
-    flush_standard_output();
-    const Exit_status status = exit_status(result.outcome);
-    if (status != Exit_status::DONE)
-      std::cerr << "idt: " << path << ": " << describe_status(result) << std::endl;
-    return status;
+    const auto triangulate_input = [&] { return triangulate_file(path, options, kernel, load, is_first); };
+    return may_end_the_process(kernel.number_type) ? survive(path, kernel, triangulate_input, is_first)
+                                                   : triangulate_input();
   });
 }
 
@@ -220,7 +259,7 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
                 "give up after that many flips (default: unlimited for an exact number type, "
                 "else the larger of 10,000,000 and 100 times the number of edges)")
     ->type_name("N")
-    ->check(CLI::NonNegativeNumber);
+    ->check(whole_number());
   CLI::Option* const mollify =
     command
       .add_option("--mollify", options->mollification,
@@ -241,7 +280,7 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
   command
     .add_option("--edges", options->edges_path,
                 "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,"
-                "original")
+                "original; no weight where it is infinite, beside a face of zero area")
     ->type_name("F.csv");
   command
     .add_option("--laplacian", options->laplacian_path,

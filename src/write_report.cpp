@@ -38,10 +38,13 @@ std::string stages_text(const CGAL::Intrinsic_triangulations::Stage_counts& coun
 
 std::string weights_text(const Weight_summary& summary)
 {
-  if (!summary.smallest)
-    return "no interior edge";
-  return "smallest " + in_short(*summary.smallest) + ", " + with_separators(summary.negative) +
-         " negative";
+  std::string text = summary.smallest ? "smallest " + in_short(*summary.smallest) + ", " +
+                                          with_separators(summary.negative) + " negative"
+                     : summary.infinite == 0 ? "no interior edge"
+                                             : "none of an interior edge is finite";
+  if (summary.infinite > 0)
+    text += ", " + counted(summary.infinite, "edge has", "edges have") + " none beside faces of zero area";
+  return text;
 }
 
 } // namespace

@@ -23,7 +23,7 @@ class IntrinsicFlipVisitor
 public:
   /// is called before each Delaunay test and before each flip, with their numbers so far.
   /// If it returns `false` the algorithm stops and reports `Flip_status::CANCELLED`; the
-  /// triangulation is valid then.
+  /// triangulation is valid then. A further run goes on from it, but begins all tests again.
   bool go_further(std::uint64_t tests, std::uint64_t flips);
 
   /// is called after each flip, when connectivity and metric have changed; the edge has the

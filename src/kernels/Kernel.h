@@ -77,8 +77,9 @@ struct Job
 // The smallest cotangent weight of an interior edge, and how many are negative.
 struct Weight_summary
 {
-  std::optional<double> smallest; // none if there is no interior edge
+  std::optional<double> smallest; // of those that are finite
   std::size_t negative = 0;
+  std::size_t infinite = 0; // of all edges, the boundary too: those beside a face of zero area
 };
 
 // The graph, and where its crossings lie.

@@ -59,6 +59,14 @@ public:
     return result;
   }
 
+  // Only then can the weight be infinite, but for overflow.
+  bool is_beside_flat_face(IT::Edge_index e)
+  {
+    const IT::Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+    return (!complex_.is_border(h) && !has_positive_area(complex_.face(h))) ||
+           (!complex_.is_border(g) && !has_positive_area(complex_.face(g)));
+  }
+
 private:
   static constexpr std::int8_t unknown = -1;
 
@@ -110,9 +118,10 @@ private:
 
 inline void add(Weight_summary& summary, double weight)
 {
-  if (!summary.smallest || weight < *summary.smallest)
+  if (!std::isfinite(weight))
+    ++summary.infinite;
+  else if (!summary.smallest || weight < *summary.smallest)
     summary.smallest = weight;
-  summary.negative += weight < 0;
 }
 
 // Where the stored numbers have error bounds, the exact geometry is only asked for the few
@@ -124,9 +133,15 @@ Weight_summary summarize_weights(const Triangulation& triangulation)
   Weight_evaluator<Triangulation> weight(triangulation);
   Weight_summary summary;
   if constexpr (!Triangulation::uses_exact_geometry) {
-    for (IT::Edge_index e : complex.edges())
-      if (!complex.is_border(e))
-        add(summary, weight(e));
+    for (IT::Edge_index e : complex.edges()) {
+      const double w = weight(e);
+      if (!complex.is_border(e)) {
+        add(summary, w);
+        summary.negative += w < 0;
+      } else {
+        summary.infinite += !std::isfinite(w);
+      }
+    }
   } else {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     // The cotangent opposite to h from below and from above.
@@ -140,22 +155,25 @@ Weight_summary summarize_weights(const Triangulation& triangulation)
     std::vector<double> from_below(complex.number_of_edges(), infinity);
     double smallest_from_above = infinity;
     for (IT::Edge_index e : complex.edges()) {
-      if (complex.is_border(e))
+      if (complex.is_border(e)) {
+        summary.infinite += weight.is_beside_flat_face(e);
         continue;
+      }
+      summary.negative += !CGAL::certainly(triangulation.is_locally_Delaunay(e));
+      if (weight.is_beside_flat_face(e)) {
+        add(summary, weight(e));
+        continue;
+      }
       const IT::Halfedge_index h = complex.halfedge(e);
       const auto k = cotangent_bounds(h), l = cotangent_bounds(complex.opposite(h));
       from_below[e.idx()] = k.first + l.first;
       smallest_from_above = (std::min)(smallest_from_above, k.second + l.second);
-      summary.negative += !CGAL::certainly(triangulation.is_locally_Delaunay(e));
     }
     // The bounds are those of the exact weight; what is reported is rounded once more.
     smallest_from_above += 0x1p-40 * (1 + std::abs(smallest_from_above));
     for (IT::Edge_index e : complex.edges())
-      if (!complex.is_border(e) && from_below[e.idx()] <= smallest_from_above) {
-        const double w = weight(e);
-        if (!summary.smallest || w < *summary.smallest)
-          summary.smallest = w;
-      }
+      if (from_below[e.idx()] < infinity && from_below[e.idx()] <= smallest_from_above)
+        add(summary, weight(e));
   }
   return summary;
 }

@@ -155,6 +155,31 @@ TEST_F(Command_long_job, can_be_interrupted_while_a_map_is_found)
   }
 }
 
+TEST_F(Command_long_job, can_be_interrupted_while_polygons_are_cut)
+{
+  // Crowns of two hundred corners, as large as polygons are that are cut in the best way.
+  const int crowns = 100, corners = 200;
+  std::ofstream out(folder_ / "crowns.off");
+  out << "OFF\n"
+      << crowns * corners << ' ' << crowns << " 0\n";
+  for (int i = 0; i < crowns * corners; ++i)
+    out << std::cos(2 * 3.14159265358979 * i / corners) << ' ' << std::sin(2 * 3.14159265358979 * i / corners) << ' '
+        << i / corners * 3 + i % 2 << '\n';
+  for (int crown = 0; crown < crowns; ++crown) {
+    out << corners;
+    for (int i = 0; i < corners; ++i)
+      out << ' ' << crown * corners + i;
+    out << '\n';
+  }
+  out.close();
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(interrupt({"triangulate", "crowns.off", "--repair", "--edges", "result.csv"}, 1), 4);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(8));
+  EXPECT_TRUE(contains(content(folder_ / ".err"), "crowns.off: cancelled while it was repaired"))
+    << content(folder_ / ".err");
+  EXPECT_EQ(files(), std::vector<std::string>{"crowns.off"});
+}
+
 TEST_F(Command_long_job, shows_progress_on_a_terminal_and_nowhere_else)
 {
   write_sheet("sheet.ply", 600, 1);

@@ -22,6 +22,38 @@ TEST_F(Command_output, replaces_a_file_when_the_new_one_is_complete)
   EXPECT_EQ(files().size(), 3u);
 }
 
+TEST_F(Command_output, goes_where_links_lead_though_nothing_is_there)
+{
+  write_kite("kite.off");
+  fs::create_directory(folder_ / "results");
+  fs::create_symlink("results/link.csv", folder_ / "first.csv");
+  fs::create_symlink("e.csv", folder_ / "results" / "link.csv");
+  ASSERT_EQ(idt("triangulate kite.off --edges first.csv").status, 0);
+  EXPECT_TRUE(fs::is_symlink(folder_ / "first.csv"));
+  EXPECT_TRUE(fs::is_symlink(folder_ / "results" / "link.csv"));
+  EXPECT_EQ(lines(content(folder_ / "results" / "e.csv")).size(), 6u);
+
+  fs::create_symlink("loop.csv", folder_ / "loop.csv");
+  const Command_run loop = idt("triangulate kite.off --edges loop.csv");
+  EXPECT_EQ(loop.status, 1);
+  EXPECT_TRUE(contains(loop.err, "loop.csv")) << loop.err;
+  EXPECT_TRUE(fs::is_symlink(folder_ / "loop.csv"));
+}
+
+TEST_F(Command_output, keeps_the_permissions_of_the_file_that_it_replaces)
+{
+  write_kite("kite.off");
+  for (const fs::perms mode : {fs::perms(0600), fs::perms(0640), fs::perms(0755), fs::perms(0444)}) {
+    write("e.csv", "old");
+    fs::permissions(folder_ / "e.csv", mode);
+    ASSERT_EQ(idt("triangulate kite.off --edges e.csv").status, 0);
+    EXPECT_EQ(fs::status(folder_ / "e.csv").permissions(), mode);
+    fs::remove(folder_ / "e.csv");
+  }
+  ASSERT_EQ(shell("umask 027; '" + command_path() + "' triangulate kite.off --edges e.csv").status, 0);
+  EXPECT_EQ(fs::status(folder_ / "e.csv").permissions(), fs::perms(0640));
+}
+
 TEST_F(Command_output, leaves_nothing_behind_when_the_space_ends)
 {
   ASSERT_EQ(idt("sample torus -o torus.off").status, 0);
@@ -117,6 +149,8 @@ TEST_F(Command_output, says_when_the_standard_output_is_closed)
   const Command_run run = idt("triangulate kite.off --edges e.csv >&-");
   EXPECT_EQ(run.status, 1);
   EXPECT_TRUE(contains(run.err, "standard output"));
+  EXPECT_EQ(lines(run.err).size(), 1u) << run.err;
+  EXPECT_EQ(lines(idt("compare kite.off kite.off --number-types double >&-").err).size(), 1u);
   // The report must not have gone to a file that got the free descriptor.
   EXPECT_EQ(lines(content(folder_ / "e.csv")).size(), 6u);
   EXPECT_EQ(idt("sample torus >&-").status, 1);

@@ -97,6 +97,19 @@ TEST_F(Command_repair, stands_in_the_file_of_each_command_in_the_same_form)
   }
 }
 
+TEST_F(Command_repair, says_what_is_lost_of_faces_that_were_cut)
+{
+  for (const char* triangle : {"1 2 3", "0 1 2"}) {
+    write("q.off", std::string("OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 ") + triangle + "\n4 0 1 2 3\n");
+    const Command_run run = idt("triangulate q.off --repair --stats s.json");
+    ASSERT_EQ(run.status, 0) << run.err;
+    const Json stats = Json::parse(content(folder_ / "s.json"));
+    // Of the two diagonals one makes the triangle that is there.
+    EXPECT_EQ(contains(run.err, "face 1 was removed in part"), stats["faces"] == 2) << run.err;
+    EXPECT_EQ(contains(content(folder_ / "s.json"), "duplicate parts of faces"), stats["faces"] == 2);
+  }
+}
+
 TEST_F(Command_repair, has_nothing_to_say_about_a_surface)
 {
   write_kite("kite.off");

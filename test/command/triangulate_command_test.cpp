@@ -54,8 +54,8 @@ TEST_F(Triangulate_command, writes_the_keys_of_the_statistics_in_order)
                     "euler_characteristic", "number_type", "flips", "tests", "ties", "cells",
                     "stages", "edges_changed", "simple", "longest", "crossings", "loops",
                     "multiple_edges", "min_weight_before", "min_weight_after",
-                    "negative_weights_before", "negative_weights_after", "verification",
-                    "mollification", "repair", "status", "seconds", "peak_memory_bytes"}));
+                    "negative_weights_before", "negative_weights_after",
+                    "infinite_weights_before", "infinite_weights_after", "verification", "mollification", "repair", "status", "seconds", "peak_memory_bytes"}));
   EXPECT_EQ(json["vertices"], 4);
   EXPECT_EQ(json["boundary_edges"], 4);
   EXPECT_EQ(json["euler_characteristic"], 1);
@@ -191,7 +191,12 @@ TEST_F(Triangulate_command, names_what_is_wrong_with_an_input)
     EXPECT_TRUE(contains(run.err, name)) << run.err;
     EXPECT_EQ(run.out, "") << name;
   }
-  EXPECT_TRUE(contains(idt("triangulate square.off").err, "face 0"));
+  const Command_run square = idt("triangulate square.off");
+  EXPECT_TRUE(contains(square.err, "face 0")) << square.err;
+  EXPECT_TRUE(contains(square.err, "--repair")) << square.err;
+  // Who sits at a terminal cannot call functions.
+  for (const char* name : {"square.off", "fan.off", "turned.off"})
+    EXPECT_FALSE(contains(idt(std::string("triangulate ") + name).err, "CGAL::"));
   EXPECT_TRUE(contains(idt("triangulate flat.gluing").err, "face 0"));
   EXPECT_FALSE(fs::exists(folder_ / "e.csv"));
 }
@@ -341,12 +346,35 @@ TEST_F(Triangulate_command, accepts_faces_of_zero_area_and_unused_vertices)
   }
 }
 
+TEST_F(Triangulate_command, has_no_weight_beside_a_face_of_zero_area)
+{
+  write("cone0.gluing", "INTRINSIC_GLUING 1\n2 2 1\n0 1 0\n0 1 1\n2 -1 2\n");
+  for (const char* number_type : {"filtered", "double", "core"}) {
+    const Command_run run =
+      idt(std::string("triangulate cone0.gluing --edges e.csv --stats s.json --number-type ") + number_type);
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_FALSE(contains(run.out, "inf")) << run.out;
+    EXPECT_TRUE(contains(run.out, "2 edges have none beside faces of zero area")) << run.out;
+    const std::vector<std::string> rows = lines(content(folder_ / "e.csv"));
+    ASSERT_EQ(rows.size(), 3u);
+    for (std::size_t i : {1, 2})
+      EXPECT_EQ(fields(rows[i]).at(3), "") << rows[i];
+    const Json json = Json::parse(content(folder_ / "s.json"));
+    EXPECT_TRUE(json["min_weight_after"].is_null());
+    EXPECT_EQ(json["infinite_weights_before"], 2);
+    EXPECT_EQ(json["infinite_weights_after"], 2);
+  }
+}
+
 TEST_F(Triangulate_command, writes_what_it_has_when_it_does_not_finish)
 {
   ASSERT_EQ(idt("sample pillow -o pillow.off").status, 0);
   const Command_run spent = idt("triangulate pillow.off --maximum-flips 100 --stats s.json --edges e.csv");
   EXPECT_EQ(spent.status, 4);
   EXPECT_TRUE(contains(spent.err, "budget"));
+  const Command_run verified = idt("triangulate pillow.off --maximum-flips 100 --verify");
+  EXPECT_TRUE(contains(verified.err, "the budget of 100 flips is spent")) << verified.err;
+  EXPECT_TRUE(contains(verified.out, "should have been flipped")) << verified.out;
   EXPECT_EQ(Json::parse(content(folder_ / "s.json"))["flips"], 100);
   EXPECT_GT(lines(content(folder_ / "e.csv")).size(), 800u);
 

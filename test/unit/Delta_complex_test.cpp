@@ -227,7 +227,7 @@ TEST(Make_Delta_complex_from_triangles, refuses_what_is_no_oriented_surface)
     return [=] { IT::make_Delta_complex_from_triangles(std::size_t(n), t); };
   };
   expect_defect(build(3, {{0, 1, 2}, {0, 2, 3}}), Defect::BAD_INDEX, 1, "vertex 3");
-  expect_defect(build(3, {{0, 1, -1}}), Defect::BAD_INDEX, 0, "face 0");
+  expect_defect(build(3, {{0, 1, -1}}), Defect::BAD_INDEX, 0, "vertex -1");
   expect_defect(build(3, {{0, 1, 0}}), Defect::REPEATED_CORNER, 0, "vertex 0");
   expect_defect(build(3, {{0, 1, 1}}), Defect::REPEATED_CORNER, 0, "vertex 1");
   expect_defect(build(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}), Defect::NON_MANIFOLD_EDGE, 2, "edge 0-1");

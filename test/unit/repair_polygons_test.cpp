@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -277,6 +278,73 @@ TEST(Repair_polygons, cuts_polygons_at_vertices_that_they_name_twice)
     expect_repaired(points, {{0, 1, 2, 0, 4, 5}},
                     {{Kind::TRIANGULATED_FACE, {0}}, {Kind::SPLIT_VERTEX, {0}}, {Kind::DROPPED_VERTEX, {3, 6}}});
   EXPECT_EQ(eight.triangles.size(), 2u);
+}
+
+TEST(Repair_polygons, says_which_parts_of_faces_it_removes)
+{
+  const Points square = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}};
+  // Wherever the square is cut, one of the triangles is there already.
+  const Polygons both_cuts[] = {{{1, 2, 3}, {0, 1, 2, 3}}, {{0, 1, 2}, {0, 1, 2, 3}}};
+  std::size_t losses = 0;
+  for (const Polygons& polygons : both_cuts) {
+    const IT::Repaired_polygons repaired = IT::repair_polygons(square, polygons);
+    for (const IT::Repair& repair : repaired.repairs)
+      if (repair.kind == Kind::DUPLICATE_PART) {
+        ++losses;
+        EXPECT_EQ(repair.elements, Indices{1});
+        EXPECT_EQ(IT::message(repair),
+                  "face 1 was removed in part after it was cut, as other faces have the same corners");
+        EXPECT_EQ(repaired.triangles.size(), 2u);
+      }
+  }
+  EXPECT_EQ(losses, 1u);
+  // A square that is all there before, and a loop that is cut off and there as well.
+  expect_repaired(square, {{0, 1, 2}, {1, 2, 3}, {0, 1, 3}, {0, 2, 3}, {0, 1, 2, 3}},
+                  {{Kind::DUPLICATE_PART, {4}}, {Kind::REVERSED_FACE, {1, 2}}});
+  const Points bow = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{-1, 0, 0}}, {{-1, -1, 0}}};
+  const IT::Repaired_polygons loop = IT::repair_polygons(bow, Polygons{{0, 1, 2}, {0, 1, 2, 0, 3, 4}});
+  ASSERT_FALSE(loop.repairs.empty());
+  EXPECT_EQ(static_cast<int>(loop.repairs[0].kind), static_cast<int>(Kind::DUPLICATE_PART));
+}
+
+TEST(Repair_polygons, says_why_a_vertex_is_dropped)
+{
+  const Points points = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}, {{5, 5, 5}}};
+  const IT::Repaired_polygons spur = IT::repair_polygons(points, Polygons{{0, 1, 2, 3, 2}});
+  EXPECT_EQ(IT::message(spur.repairs.back()),
+            "vertex 3 was dropped, as no triangle of the result has it, and 1 more vertex like it");
+  const IT::Repaired_polygons unused = IT::repair_polygons(points, Polygons{{0, 1, 2, 3}});
+  EXPECT_EQ(IT::message(unused.repairs.back()), "vertex 4 was dropped, as no face names it");
+}
+
+TEST(Repair_polygons, asks_before_each_polygon_whether_to_go_on)
+{
+  // Thirty crowns of a thousand corners each.
+  Points points;
+  Polygons crowns;
+  for (std::size_t crown = 0; crown < 30; ++crown) {
+    crowns.emplace_back();
+    for (std::size_t i = 0; i < 1000; ++i) {
+      const double t = static_cast<double>(i) * 2 * 3.14159265358979 / 1000;
+      crowns.back().push_back(points.size());
+      points.push_back({{std::cos(t), std::sin(t), static_cast<double>(3 * crown + i % 2)}});
+    }
+  }
+  std::vector<double> fractions;
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(IT::repair_polygons(points, crowns, [&](double fraction) {
+              fractions.push_back(fraction);
+              return true;
+            }).triangles.size(),
+            30u * 998);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
+  ASSERT_GE(fractions.size(), 32u);
+  EXPECT_EQ(fractions.front(), 0);
+  EXPECT_EQ(fractions.back(), 1);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  std::size_t asked = 0;
+  EXPECT_THROW(IT::repair_polygons(points, crowns, [&](double) { return ++asked < 7; }), IT::Cancelled_error);
+  EXPECT_EQ(asked, 7u);
 }
 
 TEST(Repair_polygons, refuses_what_is_damaged)

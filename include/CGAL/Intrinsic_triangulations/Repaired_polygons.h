@@ -19,10 +19,11 @@ enum class Repair_kind {
   MERGED_VERTEX,     ///< a vertex was merged with another at the same place
   COLLAPSED_FACE,    ///< a face was removed, as fewer than three of its corners differ
   DUPLICATE_FACE,    ///< a face was removed, as another has the same corners
+  DUPLICATE_PART,    ///< of a face that was cut, some or all parts were removed, as other faces have the same corners
   TRIANGULATED_FACE, ///< a face was cut into triangles
   REVERSED_FACE,     ///< a face was turned over
   SPLIT_VERTEX,      ///< a vertex got copies, one for each fan of faces beyond the first
-  DROPPED_VERTEX     ///< a vertex was removed, as no face names it
+  DROPPED_VERTEX     ///< a vertex was removed, as no triangle of the result has it
 };
 
 /// \ingroup PkgIntrinsicTriangulationsValidation

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -154,17 +155,19 @@ inline const Finding_properties& finding_properties(const Finding_kind kind)
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief says in a sentence what was found, where, how often, and what to do about it.
 /// \param finding an entry of a report
+/// \param advice what to do about it, in place of what a programmer would do; empty for no advice
 /// \return for example "edge 3-17 has 4 faces (faces 5, 8, 9, 11), and 2 more edges like it; remove ...".
 /// Complexity: constant.
-inline std::string message(const Finding& finding)
+inline std::string message(const Finding& finding, const std::optional<std::string>& advice = std::nullopt)
 {
   const internal::Finding_properties& properties = internal::finding_properties(finding.kind);
   std::string text = finding.description;
   if (finding.count > 1 && finding.kind != Finding_kind::SEVERAL_COMPONENTS)
     text += ", and " + std::to_string(finding.count - 1) + " more " +
             (finding.count == 2 ? properties.singular : properties.plural) + " like it";
-  if (*properties.advice != 0)
-    text += std::string("; ") + properties.advice;
+  const std::string what_to_do = advice.value_or(properties.advice);
+  if (!what_to_do.empty())
+    text += "; " + what_to_do;
   return text;
 }
 
@@ -172,15 +175,17 @@ inline std::string message(const Finding& finding)
 /// \brief says what is wrong with a surface.
 /// \param report what `examine_polygons()` returned
 /// \param name the name of the surface, e.g. of its file; it precedes the text unless it is empty
+/// \param advice what to do about the first fatal entry, in place of what a programmer would do
 /// \return if the report has a fatal entry, the first in full and the other fatal ones by
 /// their numbers; otherwise the entries that are not fatal, one after the other; the
 /// empty string if there is no entry. Complexity: constant.
-inline std::string message(const Surface_report& report, const std::string& name = std::string())
+inline std::string message(const Surface_report& report, const std::string& name = std::string(),
+                           const std::optional<std::string>& advice = std::nullopt)
 {
   std::string text;
   const Finding* const fatal = report.first_fatal();
   if (fatal != nullptr) {
-    text = message(*fatal);
+    text = message(*fatal, advice);
     std::string others;
     for (const Finding& finding : report.findings) {
       if (!finding.is_fatal || &finding == fatal)

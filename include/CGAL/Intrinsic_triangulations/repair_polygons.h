@@ -6,6 +6,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H
 
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/internal/Polygon_repairer.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
@@ -54,7 +55,7 @@ inline bool is_repairable(Finding_kind kind)
 ///   where that is impossible, at edges with more than two faces and at vertices with several fans,
 ///   the surface is cut, which gives it copies of vertices;
 /// - cuts of which both sides fit together again are closed;
-/// - vertices that no face names are dropped.
+/// - vertices that no triangle has are dropped.
 ///
 /// No vertex is moved. Faces and vertices keep their order; copies of vertices come last.
 /// Zero-area faces stay. The result has no fatal finding in most cases, but `examine_polygons()`
@@ -65,17 +66,20 @@ inline bool is_repairable(Finding_kind kind)
 ///
 /// \param points the vertices, whose coordinates are taken as `double`
 /// \param polygons the faces, as indices into `points`
+/// \param progress is asked from time to time, at least before each polygon that is triangulated
 ///
 /// \exception Invalid_surface_error if there is no face, an index is bad, or a coordinate is not finite
+/// \exception Cancelled_error if `progress` returns `false`
 ///
 /// Complexity: O(n log n), but for faces with more than three corners: those that are nearly planar
-/// take O(k log k), others O(k<sup>3</sup>) up to a thousand corners, beyond which they become fans.
+/// take O(k log k), others O(k<sup>3</sup>) up to 200 corners, beyond which they become fans.
 ///
 /// By `CGAL::Polygon_mesh_processing`: `merge_duplicate_points_in_polygon_soup()`,
 /// `merge_duplicate_polygons_in_polygon_soup()`, `triangulate_hole_polyline()`,
 /// `orient_polygon_soup()` and `stitch_borders()`.
 template <class PointRange, class PolygonRange>
-Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& polygons)
+Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& polygons,
+                                  const Progress_function& progress = {})
 {
   const Surface_report report = examine_polygons(points, polygons);
   for (Finding_kind kind : {Finding_kind::EMPTY, Finding_kind::TOO_MANY_ELEMENTS,
@@ -94,7 +98,7 @@ Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& 
     for (const auto index : polygon)
       faces.back().push_back(static_cast<std::size_t>(index));
   }
-  return internal::Polygon_repairer(std::move(coordinates), std::move(faces)).run();
+  return internal::Polygon_repairer(std::move(coordinates), std::move(faces)).run(progress);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation

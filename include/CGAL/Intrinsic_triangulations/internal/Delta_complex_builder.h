@@ -114,10 +114,12 @@ private:
                                       std::size_t number_of_vertices)
   {
     const std::size_t v = std::size_t(t[i]);
+    // What was -1 before it was converted is shown as -1.
+    const bool was_negative = v > (std::numeric_limits<std::size_t>::max)() / 2;
     if (v >= number_of_vertices)
       throw Invalid_surface_error(Defect::BAD_INDEX, face, 1,
                                   "face " + std::to_string(face) + " names vertex " +
-                                    std::to_string(v) + ", but there are only " +
+                                    (was_negative ? "-" + std::to_string(std::size_t(0) - v) : std::to_string(v)) + ", but there are only " +
                                     std::to_string(number_of_vertices) + " vertices");
     if (v == std::size_t(t[(i + 1) % 3]))
       throw Invalid_surface_error(Defect::REPEATED_CORNER, face, 1,

@@ -6,6 +6,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POLYGON_REPAIRER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POLYGON_REPAIRER_H
 
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/Repaired_polygons.h>
 #include <CGAL/Intrinsic_triangulations/internal/Element_collector.h>
 #include <CGAL/Intrinsic_triangulations/internal/triangulate_polygon.h>
@@ -70,7 +71,7 @@ class Polygon_repairer
 public:
   Polygon_repairer(std::vector<std::array<double, 3>> points, std::vector<std::vector<Index>> polygons)
     : input_points_(std::move(points)), input_polygons_(std::move(polygons)),
-      is_reversed_(input_polygons_.size(), false)
+      is_reversed_(input_polygons_.size(), false), has_lost_part_(input_polygons_.size(), false)
   {
     for (Index v = 0; v < input_points_.size(); ++v)
       points_.emplace_back(input_points_[v], v);
@@ -78,20 +79,29 @@ public:
       add_polygon(polygons_, f, input_polygons_[f]);
   }
 
-  Repaired_polygons run()
+  Repaired_polygons run(const Progress_function& progress)
   {
+    // Only the triangulation of polygons can take long: the other steps count for little.
+    ask(progress, 0);
     merge_points();
     remove_repeated_corners();
     remove_duplicates();
-    triangulate();
+    triangulate(progress);
     orient();
+    ask(progress, 0.9);
     stitch_cuts();
     collect();
     report();
+    ask(progress, 1);
     return std::move(result_);
   }
 
 private:
+  static void ask(const Progress_function& progress, double fraction)
+  {
+    report_progress(progress, fraction, "the repair");
+  }
+
   static void add_polygon(std::vector<Numbered_polygon>& polygons, Index input,
                           const std::vector<Index>& corners)
   {
@@ -159,24 +169,43 @@ private:
         collapsed_.add(f);
   }
 
+  std::vector<Index> number_of_parts() const
+  {
+    std::vector<Index> result(input_polygons_.size(), 0);
+    for (const Numbered_polygon& polygon : polygons_)
+      ++result[polygon.input];
+    return result;
+  }
+
   void remove_duplicates()
   {
+    const std::vector<Index> before = number_of_parts();
     Polygon_mesh_processing::merge_duplicate_polygons_in_polygon_soup(
       points_, polygons_, parameters::geom_traits(Numbered_point_traits()));
     std::stable_sort(polygons_.begin(), polygons_.end(),
                      [](const Numbered_polygon& a, const Numbered_polygon& b) { return a.input < b.input; });
+    const std::vector<Index> after = number_of_parts();
+    for (Index f = 0; f < before.size(); ++f)
+      if (before[f] > 1 && after[f] < before[f])
+        has_lost_part_[f] = true;
   }
 
-  void triangulate()
+  void triangulate(const Progress_function& progress)
   {
+    Index number_of_corners = 0, done = 0;
+    for (const Numbered_polygon& polygon : polygons_)
+      number_of_corners += polygon.size();
     std::vector<Numbered_polygon> triangles;
     bool is_changed = false;
     for (const Numbered_polygon& polygon : polygons_) {
       if (polygon.size() == 3) {
+        done += 3;
         triangles.push_back(polygon);
         continue;
       }
       is_changed = true;
+      ask(progress, 0.1 + 0.7 * double(done) / double(number_of_corners));
+      done += polygon.size();
       std::vector<std::array<double, 3>> corners;
       for (Index v : polygon)
         corners.push_back({points_[v].x(), points_[v].y(), points_[v].z()});
@@ -276,7 +305,7 @@ private:
     for (Index f : result_.input_faces)
       ++face_count[f];
 
-    Element_collector merged, duplicates, triangulated, reversed, split, dropped;
+    Element_collector merged, duplicates, lost_parts, triangulated, reversed, split, dropped;
     for (Index v = 0; v < vertex_count.size(); ++v) {
       if (vertex_count[v] > 1)
         split.add(v);
@@ -284,7 +313,9 @@ private:
         (merged_with_[v] != none ? merged : dropped).add(v);
     }
     for (Index f = 0; f < face_count.size(); ++f) {
-      if (face_count[f] == 0 && is_kept_[f])
+      if (has_lost_part_[f])
+        lost_parts.add(f);
+      if (face_count[f] == 0 && is_kept_[f] && !has_lost_part_[f])
         duplicates.add(f);
       else if (face_count[f] > 0) {
         if (input_polygons_[f].size() > 3)
@@ -303,6 +334,10 @@ private:
         [&](Index f) { return face(f) + " was removed, as fewer than three of its corners differ"; });
     add(Repair_kind::DUPLICATE_FACE, duplicates,
         [&](Index f) { return face(f) + " was removed, as another face has the same corners"; });
+    add(Repair_kind::DUPLICATE_PART, lost_parts, [&](Index f) {
+      return face(f) + (face_count[f] == 0 ? " was removed" : " was removed in part") +
+             " after it was cut, as other faces have the same corners";
+    });
     add(Repair_kind::TRIANGULATED_FACE, triangulated, [&](Index f) {
       return face(f) + " (" + std::to_string(input_polygons_[f].size()) +
              " corners) was cut into triangles";
@@ -312,8 +347,10 @@ private:
       return vertex(v) + " became " + std::to_string(vertex_count[v]) +
              " vertices, as its faces form that many fans or the surface had to be cut there";
     });
-    add(Repair_kind::DROPPED_VERTEX, dropped,
-        [&](Index v) { return vertex(v) + " was dropped, as no face names it"; });
+    add(Repair_kind::DROPPED_VERTEX, dropped, [&](Index v) {
+      return vertex(v) + (representative_[v] == none ? " was dropped, as no face names it"
+                                                     : " was dropped, as no triangle of the result has it");
+    });
   }
 
   template <class Describe>
@@ -331,6 +368,7 @@ private:
   std::vector<Index> representative_;       // of each input vertex that a face names, the one it was merged into
   std::vector<Index> merged_with_;          // of each input vertex, the one whose place it took, or none
   std::vector<bool> is_kept_, is_reversed_; // of each input face
+  std::vector<bool> has_lost_part_;         // of each input face of which several parts were left
   Element_collector collapsed_;
   std::size_t number_of_points_before_cuts_ = 0;
   Repaired_polygons result_;

@@ -16,6 +16,7 @@
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
+#include <CGAL/number_type_basic.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 

@@ -41,8 +41,9 @@ triangulate_polygon(const std::vector<std::array<double, 3>>& polygon)
     points.emplace_back(std::ldexp(p[0], -exponent), std::ldexp(p[1], -exponent),
                         std::ldexp(p[2], -exponent));
 
-  // Where the polygon is not nearly planar, memory is quadratic and time cubic.
-  const bool is_small = polygon.size() <= 1000;
+  // Where the polygon is not nearly planar, memory is quadratic and time cubic: with a thousand
+  // corners half a minute.
+  const bool is_small = polygon.size() <= 200;
   std::vector<Triple<int, int, int>> triples;
   if (size > 0)
     Polygon_mesh_processing::triangulate_hole_polyline(points, std::back_inserter(triples),

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
 
+#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
@@ -45,6 +46,14 @@ struct Machine_type<Interval_nt<b>>
 template <class FT>
 constexpr bool has_small_exponent_range = std::is_floating_point<typename Machine_type<FT>::type>::value;
 
+// Roots of numbers beyond 2^150 come out of CORE with few correct digits, and beyond 2^160 it ends
+// the process with a division by zero. Small numbers do it no harm before 2^-1075, below which it
+// takes them for zero where they become `double`.
+template <class FT>
+constexpr bool has_exact_roots =
+  std::is_convertible<typename Algebraic_structure_traits<FT>::Is_exact, Tag_true>::value&&
+    std::is_convertible<typename Algebraic_structure_traits<FT>::Algebraic_category, Field_with_sqrt_tag>::value;
+
 // Products of two squared lengths occur, and differences of such products matter down to
 // their rounding: lengths between 2^-(a tenth of the largest exponent) and 2^(the same) stay far
 // from over- and underflow. Where the largest is not one of them it is made the largest of them,
@@ -56,6 +65,10 @@ int unit_exponent(double largest)
     const int limit = std::numeric_limits<typename Machine_type<FT>::type>::max_exponent / 10;
     const int exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
     return exponent > limit || exponent < -limit ? exponent - limit : 0;
+  } else if constexpr (has_exact_roots<FT>) {
+    constexpr int limit = 16;
+    const int exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
+    return exponent > limit || exponent < -limit ? exponent : 0;
   } else {
     return 0;
   }
@@ -68,7 +81,15 @@ FT times_power_of_two(const FT& x, int exponent)
     return std::ldexp(x, exponent);
   else if constexpr (has_small_exponent_range<FT>)
     return FT(std::ldexp(x.inf(), exponent), std::ldexp(x.sup(), exponent));
-  else
+  else if constexpr (has_exact_roots<FT>) {
+    FT result = x;
+    for (int rest = exponent; rest != 0;) {
+      const int step = (std::max)(-1000, (std::min)(1000, rest));
+      result = result * FT(std::ldexp(1., step));
+      rest -= step;
+    }
+    return result;
+  } else
     return x;
 }
 
@@ -103,6 +124,15 @@ struct Offenders
 template <class FT>
 bool scale(FT& x, int exponent)
 {
+  if constexpr (has_exact_roots<FT>) {
+    // A `double` stays one if it can: what else an exact number is made of makes it slower.
+    const double rounded = CGAL::to_double(x), scaled = std::ldexp(rounded, exponent);
+    if (std::ldexp(scaled, -exponent) == rounded && FT(rounded) == x)
+      x = FT(scaled);
+    else
+      x = times_power_of_two(x, exponent);
+    return true;
+  }
   const FT scaled = times_power_of_two(x, exponent);
   const FT back = times_power_of_two(scaled, -exponent);
   bool is_exact;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Mistakes in a command line that CLI11 takes for something else, or reports as something else.
+
+#ifndef IDT_COMMAND_LINE_H
+#define IDT_COMMAND_LINE_H
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace idt {
+
+// Refuses an option that has no value: what comes next is empty, or looks like another option,
+// which would become a file of that name and not do what it is for. `--edges=--verify` and
+// `./--verify` are what they say.
+// \exception Usage_error
+void check_values(const CLI::App& app, const std::vector<std::string>& arguments);
+
+// Parses.
+// \exception CLI::ParseError that names a wrong word rather than what is missing beside it
+void parse(CLI::App& app, int argc, const char* const* argv);
+
+// Accepts what fits into 64 bits without a sign. CLI11 reads a leading zero as the mark of an octal
+// number, and makes the largest number of one that is larger.
+CLI::Validator whole_number();
+
+} // namespace idt
+
+#endif // IDT_COMMAND_LINE_H
