@@ -3,6 +3,7 @@
 // Numbers survive every format; every way in which a file can be unusable has
 // its own message; the collection of bad files, if it is there.
 
+#include "Surface_file_test.h"
 #include "mesh_file.h"
 #include "read_surface.h"
 
@@ -26,64 +27,10 @@
 
 namespace {
 
-namespace IT = CGAL::Intrinsic_triangulations;
-namespace fs = std::filesystem;
 typedef IT::Finding_kind Kind;
-typedef IT::Invalid_surface_error::Defect Defect;
+typedef Surface_file_test Read_surface;
 typedef std::vector<std::array<double, 3>> Points;
 typedef std::vector<std::array<std::uint32_t, 3>> Triangles;
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-// A folder that goes away with the test.
-class Read_surface : public ::testing::Test
-{
-protected:
-  void SetUp() override
-  {
-    const ::testing::TestInfo* const info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / ("idt_read_surface_" + std::to_string(std::random_device()()) +
-                                           "_" + info->name());
-    fs::create_directories(folder_);
-  }
-  void TearDown() override
-  {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  // Removes the file before: file systems write a file to the disk at once when
-  // its content is replaced, which made thousands of damaged files take minutes.
-  std::string write(const std::string& name, const std::string& content) const
-  {
-    fs::remove(path(name));
-    std::ofstream(path(name), std::ios::binary) << content;
-    return path(name);
-  }
-  // Expects that a file is refused, with a message that begins with its name and contains the text.
-  IT::Invalid_surface_error refused(const std::string& file, const std::string& text,
-                                    const Defect defect = Defect::UNREADABLE) const
-  {
-    try {
-      idt::read_surface(file);
-    } catch (const IT::Invalid_surface_error& error) {
-      const std::string message = error.what();
-      EXPECT_EQ(message.compare(0, file.size() + 2, file + ": "), 0) << message;
-      EXPECT_TRUE(contains(message, text)) << message;
-      EXPECT_EQ(static_cast<int>(error.defect()), static_cast<int>(defect)) << message;
-      return error;
-    }
-    ADD_FAILURE() << file << " was read";
-    return IT::Invalid_surface_error(defect, 0, 0, "");
-  }
-  IT::Invalid_surface_error refused(const std::string& name, const std::string& content, const std::string& text,
-                                    const Defect defect = Defect::UNREADABLE) const
-  {
-    return refused(write(name, content), text, defect);
-  }
-
-  fs::path folder_;
-};
 
 std::string digits(const double number)
 {
@@ -120,20 +67,6 @@ Triangles consecutive_triangles(const std::size_t n)
   for (std::uint32_t i = 0; i + 2 < n; i += 3)
     triangles.push_back({{i, i + 1, i + 2}});
   return triangles;
-}
-
-template <class T>
-void append(std::string& text, const T& value)
-{
-  text.append(reinterpret_cast<const char*>(&value), sizeof(value));
-}
-
-std::string ply_header(const std::string& format, const std::size_t points, const std::size_t faces,
-                       const std::string& real = "double", const std::string& list = "uchar int")
-{
-  return "ply\nformat " + format + " 1.0\nelement vertex " + std::to_string(points) + "\nproperty " + real +
-         " x\nproperty " + real + " y\nproperty " + real + " z\nelement face " + std::to_string(faces) +
-         "\nproperty list " + list + " vertex_indices\nend_header\n";
 }
 
 void expect_same_bits(const Points& a, const Points& b)
@@ -285,18 +218,6 @@ TEST_F(Read_surface, forms_that_are_read)
     EXPECT_EQ(input.points, points);
     EXPECT_EQ(input.triangles, triangle);
   }
-}
-
-std::string binary_stl(const std::vector<std::array<float, 9>>& facets, const std::size_t announced)
-{
-  std::string text(80, 'x');
-  append(text, static_cast<std::uint32_t>(announced));
-  for (const std::array<float, 9>& facet : facets) {
-    append(text, std::array<float, 3>{{0, 0, 1}});
-    append(text, facet);
-    append(text, std::uint16_t(0));
-  }
-  return text;
 }
 
 TEST_F(Read_surface, corners_of_stl_are_merged_by_position)
@@ -465,100 +386,6 @@ TEST_F(Read_surface, broken_ts)
   refused("a.ts", begin + "VRTX 1 1 nan 0\n" + end + "END\n", "line 4 (vertex 1): the coordinate \"nan\"",
           Defect::NOT_FINITE);
   refused("a.ts", "GOCAD TSurf 1\n", "there is no vertex", Defect::EMPTY);
-}
-
-struct Bad_text
-{
-  const char* name;
-  std::string content;
-  const char* message;
-  Defect defect = Defect::UNREADABLE;
-};
-
-// CGAL's readers take of a word what looks like a number, and go on with the rest or without it: each of these
-// was another surface than the one that the file seems to hold.
-TEST_F(Read_surface, words_that_only_begin_as_numbers)
-{
-  const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", points = "0 0 0\n1 0 0\n0 1 0\n", off = "OFF\n3 1 0\n" + points;
-  const std::string stl = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 ";
-  const std::string stl_end = "\nendloop\nendfacet\nendsolid a\n";
-  const auto ply = [&](const char* real, const char* list) { return ply_header("ascii", 3, 1, real, list); };
-  const Bad_text table[] = {
-    {"a.obj", v + "f 1 2 3 4294967300\n", "line 4 (face 0): \"4294967300\" is beyond all numbers", Defect::BAD_INDEX},
-    {"a.obj", v + "f 1 2 3 99999999999999999999/1\n", "is beyond all numbers of vertices", Defect::BAD_INDEX},
-    {"a.obj", v + "f 1 2 3 a4\n", "line 4 (face 0): \"a4\" is not a corner of a face"},
-    {"a.obj", v + "f 1.9 3 2\n", "line 4 (face 0): \"1.9\" is not a corner of a face"},
-    {"a.obj", v + "f 1e0 3 2\n", "line 4 (face 0): \"1e0\" is not a corner of a face"},
-    {"a.obj", v + "f 1 x 3 2\n", "line 4 (face 0): \"x\" is not a corner of a face"},
-    {"a.obj", v + "f 1/2/3/4 3 2\n", "line 4 (face 0): \"1/2/3/4\" is not a corner of a face"},
-    {"a.obj", v + "f 1 2 3#4 1\n", "line 4 (face 0): \"3#4\" is not a corner of a face"},
-    {"a.obj", v + "f 1 2 \\\n3\n", "line 4 (face 0): \"\\\": lines that go on behind a backslash are not read"},
-    {"a.obj", v + "f 1 2 3\nf 0 1 2\n", "line 5 (face 1): \"0\" names vertex 0, but vertices are counted from 1",
-     Defect::BAD_INDEX},
-    {"a.obj", v + "f -4 1 2\n", "line 4 (face 0): the face names vertex -4, but 3 vertices come before it",
-     Defect::BAD_INDEX},
-    {"a.obj", v + "f 1 2 4", "line 4 (face 0): the face names vertex 4, but there are 3 vertices", Defect::BAD_INDEX},
-    {"a.obj", v + "f 1/" + std::string(300, '1') + " 2 3\n", "line 4 (face 0): \"1/1111"},
-    {"a.obj", "v 0 1 0,75\n" + v, "line 1 (vertex 0): \"0,75\" is not a number: write a point for the decimal comma"},
-    {"a.obj", "v 0 1 0x1p3\n" + v, "line 1 (vertex 0): \"0x1p3\" is not a number"},
-    {"a.obj", "v 0 0 1abc\n" + v, "line 1 (vertex 0): \"1abc\" is not a number"},
-    {"a.obj", "v 0 0 1e400\n" + v, "line 1 (vertex 0): the coordinate \"1e400\" is too large", Defect::OUT_OF_RANGE},
-    {"a.obj", v + "f 1 2 3\nl 1 2\n", "line 5: \"l 1 2\" is not understood (after 3 vertices and 1 faces)"},
-    {"a.obj", v + "f 1 2 3\nl 1 2", "line 5: \"l 1 2\" is not understood (after 3 vertices and 1 faces)"},
-    {"a.off", "OFF\n3 1 0\n0 1 0,75\n1 0 0\n0 1 0\n3 0 1 2\n",
-     "line 3 (vertex 0): \"0,75\" is not a number: write a point for the decimal comma"},
-    {"a.off", "OFF\n3 1 0\n0 1 0x1p3\n1 0 0\n0 1 0\n3 0 1 2\n", "line 3 (vertex 0): \"0x1p3\" is not a number"},
-    {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 0 1abc\n3 0 1 2\n", "line 5 (vertex 2): \"1abc\" is not a number"},
-    {"a.off", off + "3 0 1 99999999999999999999\n", "line 6 (face 0): the face names vertex 99999999999999999999, but",
-     Defect::BAD_INDEX},
-    {"a.off", off + "3 0 2.7 1\n", "line 6 (face 0): \"2.7\" is not the index of a vertex"},
-    {"a.off", off + "3.9 0 2 1\n", "line 6 (face 0): \"3.9\" is not a number of corners"},
-    {"a.off", off + "3 0 2 1x7\n", "line 6 (face 0): \"1x7\" is not the index of a vertex"},
-    {"a.off", off + "3 0 2e0 1\n", "line 6 (face 0): \"2e0\" is not the index of a vertex"},
-    {"a.off", off + "18446744073709551615 0 2 1\n", "line 6 (face 0): no face has \"18446744073709551615\" corners"},
-    {"a.stl", stl + "1,5" + stl_end, "line 6 (facet 0): \"1,5\" is not a number: write a point for the decimal comma"},
-    {"a.stl", stl + "0x1p3" + stl_end, "line 6 (facet 0): \"0x1p3\" is not a number"},
-    {"a.ply", ply("double", "uchar int") + points + "259 0 1 2\n",
-     "line 13, element face 0: \"259\" is out of range for the size of the list vertex_indices, which is of type uchar"},
-    {"a.ply", ply("double", "char int") + points + "-1 0 1 2\n",
-     "line 13, element face 0: the list vertex_indices claims a negative number of entries"},
-    {"a.ply", ply("double", "uchar int") + "0 0 0\n1 1e400 0\n0 1 0\n3 0 1 2\n",
-     "line 11, element vertex 1: the coordinate \"1e400\" is too large", Defect::OUT_OF_RANGE},
-    {"a.ply", ply("float", "uchar int") + "0 0 0\n1 1e40 0\n0 1 0\n3 0 1 2\n",
-     "line 11, element vertex 1: y is of type float, for which \"1e40\" is too large", Defect::OUT_OF_RANGE},
-    {"a.ply", ply("double", "uchar int") + points + "3 0 1.5 2\n", "line 13, element face 0: \"1.5\" is not an integer"},
-    {"a.ply", ply("double", "uchar int") + points + "3 0 1 99999999999\n",
-     "line 13, element face 0: \"99999999999\" is out of range for vertex_indices"}};
-  for (const Bad_text& bad : table) {
-    SCOPED_TRACE(bad.content.substr(0, 1000));
-    refused(bad.name, bad.content, bad.message, bad.defect);
-  }
-  std::string binary = ply_header("binary_little_endian", 3, 1, "double", "char int");
-  for (int i = 0; i < 9; ++i)
-    append(binary, 1.0);
-  refused("a.ply", binary + "\xff", "element face 0: the list vertex_indices claims a negative number of entries");
-}
-
-// A mistake behind the first piece of a file that is read is found, and the pieces are joined without a seam.
-TEST_F(Read_surface, long_files_are_looked_at_to_their_end)
-{
-  const std::size_t n = 60000;
-  std::string points, obj, faces = "3 0 1 2\n";
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::string numbers = std::to_string(i) + ".123456789012345 -" + std::to_string(i * i) + "e-7 0.5\n";
-    points += numbers;
-    obj += "v " + numbers;
-  }
-  ASSERT_GT(points.size(), std::size_t(2) << 20);
-  const std::string counts = std::to_string(n) + " 1 0\n", last = std::to_string(n);
-  EXPECT_EQ(idt::read_surface(write("a.off", "OFF\n" + counts + points + faces)).points.size(), n);
-  EXPECT_EQ(idt::read_surface(write("a.obj", obj + "f 1 2 " + last)).points.size(), n);
-  EXPECT_EQ(idt::read_surface(write("a.ply", ply_header("ascii", n, 1) + points + "3 0 1 2")).points.size(), n);
-  refused("a.off", "OFF\n" + counts + points + "3 0 1 2x\n",
-          "line " + std::to_string(n + 3) + " (face 0): \"2x\" is not the index of a vertex");
-  refused("a.obj", obj + "f 1 2 3x\n", "line " + std::to_string(n + 1) + " (face 0): \"3x\" is not a corner");
-  refused("a.ply", ply_header("ascii", n, 1) + points + "3 0 1 2x\n",
-          "line " + std::to_string(n + 10) + ", element face 0: \"2x\" is not an integer");
 }
 
 // Files cut off anywhere and files with bytes changed are read or refused,
