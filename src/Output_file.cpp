@@ -70,10 +70,20 @@ Output_file::Output_file(const std::string& path) : path_(path), target_(path)
     if (const int error_number = create_beside(target_, temporary_))
       fail(error_number);
   }
+  // To open a pipe that nobody reads from would wait for ever. What is open until the stream is, keeps the
+  // reader of any other from seeing an end.
+  const int pipe = fs::is_fifo(status) ? ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC) : -1;
+  if (fs::is_fifo(status) && pipe < 0) {
+    if (errno == ENXIO)
+      throw Output_error(path_ + ": cannot be written: this is a pipe from which no program reads");
+    fail(errno);
+  }
   errno = 0;
   stream_.open(temporary_.empty() ? target_ : temporary_, std::ios::binary | std::ios::trunc);
+  const int error_number = errno;
+  if (pipe >= 0)
+    ::close(pipe);
   if (!stream_) {
-    const int error_number = errno;
     if (!temporary_.empty())
       ::unlink(temporary_.c_str());
     fail(error_number);

@@ -95,7 +95,11 @@ void load_mesh(Surface& surface, bool is_repaired)
 void load_gluing(Surface& surface)
 {
   const Stopwatch stopwatch;
-  read_gluing_file(surface.path, surface.connectivity, surface.lengths);
+  Progress progress(surface.path);
+  read_gluing_file(surface.path, surface.connectivity, surface.lengths, [&progress](double fraction) {
+    progress.show("reading", fraction);
+    return !is_interrupted();
+  });
   surface.read_seconds = stopwatch.seconds();
   if (surface.connectivity.number_of_faces() == 0)
     throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::EMPTY, 0, 1,

@@ -2,13 +2,16 @@
 
 #include "gluing_file.h"
 
+#include "formats/Watched_file.h"
+#include "formats/checks.h"
+
 #include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
-#include <cerrno>
-#include <cstring>
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
+#include <istream>
+#include <new>
 #include <utility>
 
 namespace idt {
@@ -17,31 +20,36 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 bool is_gluing_file(const std::string& path)
 {
-  return std::filesystem::path(path).extension() == ".gluing";
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return extension == ".gluing";
 }
 
 void read_gluing_file(const std::string& path, IT::Delta_complex& connectivity,
-                      std::vector<double>& lengths)
+                      std::vector<double>& lengths, const IT::Progress_function& progress)
 {
-  using Error = IT::Invalid_surface_error;
-  const auto refuse = [&](const std::string& text) {
-    throw Error(Error::Defect::UNREADABLE, 0, 1, path + ": " + text);
+  const std::uintmax_t size = check_file(path);
+  if (size == 0)
+    refuse(path, "the file is empty");
+  check_encoding(path);
+  Watched_file file(path, size, progress);
+  const auto stop_if_cancelled = [&] {
+    if (file.is_cancelled())
+      throw IT::Cancelled_error(path + ": cancelled while it was read");
   };
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    refuse("is a folder");
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
-    refuse(errno == 0 ? "cannot be opened" : std::strerror(errno));
   try {
+    std::istream in(&file);
     auto gluing = IT::read_gluing(in);
-    if (in.bad())
-      refuse("cannot be read");
+    // To whoever reads, a cancelled file is one that ends.
+    stop_if_cancelled();
     connectivity = std::move(gluing.complex);
     lengths = std::move(gluing.lengths);
-  } catch (const Error& e) {
-    throw Error(e.defect(), e.element(), e.count(), path + ": " + e.what());
+  } catch (const IT::Invalid_surface_error& e) {
+    stop_if_cancelled();
+    throw IT::Invalid_surface_error(e.defect(), e.element(), e.count(), path + ": " + e.what());
+  } catch (const std::bad_alloc&) {
+    refuse(path, "there is not enough memory for this file");
   }
 }
 

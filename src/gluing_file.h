@@ -6,6 +6,7 @@
 #define IDT_GLUING_FILE_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 
 #include <ostream>
 #include <string>
@@ -13,14 +14,16 @@
 
 namespace idt {
 
-// Whether the name ends in `.gluing`.
+// Whether the name ends in `.gluing`, in letters of any case.
 bool is_gluing_file(const std::string& path);
 
 // \exception Invalid_surface_error if the file cannot be read or is no gluing; the
 //            message begins with `path`
+// \exception CGAL::Intrinsic_triangulations::Cancelled_error if `progress` returns false
 void read_gluing_file(const std::string& path,
                       CGAL::Intrinsic_triangulations::Delta_complex& connectivity,
-                      std::vector<double>& lengths);
+                      std::vector<double>& lengths,
+                      const CGAL::Intrinsic_triangulations::Progress_function& progress = {});
 
 } // namespace idt
 

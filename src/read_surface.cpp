@@ -13,14 +13,8 @@
 #include <CGAL/IO/polygon_soup_io.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <istream>
-#include <optional>
-#include <sstream>
 #include <stdexcept>
 
 namespace idt {
@@ -49,14 +43,52 @@ bool read_soup(std::istream& in, const std::string& extension, Points& points, P
   return CGAL::IO::read_GOCAD(in, points, polygons, quiet);
 }
 
+Prepared_text prepare(const std::string& path, const std::string& extension, std::uintmax_t size)
+{
+  if (extension == "off" || extension == "obj" || extension == "ply" || extension == "ts")
+    check_encoding(path);
+  if (extension == "off")
+    return check_off(path, size);
+  if (extension == "obj")
+    return check_obj(path);
+  if (extension == "ply")
+    return check_ply(path, size);
+  if (extension == "stl")
+    return check_stl(path, size);
+  if (extension == "ts")
+    return check_ts(path);
+  return {};
+}
+
+// Lets CGAL's reader at a file or a text. What the check says goes before what comes of it.
+template <class Watched_buffer>
+bool read_soup(Watched_buffer& buffer, Text_check* const check, const std::string& path, const std::string& extension,
+               Points& points, Polygons& polygons)
+{
+  std::istream in(&buffer);
+  bool is_read = false;
+  try {
+    is_read = read_soup(in, extension, points, polygons);
+  } catch (const std::length_error&) {
+    buffer.throw_what_was_found();
+    throw;
+  }
+  if (buffer.is_cancelled())
+    throw CGAL::Intrinsic_triangulations::Cancelled_error(path + ": cancelled while it was read");
+  buffer.throw_what_was_found();
+  if (check != nullptr && (is_read || in.eof()))
+    check->finish();
+  return is_read;
+}
+
 bool read_soup(const std::string& path, const std::string& extension, std::uintmax_t size,
-               const std::optional<std::string>& plain_off,
+               Prepared_text& prepared,
                const CGAL::Intrinsic_triangulations::Progress_function& progress, Points& points,
                Polygons& polygons)
 {
-  if (plain_off) {
-    std::istringstream in(*plain_off);
-    return read_soup(in, extension, points, polygons);
+  if (prepared.text) {
+    Watched_text text(*prepared.text, progress);
+    return read_soup(text, nullptr, path, extension, points, polygons);
   }
 #ifdef IDT_READS_VTP
   if (extension == "vtp") {
@@ -68,34 +100,14 @@ bool read_soup(const std::string& path, const std::string& extension, std::uintm
   // CGAL's OBJ reader loses the corners of a face that stand behind a tab.
   if (extension == "obj")
     file.turn_tabs_into_spaces();
-  std::istream in(&file);
-  const bool is_read = read_soup(in, extension, points, polygons);
-  if (file.is_cancelled())
-    throw CGAL::Intrinsic_triangulations::Cancelled_error(path + ": cancelled while it was read");
-  return is_read;
+  file.look_with(prepared.check.get());
+  return read_soup(file, prepared.check.get(), path, extension, points, polygons);
 }
 
 // The extension in lower case, once it is clear that the file can be opened.
-std::string check_file(const std::string& path, std::uintmax_t& size)
+std::string check_name(const std::string& path, const std::uintmax_t size)
 {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found)
-    refuse(path, "there is no such file");
-  if (fs::is_directory(status))
-    refuse(path, "this is a directory, not a file");
-  if (fs::exists(status) && !fs::is_regular_file(status))
-    refuse(path, "this is not a regular file");
-  errno = 0;
-  if (!std::ifstream(path, std::ios::binary))
-    refuse(path, std::string("the file cannot be opened") +
-                   (errno == 0 ? "" : std::string(" (") + std::strerror(errno) + ")"));
-  size = fs::file_size(path, error);
-  if (error)
-    refuse(path, "the file cannot be read (" + error.message() + ")");
-
-  static const std::string known = "known are .off, .obj, .ply, .stl, .ts"
+  static const std::string known = "known are .off, .obj, .ply, .stl, .ts, .gluing"
 #ifdef IDT_READS_VTP
                                    ", .vtp"
 #endif
@@ -123,23 +135,17 @@ std::string check_file(const std::string& path, std::uintmax_t& size)
 Surface_input read_surface(const std::string& path,
                            const CGAL::Intrinsic_triangulations::Progress_function& progress)
 {
-  std::uintmax_t size = 0;
-  const std::string extension = check_file(path, size);
+  const std::uintmax_t size = check_file(path);
+  const std::string extension = check_name(path, size);
   Points points;
   Polygons polygons;
   try {
-    std::optional<std::string> plain_off;
-    if (extension == "off")
-      plain_off = check_off(path, size);
-    else if (extension == "ply")
-      check_ply(path);
-    else if (extension == "stl")
-      check_stl(path, size);
+    Prepared_text prepared = prepare(path, extension, size);
 
     bool is_read = false;
     std::string reason;
     try {
-      is_read = read_soup(path, extension, size, plain_off, progress, points, polygons);
+      is_read = read_soup(path, extension, size, prepared, progress, points, polygons);
     } catch (const std::length_error& error) {
       reason = std::string(": ") + error.what();
     }
@@ -151,7 +157,7 @@ Surface_input read_surface(const std::string& path,
         diagnose_off(path, load(path));
       else if (extension == "stl")
         diagnose_stl(path, load(path));
-      else if (reason.empty())
+      else if (extension != "ts" && reason.empty())
         diagnose_by_position(path, extension);
       refuse(path, "the file cannot be read" + reason +
                      (extension == "off" ? std::string()

@@ -2,11 +2,14 @@
 
 #include "checks.h"
 
+#include "Text_check.h"
 #include "text_file.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -82,7 +85,9 @@ void diagnose_off(const std::string& path, const std::string& text)
 {
   Scanner scanner(text);
   const Off_header header = read_off_header(path, scanner, text.size());
-  scanner.skip_line();
+  // CGAL's reader begins behind the numbers of the header, not at the next line.
+  if (!header.is_plain)
+    scanner.skip_line();
   if (header.faces == 0)
     refuse(path, "there is no face (" + std::to_string(header.vertices) + " vertices)", Defect::EMPTY);
   for (std::size_t v = 0; v < header.vertices; ++v) {
@@ -114,7 +119,9 @@ void diagnose_off(const std::string& path, const std::string& text)
       trouble = "the file ends after " + std::to_string(f) + " of " + std::to_string(header.faces) + " faces";
     else {
       const std::string word = scanner.word_on_line();
-      if (!read_integer(word, size) || size < 0)
+      if (is_beyond_integers(word))
+        trouble = place(scanner, "face", f) + ": no face has " + quote(word) + " corners";
+      else if (!read_integer(word, size) || size < 0)
         trouble = place(scanner, "face", f) + ": " + quote(word) + " is not a number of corners";
     }
     bool is_bad = false;
@@ -124,13 +131,14 @@ void diagnose_off(const std::string& path, const std::string& text)
       if (word.empty())
         trouble = place(scanner, "face", f) + ": there are " + std::to_string(i) + " vertices where " +
                   std::to_string(size) + " are announced";
-      else if (!read_integer(word, index))
+      else if (const bool is_beyond = is_beyond_integers(word); !is_beyond && !read_integer(word, index))
         trouble = place(scanner, "face", f) + ": " + quote(word) + " is not the index of a vertex";
-      else if (index < 0 || index >= static_cast<long long>(header.vertices)) {
+      else if (is_beyond || index < 0 || index >= static_cast<long long>(header.vertices)) {
         is_bad = true;
         if (first_bad_index.empty()) {
           first_bad_face = f;
-          first_bad_index = place(scanner, "face", f) + ": the face names vertex " + word + ", but there are " +
+          first_bad_index = place(scanner, "face", f) + ": the face names vertex " +
+                            (word.size() > 30 ? quote(word) : word) + ", but there are " +
                             std::to_string(header.vertices) + " vertices (counted from 0)";
         }
       }
@@ -184,9 +192,95 @@ std::string without_attributes(const std::string& path, const std::string& text)
 
 } // namespace
 
+namespace {
+
+// CGAL's reader takes of each word what looks like a number, and rounds indices: "3 0 2.7 1" and
+// "0 0 1,5" are something else then.
+class Off_check : public Line_check
+{
+public:
+  // \param header_size the bytes up to the last number of the header
+  // \param header_lines the lines that end within them
+  Off_check(const std::string& path, const Off_header& header, std::size_t header_size, std::size_t header_lines)
+    : path_(path), header_(header), header_size_(header_size), header_lines_(header_lines), to_skip_(header_size)
+  {
+  }
+
+  void take(const char* first, const char* const last) override
+  {
+    const std::size_t skipped = (std::min)(to_skip_, static_cast<std::size_t>(last - first));
+    to_skip_ -= skipped;
+    Line_check::take(first + skipped, last);
+  }
+  void restart() override
+  {
+    Line_check::restart();
+    to_skip_ = header_size_;
+    vertices_ = faces_ = 0;
+  }
+
+private:
+  void line(const char* p, const char* const last) override
+  {
+    p = skip_white(p, last);
+    if (p == last || *p == '#' || faces_ == header_.faces)
+      return;
+    if (vertices_ < header_.vertices ? !is_vertex(p, last) : !is_face(p, last)) {
+      // To say what is wrong takes longer than to see it.
+      diagnose_off(path_, load(path_));
+      refuse(path_, "line " + std::to_string(header_lines_ + number()) + " cannot be read");
+    }
+    ++(vertices_ < header_.vertices ? vertices_ : faces_);
+  }
+
+  static bool is_vertex(const char* p, const char* const last)
+  {
+    for (int i = 0; i < 3; ++i) {
+      p = skip_white(p, last);
+      const char* end = skip_plain_number(p, last);
+      if (end == nullptr) {
+        end = std::find(p, skip_word(p, last), '#');
+        if (!is_coordinate(std::string(p, end)))
+          return false;
+      }
+      p = end;
+    }
+    return true;
+  }
+
+  bool is_face(const char* p, const char* const last) const
+  {
+    std::size_t size = 0;
+    if (!read_count(p, last, size) || size > static_cast<std::size_t>(last - p))
+      return false;
+    for (std::size_t index = 0; size > 0; --size) {
+      p = skip_white(p, last);
+      if (!read_count(p, last, index) || index >= header_.vertices)
+        return false;
+    }
+    return true;
+  }
+
+  // Goes behind a number without a sign and a point, of ten digits at most.
+  static bool read_count(const char*& p, const char* const last, std::size_t& number)
+  {
+    const char* const begin = p += p != last && *p == '+';
+    for (number = 0; p != last && *p >= '0' && *p <= '9' && p - begin < 10; ++p)
+      number = 10 * number + static_cast<std::size_t>(*p - '0');
+    return p != begin && (p == last || is_white(*p) || *p == '#');
+  }
+
+  std::string path_;
+  Off_header header_;
+  std::size_t header_size_, header_lines_, to_skip_;
+  std::size_t vertices_ = 0, faces_ = 0;
+};
+
+} // namespace
+
 // What CGAL's reader would trust: the announced sizes, and the number of
 // entries of a vertex with normals, colors or textures.
-std::optional<std::string> check_off(const std::string& path, const std::uintmax_t file_size)
+Prepared_text check_off(const std::string& path, const std::uintmax_t file_size)
 {
   const std::string head = load(path, 1 << 16);
   Scanner probe(head);
@@ -200,12 +294,14 @@ std::optional<std::string> check_off(const std::string& path, const std::uintmax
     whole = load(path);
   const std::string& text = is_complete ? head : whole;
   Scanner scanner(text);
-  if (read_off_header(path, scanner, file_size).is_plain)
-    return std::nullopt;
+  const Off_header header = read_off_header(path, scanner, file_size);
+  if (header.is_plain)
+    return {std::make_unique<Off_check>(path, header, text.size() - scanner.remaining(), scanner.line() - 1),
+            std::nullopt};
   if (is_complete)
     whole = load(path);
   diagnose_off(path, whole);
-  return without_attributes(path, whole);
+  return {nullptr, without_attributes(path, whole)};
 }
 
 } // namespace idt

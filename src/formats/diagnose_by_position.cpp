@@ -28,10 +28,8 @@ void diagnose_by_position(const std::string& path, const std::string& extension)
   const auto quiet = CGAL::parameters::verbose(false);
   if (extension == "obj")
     CGAL::IO::read_OBJ(in, points, polygons, quiet);
-  else if (extension == "ply")
-    CGAL::IO::read_PLY(in, points, polygons, quiet);
   else
-    CGAL::IO::read_GOCAD(in, points, polygons, quiet);
+    CGAL::IO::read_PLY(in, points, polygons, quiet);
   in.clear();
   const std::streamoff told = in.tellg();
   const std::size_t position = told < 0 ? text.size() : static_cast<std::size_t>(told);
@@ -58,7 +56,7 @@ void diagnose_by_position(const std::string& path, const std::string& extension)
     refuse(path, where + ": " + quote(word) + " cannot be read (after " + so_far + ")");
   }
 
-  // These are read line by line: the reader is behind the one that it did not
+  // OBJ is read line by line: the reader is behind the one that it did not
   // like, or at the end with something missing.
   const std::size_t end_of_line = position > 0 && text[position - 1] == '\n' ? position - 1 : position;
   const std::size_t line_begin = end_of_line == 0 ? 0 : text.rfind('\n', end_of_line - 1) + 1;
@@ -68,53 +66,16 @@ void diagnose_by_position(const std::string& path, const std::string& extension)
   const std::string where =
     "line " + std::to_string(
                 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(line_begin), '\n'));
-  if (!is_at_end || line.compare(0, 2, "v ") == 0 || line.compare(0, 4, "VRTX") == 0) {
-    std::istringstream words(line);
-    std::string word;
-    words >> word;
-    const bool is_vertex = word == "v" || word.find("VRTX") != std::string::npos;
-    if (word.find("VRTX") != std::string::npos)
-      words >> word;
-    const std::string vertex = where + " (vertex " + std::to_string(points.size()) + ")";
-    for (int i = 0; is_vertex && i < 3; ++i) {
-      if (!(words >> word)) {
-        if (!is_at_end)
-          refuse(path, vertex + ": there are " + std::to_string(i) + " numbers where 3 are needed",
-                 Defect::UNREADABLE, points.size());
-        break;
-      }
-      check_coordinate(path, word, vertex, points.size());
-    }
-    if (!is_at_end)
-      refuse(path, where + ": " + quote(line) + " is not understood (after " + so_far + ")");
-  }
+  const std::string not_understood = where + ": " + quote(line) + " is not understood (after " + so_far + ")";
+  if (!is_at_end)
+    refuse(path, not_understood);
   if (polygons.empty() || points.empty())
     refuse(path,
            "there is " + std::string(points.empty() ? "no vertex" : "no face") + " in the file (" + so_far +
              ")",
            Defect::EMPTY);
-  std::size_t first = 0, count = 0;
-  std::uint32_t index = 0;
-  for (std::size_t f = 0; f < polygons.size(); ++f)
-    for (const std::uint32_t corner : polygons[f])
-      if (corner >= points.size()) {
-        if (count++ == 0) {
-          first = f;
-          index = corner;
-        }
-        break;
-      }
-  if (count != 0)
-    refuse(path,
-           "face " + std::to_string(first) + " names vertex " +
-             (index > 0x7fffffffu ? "-" + std::to_string(0x100000000ull - index) : std::to_string(index)) +
-             " (counted from 0), but there are " + std::to_string(points.size()) + " vertices" +
-             (count == 1 ? ""
-                         : ", and " + std::to_string(count - 1) +
-                             (count == 2 ? " more face like it" : " more faces like it")),
-           Defect::BAD_INDEX, first, count);
-  if (extension == "ts")
-    refuse(path, "the file has no line END, or not as many as it has parts");
+  // Numbers and corners were looked at before: it was the last line.
+  refuse(path, not_understood);
 }
 
 } // namespace idt

@@ -22,7 +22,7 @@ enum class Number_state {
 
 Number_state read_number(const std::string& word, double& number)
 {
-  const char* const begin = word.data() + (word.size() > 1 && word[0] == '+' ? 1 : 0);
+  const char* const begin = word.data() + (word.size() > 1 && word[0] == '+' && word[1] != '-' ? 1 : 0);
   const std::from_chars_result result = std::from_chars(begin, word.data() + word.size(), number);
   if (result.ptr != word.data() + word.size() || result.ec == std::errc::invalid_argument)
     return Number_state::NOT_A_NUMBER;
@@ -61,10 +61,33 @@ std::string quote(const std::string& text)
   return quoted + (text.size() > 40 ? "...\"" : "\"");
 }
 
+namespace {
+
+std::from_chars_result parse_integer(const std::string& word, long long& number)
+{
+  const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
+  return std::from_chars(word.data() + has_plus, word.data() + word.size(), number);
+}
+
+} // namespace
+
 bool read_integer(const std::string& word, long long& number)
 {
-  const std::from_chars_result result = std::from_chars(word.data(), word.data() + word.size(), number);
+  const std::from_chars_result result = parse_integer(word, number);
   return result.ec == std::errc() && result.ptr == word.data() + word.size();
+}
+
+bool is_beyond_integers(const std::string& word)
+{
+  long long number = 0;
+  const std::from_chars_result result = parse_integer(word, number);
+  return result.ec == std::errc::result_out_of_range && result.ptr == word.data() + word.size();
+}
+
+bool is_coordinate(const std::string& word)
+{
+  double number = 0;
+  return read_number(word, number) == Number_state::GOOD;
 }
 
 std::string place(const Scanner& scanner, const char* const kind, const std::size_t element)
@@ -87,7 +110,11 @@ double check_coordinate(const std::string& path, const std::string& word, const 
   case Number_state::NOT_A_NUMBER:
     break;
   }
-  refuse(path, where + ": " + quote(word) + " is not a number", Defect::UNREADABLE, vertex);
+  std::string with_point = word;
+  std::replace(with_point.begin(), with_point.end(), ',', '.');
+  const bool has_comma = with_point != word && read_number(with_point, number) == Number_state::GOOD;
+  refuse(path, where + ": " + quote(word) + " is not a number" + (has_comma ? ": write a point for the decimal comma" : ""),
+         Defect::UNREADABLE, vertex);
 }
 
 } // namespace idt

@@ -73,7 +73,7 @@ private:
   std::string take()
   {
     const std::size_t begin = position_;
-    while (position_ < text_.size() && !is_space(text_[position_]))
+    while (position_ < text_.size() && !is_space(text_[position_]) && text_[position_] != '#')
       ++position_;
     return text_.substr(begin, position_ - begin);
   }
@@ -85,6 +85,12 @@ private:
 
 // Whether a word is an integer and nothing else.
 bool read_integer(const std::string& word, long long& number);
+
+// Whether a word is an integer that no computer counts up to.
+bool is_beyond_integers(const std::string& word);
+
+// Whether a word is a number that a coordinate can be.
+bool is_coordinate(const std::string& word);
 
 // "line 7 (vertex 3)"
 std::string place(const Scanner& scanner, const char* kind, std::size_t element);

@@ -76,7 +76,7 @@ private:
     if (fields_[0] != "INTRINSIC_GLUING")
       fail(Defect::UNREADABLE, "does not begin with INTRINSIC_GLUING");
     if (fields_[1] != "1")
-      fail(Defect::UNREADABLE, "asks for version " + fields_[1] + " of the format; this is version 1");
+      fail(Defect::UNREADABLE, "asks for version " + shown(fields_[1]) + " of the format; this is version 1");
     next_line("the numbers of vertices, edges and faces", 3);
     number_of_vertices_ = count(fields_[0]);
     number_of_edges_ = count(fields_[1]);
@@ -97,7 +97,7 @@ private:
       for (const std::string& field : fields_) {
         const std::int64_t v = integer(field);
         if (v < 0 || std::size_t(v) >= number_of_vertices_)
-          fail(Defect::BAD_INDEX, "names vertex " + field + ", but there are " +
+          fail(Defect::BAD_INDEX, "names vertex " + shown(field) + ", but there are " +
                                     std::to_string(number_of_vertices_) + " vertices");
         corner_vertex_.push_back(std::uint32_t(v));
       }
@@ -169,7 +169,7 @@ private:
     const char* const end = field.data() + field.size();
     const auto result = std::from_chars(field.data(), end, n);
     if (result.ptr != end || result.ec != std::errc())
-      fail(Defect::UNREADABLE, "has '" + field + "' where an integer is expected");
+      fail(Defect::UNREADABLE, "has '" + shown(field) + "' where an integer is expected");
     return n;
   }
 
@@ -177,9 +177,9 @@ private:
   {
     const std::int64_t n = integer(field);
     if (n < 0)
-      fail(Defect::UNREADABLE, "has the negative number " + field + " for a count");
+      fail(Defect::UNREADABLE, "has the negative number " + shown(field) + " for a count");
     if (n >= std::int64_t(null / 2))
-      fail(Defect::OUT_OF_RANGE, "has " + field + " elements of a kind: too many for 32-bit indices");
+      fail(Defect::OUT_OF_RANGE, "has " + shown(field) + " elements of a kind: too many for 32-bit indices");
     return std::size_t(n);
   }
 
@@ -189,10 +189,10 @@ private:
     if (s == -1)
       return null;
     if (s < 0 || std::size_t(s) >= halfedge_of_.size())
-      fail(Defect::INVALID_GLUING, "names side " + field + ", but there are " +
+      fail(Defect::INVALID_GLUING, "names side " + shown(field) + ", but there are " +
                                      std::to_string(halfedge_of_.size()) + " sides");
     if (halfedge_of_[std::size_t(s)] != null)
-      fail(Defect::INVALID_GLUING, "names side " + field + ", which already has an edge");
+      fail(Defect::INVALID_GLUING, "names side " + shown(field) + ", which already has an edge");
     halfedge_of_[std::size_t(s)] = std::uint32_t(halfedge);
     return std::uint32_t(s);
   }
@@ -204,15 +204,24 @@ private:
     number_parser_.str(field);
     number_parser_ >> x;
     if (number_parser_.fail() || number_parser_.peek() != std::istringstream::traits_type::eof())
-      fail(Defect::UNREADABLE, "has '" + field + "' where a length is expected");
+      fail(Defect::UNREADABLE, "has '" + shown(field) + "' where a length is expected");
     if (!is_positive_and_finite(x))
-      fail(Defect::NOT_FINITE, "has the length " + field + ", which is not positive and finite");
+      fail(Defect::NOT_FINITE, "has the length " + shown(field) + ", which is not positive and finite");
     return x;
   }
 
   std::uint32_t side_target(std::uint32_t s) const
   {
     return corner_vertex_[s % 3 == 2 ? s - 2 : s + 1];
+  }
+
+  // A field as it can stand in a message: what is in a file may steer a terminal, or be long.
+  static std::string shown(const std::string& field)
+  {
+    std::string result = field.substr(0, 40);
+    std::replace_if(
+      result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return result + (field.size() > 40 ? "..." : "");
   }
 
   [[noreturn]] void fail(Defect defect, const std::string& what) const
