@@ -100,10 +100,10 @@ std::string describe_status(const Triangulation_result& result)
            first_of(report.inconsistent, outcome.connectivity) +
            " failed the test again after the flip";
   case IT::Flip_status::NOT_FLIPPABLE:
-    // Exact numbers come to that beside faces of zero area alone.
+    // Exact numbers come to that beside faces of zero area, and CORE where roots are below 2^-1075.
     if (result.options.number_type == Number_type::CORE ||
         result.options.number_type == Number_type::HALF_ANGLE_CORE)
-      return "not Delaunay: beside a face of zero area, " +
+      return "not Delaunay: beside a face whose area is zero, or too small for CORE, " +
              first_of(report.not_flippable, outcome.connectivity) +
              " should be flipped and cannot; the number type " + name(Number_type::FILTERED) + " passes such faces";
     return "not Delaunay: rounding leaves " +

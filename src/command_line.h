@@ -22,7 +22,7 @@ void check_values(const CLI::App& app, const std::vector<std::string>& arguments
 // \exception CLI::ParseError that names a wrong word rather than what is missing beside it
 void parse(CLI::App& app, int argc, const char* const* argv);
 
-// Accepts what fits into 64 bits without a sign. CLI11 reads a leading zero as the mark of an octal
+// To be passed to transform(): accepts what fits into 64 bits without a sign. CLI11 reads a leading zero as the mark of an octal
 // number, and makes the largest number of one that is larger.
 CLI::Validator whole_number();
 

@@ -259,7 +259,7 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
                 "give up after that many flips (default: unlimited for an exact number type, "
                 "else the larger of 10,000,000 and 100 times the number of edges)")
     ->type_name("N")
-    ->check(whole_number());
+    ->transform(whole_number());
   CLI::Option* const mollify =
     command
       .add_option("--mollify", options->mollification,

@@ -43,7 +43,7 @@ std::string weights_text(const Weight_summary& summary)
                      : summary.infinite == 0 ? "no interior edge"
                                              : "none of an interior edge is finite";
   if (summary.infinite > 0)
-    text += ", " + counted(summary.infinite, "edge has", "edges have") + " none beside faces of zero area";
+    text += ", " + counted(summary.infinite, "edge has", "edges have") + " no weight, beside faces of zero area";
   return text;
 }
 

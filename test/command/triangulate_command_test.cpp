@@ -354,7 +354,7 @@ TEST_F(Triangulate_command, has_no_weight_beside_a_face_of_zero_area)
       idt(std::string("triangulate cone0.gluing --edges e.csv --stats s.json --number-type ") + number_type);
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_FALSE(contains(run.out, "inf")) << run.out;
-    EXPECT_TRUE(contains(run.out, "2 edges have none beside faces of zero area")) << run.out;
+    EXPECT_TRUE(contains(run.out, "2 edges have no weight, beside faces of zero area")) << run.out;
     const std::vector<std::string> rows = lines(content(folder_ / "e.csv"));
     ASSERT_EQ(rows.size(), 3u);
     for (std::size_t i : {1, 2})
