@@ -106,6 +106,9 @@ private:
     const double longest = std::fmax(l_ij, std::fmax(l_jk, l_ki));
     const double ij = l_ij / longest, jk = l_jk / longest, ki = l_ki / longest;
     const double p = IT::twice_scalar_product<double>(jk * jk, ki * ki, ij * ij);
+    // Rounded lengths make a little area of none, and a number of what is infinite.
+    if (Triangulation::Traits::Has_exact_decisions::value && !has_positive_area(complex_.face(h)))
+      return std::copysign(std::numeric_limits<double>::infinity(), p);
     const double q = IT::squared_four_areas_from_lengths(ij, jk, ki);
     return q > 0 ? p / std::sqrt(q)
                  : std::copysign(std::numeric_limits<double>::infinity(), p);
