@@ -7,7 +7,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
-#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/Cotangent_bounds.h>
@@ -24,7 +23,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -475,18 +473,8 @@ private:
 
   void check_length(Edge_index e)
   {
-    if (!exact_geometry().has_length_zero(connectivity_, e))
-      return;
-    const Halfedge_index h = connectivity_.halfedge(e);
-    throw Invalid_surface_error(Invalid_surface_error::Defect::ZERO_LENGTH_EDGE,
-                                connectivity_.source(h).idx(), 1,
-                                connectivity_.is_loop(e)
-                                  ? "a loop at vertex " +
-                                      std::to_string(connectivity_.source(h).idx()) +
-                                      " has length zero: the lengths leave no room there"
-                                  : "vertices " + std::to_string(connectivity_.source(h).idx()) +
-                                      " and " + std::to_string(connectivity_.target(h).idx()) +
-                                      " coincide on the surface, though no edge joins them; merge them first");
+    if (exact_geometry().has_length_zero(connectivity_, e))
+      internal::throw_no_length(connectivity_, e);
   }
 
   FT in_input_unit(FT x, int dimension) const

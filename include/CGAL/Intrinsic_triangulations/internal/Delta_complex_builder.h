@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/for_each_halfedge_around.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -280,31 +281,17 @@ private:
     }
   }
 
-  // Calls function(h) for the halfedges in the fan of halfedge(v).
-  template <class Function>
-  static void for_each_in_fan(const Delta_complex& complex, Vertex_index v, const Function& function)
-  {
-    const Halfedge_index first = complex.halfedge(v);
-    if (!first.is_valid())
-      return;
-    Halfedge_index h = first;
-    do {
-      function(h);
-      h = complex.next_around_target(h);
-    } while (h != first);
-  }
-
   // Sides glued by their end vertices can leave two fans at one vertex. Then one of them is not met.
   static void check_fans(const Delta_complex& complex)
   {
     std::size_t number_of_met = 0;
     for (Vertex_index v : complex.vertices())
-      for_each_in_fan(complex, v, [&](Halfedge_index) { ++number_of_met; });
+      for_each_halfedge_around(complex, v, [&](Halfedge_index) { ++number_of_met; });
     if (number_of_met == complex.number_of_halfedges())
       return;
     std::vector<bool> is_met(complex.number_of_halfedges(), false);
     for (Vertex_index v : complex.vertices())
-      for_each_in_fan(complex, v, [&](Halfedge_index h) { is_met[h.idx()] = true; });
+      for_each_halfedge_around(complex, v, [&](Halfedge_index h) { is_met[h.idx()] = true; });
     const std::size_t h = std::size_t(std::find(is_met.begin(), is_met.end(), false) - is_met.begin());
     const std::size_t v = complex.target(Halfedge_index(std::uint32_t(h))).idx();
     throw Invalid_surface_error(Defect::NON_MANIFOLD_VERTEX, v, 1,

@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/internal/for_each_halfedge_around.h>
 
 #include <Eigen/SparseCore>
 
@@ -19,20 +20,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
-
-// Calls function(h) for the halfedges that point to v.
-template <class Function>
-void for_each_halfedge_around(const Delta_complex& complex, Vertex_index v, const Function& function)
-{
-  const Halfedge_index first = complex.halfedge(v);
-  if (!first.is_valid())
-    return;
-  Halfedge_index h = first;
-  do {
-    function(h);
-    h = complex.next_around_target(h);
-  } while (h != first);
-}
 
 // The columns of a block of vertices.
 template <class Edge_value, class Diagonal_value>

@@ -44,6 +44,20 @@ struct Is_used_vertex
   bool operator()(std::size_t v) const { return complex.halfedge(Vertex_index(std::uint32_t(v))).is_valid(); }
 };
 
+// For an edge that a flip has made.
+[[noreturn]] inline void throw_no_length(const Delta_complex& complex, Edge_index e)
+{
+  const Halfedge_index h = complex.halfedge(e);
+  const std::string source = std::to_string(complex.source(h).idx()),
+                    target = std::to_string(complex.target(h).idx());
+  throw Invalid_surface_error(Defect::ZERO_LENGTH_EDGE, complex.source(h).idx(), 1,
+                              complex.is_loop(e) ? "a loop at vertex " + source +
+                                                     " has length zero: the lengths leave no room there"
+                                                 : "vertices " + source + " and " + target +
+                                                     " coincide on the surface, though no edge joins them; "
+                                                     "merge them first");
+}
+
 // Names the first edge whose squared length is zero.
 template <class PointVector>
 [[noreturn]] void throw_zero_length(const Delta_complex& complex, const PointVector& points,
