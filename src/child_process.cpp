@@ -24,10 +24,10 @@
 namespace idt {
 namespace {
 
-void write_all(int descriptor, const std::string& text)
+void write_all(int descriptor, const char* data, std::size_t size)
 {
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t n = ::write(descriptor, text.data() + done, text.size() - done);
+  for (std::size_t done = 0; done < size;) {
+    const ssize_t n = ::write(descriptor, data + done, size - done);
     if (n < 0 && errno != EINTR)
       ::_exit(1);
     if (n > 0)
@@ -35,51 +35,29 @@ void write_all(int descriptor, const std::string& text)
   }
 }
 
-[[noreturn]] void be_the_child(const std::function<void(const Say_function&)>& function, int out,
-                               const std::string& folder)
-{
-  // Not to outlive the parent, nor to share what it writes to.
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  const int nothing = ::open("/dev/null", O_WRONLY);
-  ::dup2(nothing, STDOUT_FILENO);
-  ::dup2(nothing, STDERR_FILENO);
-  // What it leaves when it is killed goes with this folder.
-  if (!folder.empty())
-    ::setenv("TMPDIR", folder.c_str(), 1);
-  try {
-    function([out](const std::string& line) { write_all(out, line + '\n'); });
-  } catch (...) {
-    ::_exit(1);
-  }
-  ::_exit(0); // without the destructors and buffers that belong to the parent
-}
-
-[[noreturn]] void fail_to_fork()
-{
-  throw Output_error(std::string("there can be no other process: ") + std::strerror(errno));
-}
-
+// A copy of this process that runs a function, to which it passes the descriptor for what is to be said.
 class Child
 {
 public:
-  explicit Child(const std::function<void(const Say_function&)>& function)
+  explicit Child(const std::function<void(int out)>& function) : folder_(make_temporary_folder())
   {
-    folder_ = make_temporary_folder();
+    // Lest both write what waits there.
+    std::cout.flush();
+    std::cerr.flush();
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0)
-      fail_to_fork();
+      fail(errno);
     process_ = ::fork();
     if (process_ == 0) {
       ::close(ends[0]);
-      be_the_child(function, ends[1], folder_);
+      be_the_child(function, ends[1]);
     }
     const int error_number = errno;
     ::close(ends[1]);
     in_ = ends[0];
     if (process_ < 0) {
       ::close(in_);
-      errno = error_number;
-      fail_to_fork();
+      fail(error_number);
     }
   }
   Child(const Child&) = delete;
@@ -87,19 +65,17 @@ public:
   ~Child()
   {
     ::close(in_);
-    std::error_code error;
-    if (!folder_.empty())
-      std::filesystem::remove_all(folder_, error);
+    remove_folder();
   }
 
+  // Takes the lines that it says. \param seconds how long it may take to the next
   Child_result listen(double seconds)
   {
     Child_result result;
     std::string rest;
     Stopwatch stopwatch;
     for (;;) {
-      struct pollfd in = {in_, POLLIN, 0};
-      if (::poll(&in, 1, 50) > 0) {
+      if (has_said_something()) {
         char buffer[4096];
         const ssize_t n = ::read(in_, buffer, sizeof buffer);
         if (n == 0)
@@ -124,89 +100,58 @@ public:
     return result;
   }
 
+  // Takes the one number that it says, if it does not end before. An interruption is passed on.
+  std::optional<int> take_number()
+  {
+    int number = 0;
+    ssize_t n = -1;
+    for (bool is_told = false; n < 0;) {
+      if (has_said_something())
+        n = ::read(in_, &number, sizeof number);
+      if (is_interrupted() && !is_told) {
+        ::kill(process_, SIGTERM);
+        is_told = true;
+      }
+    }
+    wait();
+    return n == sizeof number ? std::optional<int>(number) : std::nullopt;
+  }
+
 private:
+  [[noreturn]] void be_the_child(const std::function<void(int out)>& function, int out) const
+  {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL); // not to outlive the parent
+    if (!folder_.empty())
+      ::setenv("TMPDIR", folder_.c_str(), 1);
+    try {
+      function(out);
+    } catch (...) {
+      ::_exit(1);
+    }
+    ::_exit(0); // without the destructors and buffers that belong to the parent
+  }
+
+  [[noreturn]] void fail(int error_number) const
+  {
+    remove_folder();
+    throw Output_error(std::string("there can be no other process: ") + std::strerror(error_number));
+  }
+
+  // Or has ended. Waits a little.
+  bool has_said_something() const
+  {
+    struct pollfd in = {in_, POLLIN, 0};
+    return ::poll(&in, 1, 50) > 0;
+  }
+
   // Returns whether it ended well.
-  bool wait()
+  bool wait() const
   {
     int status = 0;
     while (::waitpid(process_, &status, 0) < 0)
       if (errno != EINTR)
         return false;
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  }
-
-  std::string folder_;
-  pid_t process_ = -1;
-  int in_ = -1;
-};
-
-class Expendable_child
-{
-public:
-  explicit Expendable_child(const std::function<int()>& function) : folder_(make_temporary_folder())
-  {
-    // Lest both write what waits there.
-    std::cout.flush();
-    std::cerr.flush();
-    int ends[2];
-    process_ = ::pipe2(ends, O_CLOEXEC) == 0 ? ::fork() : -1;
-    if (process_ < 0) {
-      const int error_number = errno;
-      remove_folder();
-      errno = error_number;
-      fail_to_fork();
-    }
-    if (process_ == 0) {
-      ::close(ends[0]);
-      be_the_child(function, ends[1]);
-    }
-    ::close(ends[1]);
-    in_ = ends[0];
-  }
-  Expendable_child(const Expendable_child&) = delete;
-  Expendable_child& operator=(const Expendable_child&) = delete;
-  ~Expendable_child()
-  {
-    ::close(in_);
-    remove_folder();
-  }
-
-  std::optional<int> wait()
-  {
-    int result = 0;
-    ssize_t n = 0;
-    for (bool is_told = false;;) {
-      struct pollfd in = {in_, POLLIN, 0};
-      if (::poll(&in, 1, 50) > 0) {
-        n = ::read(in_, &result, sizeof result);
-        if (n >= 0)
-          break;
-      }
-      if (is_interrupted() && !is_told) {
-        ::kill(process_, SIGTERM);
-        is_told = true;
-      }
-    }
-    while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR)
-      ;
-    return n == sizeof result ? std::optional<int>(result) : std::nullopt;
-  }
-
-private:
-  [[noreturn]] void be_the_child(const std::function<int()>& function, int out)
-  {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (!folder_.empty())
-      ::setenv("TMPDIR", folder_.c_str(), 1);
-    try {
-      const int result = function();
-      std::cout.flush();
-      if (::write(out, &result, sizeof result) != sizeof result)
-        ::_exit(1);
-    } catch (...) {
-      ::_exit(1);
-    }
-    ::_exit(0); // without the destructors that belong to the parent
   }
 
   void remove_folder() const
@@ -226,13 +171,24 @@ private:
 Child_result run_in_child_process(const std::function<void(const Say_function&)>& function,
                                   double seconds)
 {
-  return Child(function).listen(seconds);
+  Child child([&function](int out) {
+    // Not to share what the parent writes to.
+    const int nothing = ::open("/dev/null", O_WRONLY);
+    ::dup2(nothing, STDOUT_FILENO);
+    ::dup2(nothing, STDERR_FILENO);
+    function([out](const std::string& line) { write_all(out, (line + '\n').data(), line.size() + 1); });
+  });
+  return child.listen(seconds);
 }
 
 std::optional<int> run_in_expendable_process(const std::function<int()>& function)
 {
-  Expendable_child child(function);
-  return child.wait();
+  Child child([&function](int out) {
+    const int result = function();
+    std::cout.flush();
+    write_all(out, reinterpret_cast<const char*>(&result), sizeof result);
+  });
+  return child.take_number();
 }
 
 } // namespace idt

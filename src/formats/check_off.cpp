@@ -190,10 +190,6 @@ std::string without_attributes(const std::string& path, const std::string& text)
   return result;
 }
 
-} // namespace
-
-namespace {
-
 // CGAL's reader takes of each word what looks like a number, and rounds indices: "3 0 2.7 1" and
 // "0 0 1,5" are something else then.
 class Off_check : public Line_check

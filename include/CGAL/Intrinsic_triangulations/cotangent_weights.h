@@ -80,7 +80,7 @@ BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& trian
 constexpr double stored_number_accuracy = 0x1p-32;
 
 // One number for each of n elements. Several threads compute `number.of_any_thread()`, and where that
-// is NaN, one computes `number.of_one_thread()`.
+// is NaN, one computes `number()`.
 template <class ConcurrencyTag, class Element, class Number>
 std::vector<double> numbers_of_elements(std::size_t n, const Number& number)
 {
@@ -94,7 +94,7 @@ std::vector<double> numbers_of_elements(std::size_t n, const Number& number)
     });
     for (std::size_t i = 0; i < n; ++i)
       if (std::isnan(result[i]))
-        result[i] = number.of_one_thread(Element(size_type(i)));
+        result[i] = number(Element(size_type(i)));
   } else {
     result.reserve(n);
     for (std::size_t i = 0; i < n; ++i)
@@ -113,16 +113,14 @@ public:
   explicit Cotangent_weight(const Intrinsic_triangulation<Traits>& triangulation)
     : triangulation_(triangulation)
   {}
-  double operator()(Edge_index e) const { return of_one_thread(e); }
-
-  double of_one_thread(Edge_index e) const
+  double operator()(Edge_index e) const
   {
     return cotangent_weight_by_number_type(triangulation_, e);
   }
   double of_any_thread(Edge_index e) const
   {
     try {
-      return of_one_thread(e);
+      return (*this)(e);
     } catch (const Invalid_surface_error&) { // the one thread finds the first of them
       return std::numeric_limits<double>::quiet_NaN();
     }
@@ -147,12 +145,7 @@ public:
   double operator()(Edge_index e) const
   {
     const double weight = of_any_thread(e);
-    return std::isnan(weight) ? of_one_thread(e) : weight;
-  }
-
-  double of_one_thread(Edge_index e) const
-  {
-    return cotangent_weight_by_number_type(triangulation_, e);
+    return std::isnan(weight) ? cotangent_weight_by_number_type(triangulation_, e) : weight;
   }
   // From what is stored.
   double of_any_thread(Edge_index e) const
@@ -198,12 +191,6 @@ public:
 
   double operator()(Face_index f) const
   {
-    const double area = of_any_thread(f);
-    return std::isnan(area) ? of_one_thread(f) : area;
-  }
-
-  double of_one_thread(Face_index f) const
-  {
     if constexpr (Triangulation::uses_exact_geometry)
       if (is_stored(f))
         return area_in_input_unit(triangulation_.face_data(f).value / 4, triangulation_.unit_exponent(), f);
@@ -219,7 +206,7 @@ public:
     if (Triangulation::uses_exact_geometry && !is_stored(f))
       return std::numeric_limits<double>::quiet_NaN();
     try {
-      return of_one_thread(f);
+      return (*this)(f);
     } catch (const Invalid_surface_error&) { // the one thread finds the first of them
       return std::numeric_limits<double>::quiet_NaN();
     }

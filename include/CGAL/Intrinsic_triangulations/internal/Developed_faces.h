@@ -56,14 +56,6 @@ public:
       keep(complex, complex.face(h), *layout);
   }
 
-  void erase(Face_index f)
-  {
-    if (!contains(f))
-      return;
-    free_.push_back(layout_of_[f.idx()]);
-    layout_of_[f.idx()] = none;
-  }
-
   // To be called before the flip of the connectivity. known_corner(h) gives the corner
   // opposite to h if it costs little.
   template <class KnownCorner>
@@ -161,6 +153,14 @@ private:
     moves.plane = stays.plane;
     moves.unit = stays.unit;
     return true;
+  }
+
+  void erase(Face_index f)
+  {
+    if (!contains(f))
+      return;
+    free_.push_back(layout_of_[f.idx()]);
+    layout_of_[f.idx()] = none;
   }
 
   void keep(const Delta_complex& complex, Face_index f, const Layout& layout)

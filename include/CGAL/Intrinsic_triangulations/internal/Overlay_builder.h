@@ -200,12 +200,9 @@ private:
         progress.at(e.idx());
         tracer_.for_each_path_across(
           e, [&](Halfedge_index input_halfedge, Halfedge_index ij, std::int64_t start) {
-            begin_input_edge(input_halfedge, segment);
-            size_type from = input_.source(input_halfedge).idx();
-            tracer_.follow(ij, start, [&](const Input_edge_tracer::Crossing& x) {
-              from = add_input_segment(input_halfedge, segment, from, crossed(x));
+            add_input_edge(input_halfedge, segment, [&](const auto& visit) {
+              tracer_.follow(ij, start, [&](const Input_edge_tracer::Crossing& x) { visit(crossed(x)); });
             });
-            end_input_edge(input_halfedge, segment, from);
           });
       }
     }
@@ -246,13 +243,11 @@ private:
       size_type segment = overlay_.first_input_segment + size_type(segments[block(first)]);
       const Paths& here = blocks[block(first)];
       std::size_t i = 0;
-      for (const Path& path : here.paths) {
-        begin_input_edge(path.input_halfedge, segment);
-        size_type from = input_.source(path.input_halfedge).idx();
-        for (; i < path.end; ++i)
-          from = add_input_segment(path.input_halfedge, segment, from, here.crossings[i]);
-        end_input_edge(path.input_halfedge, segment, from);
-      }
+      for (const Path& path : here.paths)
+        add_input_edge(path.input_halfedge, segment, [&](const auto& visit) {
+          for (; i < path.end; ++i)
+            visit(here.crossings[i]);
+        });
     });
   }
 
@@ -267,26 +262,21 @@ private:
     return {x.halfedge, overlay_.first_segments[intrinsic_.edge(x.halfedge).idx()] + size_type(x.position)};
   }
 
-  void begin_input_edge(Halfedge_index input_halfedge, size_type segment)
+  // Makes the segments of an input edge, from number `segment` on, which is advanced behind them;
+  // for_each_crossing(visit) visits what it crosses.
+  template <class Function>
+  void add_input_edge(Halfedge_index input_halfedge, size_type& segment, const Function& for_each_crossing)
   {
-    overlay_.input_edges[input_.edge(input_halfedge).idx()].first_halfedge = 2 * segment;
-  }
-  // Adds the segment that ends at a crossing, which is returned.
-  size_type add_input_segment(Halfedge_index input_halfedge, size_type& segment, size_type from,
-                              const Crossed& crossing)
-  {
-    const size_type to = cross(crossing, segment);
-    overlay_.parents[segment] = input_.edge(input_halfedge).idx();
-    set_ends(segment++, from, to);
-    return to;
-  }
-  void end_input_edge(Halfedge_index input_halfedge, size_type& segment, size_type from)
-  {
-    const size_type e = input_.edge(input_halfedge).idx();
-    overlay_.parents[segment] = e;
-    set_ends(segment++, from, input_.target(input_halfedge).idx());
-    Overlay_arrays::Input_edge& edge = overlay_.input_edges[e];
-    edge.count = segment - edge.first_halfedge / 2;
+    const size_type edge = input_.edge(input_halfedge).idx(), first = segment;
+    size_type from = input_.source(input_halfedge).idx();
+    const auto end_segment = [&](size_type to) {
+      overlay_.parents[segment] = edge;
+      set_ends(segment++, from, to);
+      from = to;
+    };
+    for_each_crossing([&](const Crossed& x) { end_segment(cross(x, segment)); });
+    end_segment(input_.target(input_halfedge).idx());
+    overlay_.input_edges[edge] = {2 * first, segment - first};
   }
 
   // Links the four segments that meet at a crossing, at which an input segment ends; returns the

@@ -180,8 +180,7 @@ private:
 
 // The matrix whose entry (v, w) is the sum of edge_value(e) over the edges e between v and w,
 // and whose entry (v, v) is diagonal_value(v, sum of the other entries of the row). Loops are
-// left out. With Parallel_tag both functions may be
-// called by several threads.
+// left out. With Parallel_tag several threads may call both functions.
 template <class ConcurrencyTag, class Edge_value, class Diagonal_value>
 Eigen::SparseMatrix<double> assemble_symmetric_matrix(const Delta_complex& complex,
                                                       const Edge_value& edge_value,
