@@ -6,6 +6,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HUGE_PAGE_ALLOCATOR_H
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <memory>
@@ -40,25 +41,43 @@ public:
     const std::size_t size = n * sizeof(T);
 #ifdef __linux__
     if (size >= huge_page) {
+      // Not by aligned_alloc(): of a block that was freed, glibc's does not make one of the same size
+      // again, and a program that makes one triangulation after the other grows.
       const std::size_t rounded = (size + huge_page - 1) / huge_page * huge_page;
-      void* const p = std::aligned_alloc(huge_page, rounded);
-      if (p == nullptr)
-        throw std::bad_alloc();
+      void* const block = checked(std::malloc(rounded + huge_page));
+      const std::uintptr_t begin = std::uintptr_t(block) / huge_page * huge_page + huge_page;
+      void* const p = static_cast<char*>(block) + (begin - std::uintptr_t(block));
+      static_cast<void**>(p)[-1] = block; // malloc() aligns to more than a pointer: there is room
       ::madvise(p, rounded, MADV_HUGEPAGE); // a wish: failure changes nothing
       return static_cast<T*>(p);
     }
 #endif
-    void* const p = std::malloc(size != 0 ? size : 1);
-    if (p == nullptr)
-      throw std::bad_alloc();
-    return static_cast<T*>(p);
+    return static_cast<T*>(checked(std::malloc(size != 0 ? size : 1)));
   }
-  void deallocate(T* p, std::size_t) { std::free(p); }
+  void deallocate(T* p, std::size_t n)
+  {
+#ifdef __linux__
+    if (n * sizeof(T) >= huge_page) {
+      std::free(reinterpret_cast<void**>(p)[-1]);
+      return;
+    }
+#else
+    (void)n;
+#endif
+    std::free(p);
+  }
 
   friend bool operator==(const Huge_page_allocator&, const Huge_page_allocator&) { return true; }
   friend bool operator!=(const Huge_page_allocator&, const Huge_page_allocator&) { return false; }
 
 private:
+  static void* checked(void* p)
+  {
+    if (p == nullptr)
+      throw std::bad_alloc();
+    return p;
+  }
+
   static constexpr std::size_t huge_page = std::size_t(1) << 21;
 };
 
