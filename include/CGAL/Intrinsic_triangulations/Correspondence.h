@@ -56,12 +56,19 @@ public:
   /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   void flip(const Delta_complex& complex, Edge_index e)
   {
-    start(complex);
-    coordinates_.flip(complex, e);
+    CGAL_precondition(complex.is_flippable(e));
+    flip(complex, complex.hinge(e));
+  }
+  /// as above, for the halfedges around the edge.
+  void flip(const Delta_complex& complex, const Hinge_halfedges& around)
+  {
+    if (!is_started_)
+      start(complex);
+    coordinates_.flip(around);
     if (is_prepared_)
-      shorten_walks(complex.halfedge(e));
+      shorten_walks(around.ij);
     else
-      journal_.push_back(e);
+      journal_.push_back(complex.edge(around.ij));
   }
 
   /// \name Flips from several threads
@@ -78,11 +85,11 @@ public:
     start(complex);
     coordinates_.begin_blocks(block_exponent);
   }
-  /// follows the flip of `e`, and notes it in the journal of its block.
-  void flip(const Delta_complex& complex, Edge_index e, std::vector<Edge_index>& journal)
+  /// follows the flip of an edge, and notes it in the journal of its block.
+  void flip(const Delta_complex& complex, const Hinge_halfedges& around, std::vector<Edge_index>& journal)
   {
-    coordinates_.flip(complex, e);
-    journal.push_back(e);
+    coordinates_.flip(around);
+    journal.push_back(complex.edge(around.ij));
   }
   /// ends, with the journals of the blocks: flips in different blocks commute, so that any
   /// order of the blocks will do.
@@ -122,7 +129,7 @@ private:
   // More steps than this are replaced: around most vertices, there are never as many.
   static constexpr std::uint64_t longest_walk = 16;
 
-  void start(const Delta_complex& complex)
+  BOOST_NOINLINE void start(const Delta_complex& complex)
   {
     if (is_started_)
       return;
@@ -130,7 +137,7 @@ private:
     is_started_ = true;
   }
 
-  void shorten_walks(Halfedge_index h)
+  BOOST_NOINLINE void shorten_walks(Halfedge_index h)
   {
     for (Halfedge_index side : {h, input_.opposite(h)}) {
       const Roundabout r = coordinates_.roundabout(side);

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/prefetch.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
@@ -59,6 +60,19 @@ private:
 
 } // namespace internal
 /// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsConnectivity
+/// \brief the halfedges of the two faces beside an edge ij: of (i, j, k) to its left and of (j, i, l)
+/// to its right. They keep their descriptors when the edge is flipped.
+struct Hinge_halfedges
+{
+  Halfedge_index ij; ///< halfedge `2e` of the edge
+  Halfedge_index jk; ///< the next one, to the corner k on its left
+  Halfedge_index ki; ///< the one before
+  Halfedge_index ji; ///< halfedge `2e + 1`
+  Halfedge_index il; ///< the next one, to the corner l on the right
+  Halfedge_index lj; ///< the one before
+};
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 ///
@@ -190,6 +204,12 @@ public:
   /// returns whether `e` lies between two different faces, so that `flip()` makes sense
   /// for the connectivity. Whether the flipped edge is a straight line is up to the metric.
   bool is_flippable(Edge_index e) const { return !is_border(e) && !is_self_glued(e); }
+  /// returns the halfedges around `e`. \pre `e` is not on the border
+  Hinge_halfedges hinge(Edge_index e) const
+  {
+    const Halfedge_index h = halfedge(e), g = opposite(h);
+    return {h, next(h), prev(h), g, next(g), prev(g)};
+  }
   /// @}
 
   /// \brief replaces edge `e` by the other diagonal of the quadrilateral formed by its two faces.
@@ -204,18 +224,32 @@ public:
   void flip(Edge_index e)
   {
     CGAL_precondition(is_flippable(e));
-    const Halfedge_index h = halfedge(e), g = opposite(h);
-    const Halfedge_index jk = next(h), ki = prev(h), il = next(g), lj = prev(g);
-    const Vertex_index i = target(g), j = target(h), k = target(jk), l = target(il);
-    const Face_index ilk = face(h), jkl = face(g);
-
-    set_face_cycle(ilk, h, ki, il);
-    set_face_cycle(jkl, g, lj, jk);
-    record(h).target = k.idx();
-    record(g).target = l.idx();
-    replace_vertex_halfedge(j, h, lj);
-    replace_vertex_halfedge(i, g, ki);
+    flip(hinge(e));
   }
+  /// \brief as above.
+  /// \pre `around` is `hinge(e)` of a flippable edge
+  void flip(const Hinge_halfedges& around)
+  {
+    const auto [ij, jk, ki, ji, il, lj] = around;
+    const Vertex_index i = target(ji), j = target(ij), k = target(jk), l = target(il);
+    const Face_index ilk = face(ij), jkl = face(ji);
+
+    set_face_cycle(ilk, ij, ki, il);
+    set_face_cycle(jkl, ji, lj, jk);
+    record(ij).target = k.idx();
+    record(ji).target = l.idx();
+    replace_vertex_halfedge(j, ij, lj);
+    replace_vertex_halfedge(i, ji, ki);
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  // Has what `flip(around)` changes fetched to the cache.
+  void prefetch(const Hinge_halfedges& around) const
+  {
+    for (Halfedge_index h : {around.jk, around.ki, around.il, around.lj})
+      internal::prefetch(halfedges_.data() + h.idx());
+  }
+  /// \endcond
 
   /// \brief undoes `flip(e)`, but for the choice of `halfedge(v)` and `halfedge(f)`. O(1).
   /// \pre `is_flippable(e)`

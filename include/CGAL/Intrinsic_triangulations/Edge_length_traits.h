@@ -11,6 +11,7 @@
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
+#include <CGAL/tags.h>
 
 #include <array>
 
@@ -34,9 +35,20 @@ struct Cotangent_bounds_of_edge_length_traits<double>
   {
     std::array<float, 3> operator()(double ijk, double ij, double jk, double ki) const
     {
+      return rounded(cotangent_bounds(ij, jk, ki, ijk));
+    }
+    std::array<Two_doubles, 3> of_two(const Two_doubles& ijk, const Two_doubles& ij, const Two_doubles& jk,
+                                      const Two_doubles& ki) const
+    {
       return cotangent_bounds(ij, jk, ki, ijk);
     }
+    std::array<Two_doubles, 3> of_two(double ijk, double other, const Two_doubles& ij, const Two_doubles& jk,
+                                      const Two_doubles& ki) const
+    {
+      return of_two({ijk, other}, ij, jk, ki);
+    }
   };
+  using Takes_two_faces = Tag_true;
   Compute_cotangent_bounds compute_cotangent_bounds_object() const { return {}; }
 };
 
@@ -92,6 +104,12 @@ public:
     {
       return internal::squared_distance_3(p, q);
     }
+    /// \cond SKIP_IN_MANUAL
+    internal::Two_doubles of_two(const internal::Two_points& p, const internal::Two_points& q) const
+    {
+      return internal::squared_distance_3(p, q);
+    }
+    /// \endcond
     /// makes the edge of this length.
     Edge_data from_length(const FT& length) const { return length * length; }
   };
@@ -104,6 +122,13 @@ public:
     {
       return internal::four_areas_3(p, q, r);
     }
+    /// \cond SKIP_IN_MANUAL
+    internal::Two_doubles of_two(const internal::Two_points& p, const internal::Two_points& q,
+                                 const internal::Two_points& r) const
+    {
+      return internal::four_areas_3(p, q, r);
+    }
+    /// \endcond
     /// makes the face with sides of these lengths.
     /// \pre the lengths obey the triangle inequality
     Face_data from_lengths(const FT& ij, const FT& jk, const FT& ki) const

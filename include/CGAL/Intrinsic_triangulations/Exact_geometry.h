@@ -90,14 +90,17 @@ public:
 
   /// \brief updates the integers, before the flip of the connectivity.
   ///
+  /// \param complex the triangulation
+  /// \param around the halfedges around the edge
   /// \return whether the new edge is known to be a straight line between two of the points
   /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
-  bool flip(const Delta_complex& complex, Edge_index e)
+  bool flip(const Delta_complex& complex, const Hinge_halfedges& around)
   {
     if (!straight_faces_ && // a journal is not to outgrow the triangulation
         correspondence_.journal().size() + journal_.size() >= complex.number_of_edges())
       start_straight_faces(complex);
-    correspondence_.flip(complex, e);
+    correspondence_.flip(complex, around);
+    const Edge_index e = complex.edge(around.ij);
     if (straight_faces_)
       return follow(complex, e);
     if (correspondence_.is_prepared())
@@ -115,10 +118,10 @@ public:
   {
     correspondence_.begin_blocks(complex, block_exponent);
   }
-  /// follows the flip of `e`.
-  void flip(const Delta_complex& complex, Edge_index e, std::vector<Edge_index>& journal)
+  /// follows the flip of an edge.
+  void flip(const Delta_complex& complex, const Hinge_halfedges& around, std::vector<Edge_index>& journal)
   {
-    correspondence_.flip(complex, e, journal);
+    correspondence_.flip(complex, around, journal);
   }
   /// ends, with the journals of the blocks.
   void end_blocks(const std::vector<std::vector<Edge_index>>& journals)
@@ -354,8 +357,12 @@ private:
   // Finds out which faces are straight, by repeating the flips; flip() keeps it up from then on.
   void start_straight_faces(const Delta_complex& complex)
   {
-    if (straight_faces_)
-      return;
+    if (!straight_faces_)
+      find_straight_faces(complex);
+  }
+
+  BOOST_NOINLINE void find_straight_faces(const Delta_complex& complex)
+  {
     prepare(complex);
     straight_faces_.emplace(complex.number_of_faces(), metric_.points().size());
     if (!metric_.points().empty()) {
@@ -370,7 +377,7 @@ private:
 
   // Keeps up what is known of the faces, before the flip of the connectivity. Returns whether
   // the new faces are straight.
-  bool follow(const Delta_complex& complex, Edge_index e)
+  BOOST_NOINLINE bool follow(const Delta_complex& complex, Edge_index e)
   {
     const bool is_close_call = !is_close_call_.empty() && is_close_call_[e.idx()];
     developed_faces_.flip(complex, e, is_close_call, [&](Halfedge_index h) {

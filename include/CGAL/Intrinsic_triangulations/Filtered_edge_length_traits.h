@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/Cotangent_bounds.h>
+#include <CGAL/Intrinsic_triangulations/internal/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/triangle_formulas_3.h>
 
 #include <CGAL/Uncertain.h>
@@ -37,6 +38,20 @@ struct Bounded_area
   double error; ///< more than the error of `value`, and more than the sum of the errors of the
                 ///< squared lengths of the three sides
 };
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// What is kept for two faces.
+struct Two_bounded_areas
+{
+  Two_doubles value, error;
+  Bounded_area first() const { return {value.first(), error.first()}; }
+  Bounded_area second() const { return {value.second(), error.second()}; }
+};
+
+} // namespace internal
+/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
 ///
@@ -93,6 +108,10 @@ public:
   using Has_exact_decisions = Tag_true;
   /// undecided tests are passed on to the `Exact_geometry` of the triangulation
   using Uses_exact_geometry = Tag_true;
+  /// \cond SKIP_IN_MANUAL
+  // Functors have `of_two()`, for two edges or faces at once.
+  using Takes_two_faces = Tag_true;
+  /// \endcond
 
   /// makes the squared length of an edge, right up to 6 u.
   struct Construct_edge_data
@@ -103,6 +122,12 @@ public:
     {
       return internal::squared_distance_3(p, q);
     }
+    /// \cond SKIP_IN_MANUAL
+    internal::Two_doubles of_two(const internal::Two_points& p, const internal::Two_points& q) const
+    {
+      return internal::squared_distance_3(p, q);
+    }
+    /// \endcond
     /// makes the edge of this length.
     Edge_data from_length(double length) const { return length * length; }
   };
@@ -117,23 +142,34 @@ public:
     /// makes the face with these corners.
     Face_data operator()(const Point_data& p, const Point_data& q, const Point_data& r) const
     {
-      return {internal::four_areas_3(p, q, r),
-              initial_error(internal::squared_distance_3(p, q),
-                            internal::squared_distance_3(q, r),
-                            internal::squared_distance_3(p, r))};
+      return {internal::four_areas_3(p, q, r), initial_error(p, q, r)};
     }
+    /// \cond SKIP_IN_MANUAL
+    internal::Two_bounded_areas of_two(const internal::Two_points& p, const internal::Two_points& q,
+                                       const internal::Two_points& r) const
+    {
+      return {internal::four_areas_3(p, q, r), initial_error(p, q, r)};
+    }
+    /// \endcond
     // Kahan's formula: each factor is right up to 2 u, a up to 10 u, and 15 / √3 < 14.
     /// makes the face with sides of these lengths.
     Face_data from_lengths(double ij, double jk, double ki) const
     {
       return {internal::sqrt_of_non_negative(squared_four_areas_from_lengths(ij, jk, ki)),
-              initial_error(ij * ij, jk * jk, ki * ki)};
+              initial_error(ij * ij + jk * jk + ki * ki)};
     }
 
   private:
-    static double initial_error(double s, double t, double v)
+    template <class N>
+    static N initial_error(const N& sum_of_sides)
     {
-      return 14 * u * (s + t + v) + tiny_root;
+      return N(14 * u) * sum_of_sides + N(tiny_root);
+    }
+    template <class N>
+    static N initial_error(const std::array<N, 3>& p, const std::array<N, 3>& q, const std::array<N, 3>& r)
+    {
+      return initial_error(N(internal::squared_distance_3(p, q) + internal::squared_distance_3(q, r) +
+                             internal::squared_distance_3(p, r)));
     }
   };
 
@@ -166,17 +202,18 @@ public:
     Boolean operator()(const Hinge_data& h, Flipped_hinge_data& flipped) const
     {
       const double s = h.ij;
-      const double x_k = twice_scalar_product(h.ki, s, h.jk);
-      const double x_l = twice_scalar_product(h.il, s, h.lj);
-      const double y_k = twice_scalar_product(h.jk, s, h.ki);
-      const double y_l = twice_scalar_product(h.lj, s, h.il);
+      // x and y, and what comes of them: the faces ilk and jkl
+      using Two = internal::Two_doubles;
+      const Two at_k = Two(h.ki, h.jk) + Two(s) - Two(h.jk, h.ki);
+      const Two at_l = Two(h.il, h.lj) + Two(s) - Two(h.lj, h.il);
       const double a = h.ijk.value, b = h.jil.value, e = h.ijk.error, f = h.jil.error;
       const double r = 1 / (s + s);
-      const double along = x_k - x_l, across = a + b;
+      const double along = at_k.first() - at_l.first(), across = a + b;
       const double s_kl = (along * along + across * across) * r * 0.5;
+      const Two area = (at_k * b + at_l * a) * r;
       flipped.kl = s_kl;
-      flipped.ilk.value = (x_k * b + x_l * a) * r;
-      flipped.jkl.value = (y_k * b + y_l * a) * r;
+      flipped.ilk.value = area.first();
+      flipped.jkl.value = area.second();
       const double sum = e + f;
       if (!(s > 512 * sum && s > smallest_divisor)) {
         flipped.ilk.error = flipped.jkl.error = std::numeric_limits<double>::infinity();
@@ -195,15 +232,11 @@ public:
       // 0.84 (e b + f a + 4/3 e f), rounding of product and sum included. For (2), take 1.5 times
       // that, and as much of the area as r and the last product are wrong.
       const double of_products = e * b + f * a + 1.4 * e * f;
-      const auto error = [&](double at_k, double at_l, double area) {
-        const double of_area =
-          r * (1.27 * (std::abs(at_k) * f + std::abs(at_l) * e + of_products) +
-               1.03 * std::abs(area) * sum) +
-          4 * u * std::abs(area);
-        return (of_area > of_sides ? of_area : of_sides) + tiny;
-      };
-      flipped.ilk.error = error(x_k, x_l, flipped.ilk.value);
-      flipped.jkl.error = error(y_k, y_l, flipped.jkl.value);
+      const Two of_area = r * (1.27 * (abs(at_k) * f + abs(at_l) * e + of_products) + 1.03 * abs(area) * sum) +
+                          4 * u * abs(area);
+      const Two error = max_of(of_area, of_sides) + tiny;
+      flipped.ilk.error = error.first();
+      flipped.jkl.error = error.second();
       return true;
     }
   };
@@ -224,8 +257,26 @@ public:
         constexpr float unknown = -std::numeric_limits<float>::infinity();
         return {unknown, unknown, unknown};
       }
-      return internal::cotangent_bounds(ij, jk, ki, ijk.value);
+      return internal::rounded(internal::cotangent_bounds(ij, jk, ki, ijk.value));
     }
+    /// \cond SKIP_IN_MANUAL
+    std::array<internal::Two_doubles, 3>
+    of_two(const internal::Two_bounded_areas& ijk, const internal::Two_doubles& ij,
+           const internal::Two_doubles& jk, const internal::Two_doubles& ki) const
+    {
+      std::array<internal::Two_doubles, 3> bounds = internal::cotangent_bounds(ij, jk, ki, ijk.value);
+      const internal::Two_doubles least = 0x1p25 * ijk.error;
+      for (internal::Two_doubles& bound : bounds)
+        bound = if_greater(ijk.value, least, bound, -std::numeric_limits<double>::infinity());
+      return bounds;
+    }
+    std::array<internal::Two_doubles, 3> of_two(const Face_data& ijk, const Face_data& other,
+                                                const internal::Two_doubles& ij, const internal::Two_doubles& jk,
+                                                const internal::Two_doubles& ki) const
+    {
+      return of_two({{ijk.value, other.value}, {ijk.error, other.error}}, ij, jk, ki);
+    }
+    /// \endcond
   };
 
   /// makes stored data from the numbers of an exact stage.

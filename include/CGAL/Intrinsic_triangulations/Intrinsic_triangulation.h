@@ -66,6 +66,10 @@ public:
   /// whether decisions and numbers come from the input where the stored ones do not suffice
   static constexpr bool uses_exact_geometry = Traits::Uses_exact_geometry::value;
 
+  /// \cond SKIP_IN_MANUAL
+  static constexpr bool keeps_bounds = internal::Has_cotangent_bounds<Traits>::value;
+  /// \endcond
+
   /// the points of the vertices, in a vector that can be filled without being initialized first
   using Point_vector = internal::Large_vector<Point_data>;
 
@@ -291,6 +295,12 @@ public:
   {
     return keeps_bounds && bounds_.imply_Delaunay(e);
   }
+  /// \brief as above, for four edges: bit i of the result tells it of the i-th after `e`.
+  /// \pre there are that many
+  unsigned are_known_Delaunay(Edge_index e) const
+  {
+    return keeps_bounds ? bounds_.imply_Delaunay_of_four(e) : 0;
+  }
 
   /// notes that `number` edges were found to be known as Delaunay, for `stage_counts()`.
   void count_as_tested(std::uint64_t number) { number_of_filter_decisions_ += number; }
@@ -331,22 +341,24 @@ public:
   Flip_outcome flip_not_Delaunay(Edge_index e)
   {
     CGAL_precondition(connectivity_.is_flippable(e));
-    const Hinge_data old = hinge(e);
+    return flip_not_Delaunay(connectivity_.hinge(e));
+  }
+  /// as above, for the halfedges around the edge.
+  Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around)
+  {
+    const Hinge_data old = hinge(around);
     typename Traits::Flipped_hinge_data flipped{};
     const Boolean is_convex = traits_.construct_flipped_hinge_object()(old, flipped);
     if (!certainly(is_convex))
       return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
-    const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
-    const bool is_straight = geometry_ && geometry_->flip(connectivity_, e);
-    replace_hinge(e, flipped);
+    const bool is_straight = geometry_ && geometry_->flip(connectivity_, around);
+    [[maybe_unused]] const bool has_length = is_new_edge_known_to_have_length(old);
+    replace_hinge(around, old, flipped);
     if constexpr (uses_exact_geometry) {
-      update_face(h, is_straight);
-      update_face(g, is_straight);
-      if (!is_new_edge_known_to_have_length(old))
-        check_length(e);
-    } else {
-      bound_corners(h);
-      bound_corners(g);
+      if (is_straight)
+        measure_straight_faces(around);
+      if (!has_length)
+        check_length(edge(around.ij));
     }
     return Flip_outcome::FLIPPED;
   }
@@ -364,8 +376,6 @@ private:
   friend class internal::Triangulation_block;
   /// \endcond
 
-  static constexpr bool keeps_bounds = internal::Has_cotangent_bounds<Traits>::value;
-
   Intrinsic_triangulation(Delta_complex connectivity, const Traits& traits)
     : connectivity_(std::move(connectivity)), traits_(traits),
       edges_(connectivity_.number_of_edges(), internal::default_init),
@@ -377,25 +387,27 @@ private:
 
   Edge_index edge(Halfedge_index h) const { return connectivity_.edge(h); }
 
-  Hinge_data hinge(Edge_index e) const
+  Hinge_data hinge(Edge_index e) const { return hinge(connectivity_.hinge(e)); }
+  Hinge_data hinge(const Hinge_halfedges& around) const
   {
-    const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
-    return {edge_data(e),
-            edge_data(edge(connectivity_.next(h))),
-            edge_data(edge(connectivity_.prev(h))),
-            edge_data(edge(connectivity_.next(g))),
-            edge_data(edge(connectivity_.prev(g))),
-            face_data(connectivity_.face(h)),
-            face_data(connectivity_.face(g))};
+    return {edge_data(edge(around.ij)),
+            edge_data(edge(around.jk)),
+            edge_data(edge(around.ki)),
+            edge_data(edge(around.il)),
+            edge_data(edge(around.lj)),
+            face_data(connectivity_.face(around.ij)),
+            face_data(connectivity_.face(around.ji))};
   }
 
-  void replace_hinge(Edge_index e, const typename Traits::Flipped_hinge_data& flipped)
+  // With what was computed from the old hinge.
+  void replace_hinge(const Hinge_halfedges& around, const Hinge_data& old,
+                     const typename Traits::Flipped_hinge_data& flipped)
   {
-    connectivity_.flip(e);
-    const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
-    edges_[e.idx()] = flipped.kl;
-    faces_[connectivity_.face(h).idx()] = flipped.ilk;
-    faces_[connectivity_.face(g).idx()] = flipped.jkl;
+    connectivity_.flip(around);
+    edges_[edge(around.ij).idx()] = flipped.kl;
+    faces_[connectivity_.face(around.ij).idx()] = flipped.ilk;
+    faces_[connectivity_.face(around.ji).idx()] = flipped.jkl;
+    internal::bound_corners_of_flipped(traits_, around, old, flipped, bounds_);
   }
 
   BOOST_NOINLINE bool decide_and_refine(Edge_index e)
@@ -408,20 +420,17 @@ private:
       refine(h, corners->k);
       refine(g, corners->l);
     } else {
-      for (Halfedge_index side : {h, g})
-        if (!traits_.is_accurate_object()(face_data(connectivity_.face(side))))
-          measure_straight_face(side);
+      measure_straight_faces(connectivity_.hinge(e));
     }
     return sign != NEGATIVE;
   }
 
-  // After a flip, with what was computed from the old hinge.
-  void update_face(Halfedge_index h, bool is_straight)
+  // After a flip.
+  void measure_straight_faces(const Hinge_halfedges& around)
   {
-    if (is_straight && !traits_.is_accurate_object()(face_data(connectivity_.face(h))))
-      measure_straight_face(h);
-    else
-      bound_corners(h);
+    for (Halfedge_index side : {around.ij, around.ji})
+      if (!traits_.is_accurate_object()(face_data(connectivity_.face(side))))
+        measure_straight_face(side);
   }
 
   // From its points a face is known as well as on the first day, after any number of flips.
@@ -467,8 +476,11 @@ private:
   // both lie on the old edge.
   bool is_new_edge_known_to_have_length(const Hinge_data& old) const
   {
-    const auto has_positive_area = traits_.has_positive_area_object();
-    return has_positive_area(old.ijk) || has_positive_area(old.jil);
+    if constexpr (uses_exact_geometry) {
+      const auto has_positive_area = traits_.has_positive_area_object();
+      return has_positive_area(old.ijk) || has_positive_area(old.jil);
+    }
+    return true;
   }
 
   void check_length(Edge_index e)

@@ -163,21 +163,27 @@ public:
   void flip(const Delta_complex& complex, Edge_index e)
   {
     CGAL_precondition(complex.is_flippable(e));
-    const Halfedge_index ij = complex.halfedge(e), ji = complex.opposite(ij);
-    const Halfedge_index jk = complex.next(ij), ki = complex.prev(ij);
-    const Halfedge_index il = complex.next(ji), lj = complex.prev(ji);
+    flip(complex.hinge(e));
+  }
+  /// as above, for the halfedges around the edge.
+  void flip(const Hinge_halfedges& around)
+  {
+    const Halfedge_index ki = around.ki, lj = around.lj;
+    const std::uint32_t ij = record_number(around.ij), at_jk = record_number(around.jk), at_ki = record_number(ki),
+                        at_il = record_number(around.il), at_lj = record_number(lj);
     // After the flip the halfedge ij leads from l to k (see Delta_complex::flip()).
-    if ((record_number(ij) | record_number(jk) | record_number(ki) | record_number(il) |
-         record_number(lj)) == 0) { // two input faces
-      set_record(e, {1, {lj.idx(), ki.idx()}, {1, 1}});
+    if ((ij | at_jk | at_ki | at_il | at_lj) == 0) { // two input faces
+      set_record(around.ij, {1, {lj.idx(), ki.idx()}, {1, 1}});
       return;
     }
 
-    const std::int64_t n_ij = number_of_crossings(e);
-    const Triangle_crossings above(n_ij, number_of_crossings(complex.edge(jk)),
-                                   number_of_crossings(complex.edge(ki))); // (i, j, k)
-    const Triangle_crossings below(n_ij, number_of_crossings(complex.edge(il)),
-                                   number_of_crossings(complex.edge(lj))); // (j, i, l)
+    const Record* const records = records_.data();
+    const auto number_of_crossings = [records](std::uint32_t i) {
+      return (std::max)(std::int64_t(0), records[i].crossings);
+    };
+    const std::int64_t n_ij = number_of_crossings(ij);
+    const Triangle_crossings above(n_ij, number_of_crossings(at_jk), number_of_crossings(at_ki)); // (i, j, k)
+    const Triangle_crossings below(n_ij, number_of_crossings(at_il), number_of_crossings(at_lj)); // (j, i, l)
     const std::int64_t c_i1 = above.c_i, c_j1 = above.c_j, e_k1 = above.e_k;
     const std::int64_t c_i2 = below.c_j, c_j2 = below.c_i, e_l2 = below.e_k;
 
@@ -188,14 +194,14 @@ public:
     const std::int64_t n =
       above.c_k + below.c_k + above.e_i + above.e_j + below.e_i + below.e_j +
       (std::max)(std::int64_t(0), c_i1 - c_i2 - e_l2) +
-      (std::max)(std::int64_t(0), c_i2 - c_i1 - e_k1) + (is_original(e) ? 1 : 0);
+      (std::max)(std::int64_t(0), c_i2 - c_i1 - e_k1) + (records[ij].crossings < 0 ? 1 : 0);
     const std::int64_t n_kl = joins_k_and_l ? -1 : n;
     if (n_kl > largest_count)
       throw Integer_overflow_error("an edge crosses more than 2^60 input edges");
-    Roundabout r_kl = first_after(complex, ki), r_lk = first_after(complex, lj);
+    Roundabout r_kl = first_after(ki, at_ki), r_lk = first_after(lj, at_lj);
     r_kl.steps += std::uint64_t((std::min)((std::max)(std::int64_t(0), c_i2 - c_i1), e_k1));
     r_lk.steps += std::uint64_t((std::min)((std::max)(std::int64_t(0), c_j1 - c_j2), e_l2));
-    set_record(e, {n_kl, {r_lk.base.idx(), r_kl.base.idx()}, {r_lk.steps, r_kl.steps}});
+    set_record(around.ij, {n_kl, {r_lk.base.idx(), r_kl.base.idx()}, {r_lk.steps, r_kl.steps}});
   }
 
 private:
@@ -214,21 +220,22 @@ private:
   std::uint32_t record_number(Halfedge_index h) const { return record_of_[h.idx() >> 1]; }
   const Record& record(Edge_index e) const { return records_[record_of_[e.idx()]]; }
 
-  void set_record(Edge_index e, const Record& record)
+  void set_record(Halfedge_index h, const Record& record)
   {
-    std::uint32_t& i = record_of_[e.idx()];
+    const std::uint32_t e = h.idx() >> 1;
+    std::uint32_t& i = record_of_[e];
     if (i == 0)
       i = new_record(e);
     records_[i] = record;
   }
 
-  std::uint32_t new_record(Edge_index e)
+  std::uint32_t new_record(std::uint32_t e)
   {
     if (blocks_.empty()) {
       records_.resize(records_.size() + 1, internal::default_init);
       return std::uint32_t(records_.size() - 1);
     }
-    Block& block = blocks_[e.idx() >> block_exponent_];
+    Block& block = blocks_[e >> block_exponent_];
     if (block.next == block.last) {
       block.next = boost::atomic_ref<std::uint32_t>(end_of_records_)
                      .fetch_add(records_of_block, boost::memory_order_relaxed);
@@ -237,12 +244,14 @@ private:
     return block.next++;
   }
 
-  // The first input halfedge after h, which is known from that at or after h.
-  Roundabout first_after(const Delta_complex& complex, Halfedge_index h) const
+  // The first input halfedge after h, whose edge has record i; it is known from that at or after h.
+  Roundabout first_after(Halfedge_index h, std::uint32_t i) const
   {
-    Roundabout r = roundabout(h);
-    r.steps += is_original(complex.edge(h)) ? 1 : 0;
-    return r;
+    if (i == 0)
+      return {h, 1};
+    const Record& r = records_[i];
+    const std::uint32_t side = h.idx() & 1;
+    return {Halfedge_index(r.base[side]), r.steps[side] + (r.crossings < 0 ? 1 : 0)};
   }
 
   // Records are given to a block many at a time, so that those used at the same time lie together.

@@ -35,6 +35,9 @@ namespace Intrinsic_triangulations {
 /// \cgalModels `IntrinsicFlipVisitor`
 struct Default_flip_visitor
 {
+  /// \cond SKIP_IN_MANUAL
+  using Is_silent = Tag_true;
+  /// \endcond
   /// is called before each test, with the numbers of tests and flips so far; the
   /// algorithm stops if it returns `false`.
   bool go_further(std::uint64_t /* tests */, std::uint64_t /* flips */) { return true; }

@@ -41,6 +41,7 @@ public:
   class Of_block
   {
   public:
+    using Is_silent = Boolean_tag<is_trivial>;
     explicit Of_block(Shared_visitor& shared) : shared_(shared) {}
 
     bool go_further(std::uint64_t tests, std::uint64_t flips)

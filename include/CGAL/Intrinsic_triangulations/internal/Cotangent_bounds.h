@@ -8,6 +8,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/Two_doubles.h>
 
 #include <algorithm>
 #include <array>
@@ -26,12 +27,27 @@ namespace internal {
 // 2^-24 S / a, and the operations in double a few 2^-53 S / a. So it bounds every number that
 // differs from c by at most 2^-23 S / a. An area of zero gives NaNs, whose sums are not
 // greater than zero.
-inline std::array<float, 3> cotangent_bounds(double s_ij, double s_jk, double s_ki, double a)
+//
+// N is `double` or `Two_doubles`. They are still to be rounded.
+template <class N>
+std::array<N, 3> cotangent_bounds(const N& s_ij, const N& s_jk, const N& s_ki, const N& a)
 {
-  const double r = 1 / a, largest = (s_ij + s_jk + s_ki) * (1 - 0x1p-22) * r, twice = r + r;
-  return {float(largest - s_ij * twice), float(largest - s_jk * twice),
-          float(largest - s_ki * twice)};
+  const N r = N(1) / a, largest = (s_ij + s_jk + s_ki) * N(1 - 0x1p-22) * r, twice = r + r;
+  return {largest - s_ij * twice, largest - s_jk * twice, largest - s_ki * twice};
 }
+
+inline std::array<float, 3> rounded(const std::array<double, 3>& bounds)
+{
+  return {float(bounds[0]), float(bounds[1]), float(bounds[2])};
+}
+
+// Whether the functors of traits take the numbers of two faces at once, too.
+template <class Traits, class = void>
+struct Takes_two_faces : std::false_type
+{};
+template <class Traits>
+struct Takes_two_faces<Traits, std::void_t<typename Traits::Takes_two_faces>> : Traits::Takes_two_faces
+{};
 
 // Whether traits bound cotangents.
 template <class Traits, class = void>
@@ -56,11 +72,34 @@ public:
   }
 
   void set(Halfedge_index h, float bound) { bounds_[h.idx()] = bound; }
+  // of corners of two faces
+  void set(Halfedge_index h, Halfedge_index g, const Two_doubles& bounds)
+  {
+    const std::array<float, 2> floats = bounds.floats();
+    bounds_[h.idx()] = floats[0];
+    bounds_[g.idx()] = floats[1];
+  }
 
   // The sign of a sum of two floats is right, whatever its rounding.
   bool imply_Delaunay(Edge_index e) const
   {
     return bounds_[2 * std::size_t(e.idx())] + bounds_[2 * std::size_t(e.idx()) + 1] > 0;
+  }
+  // The same for four consecutive edges: bit i is set if it does for the i-th.
+  unsigned imply_Delaunay_of_four(Edge_index e) const
+  {
+    const float* const bound = bounds_.data() + 2 * std::size_t(e.idx());
+#ifdef CGAL_HAS_SSE2
+    const __m128 a = _mm_loadu_ps(bound), b = _mm_loadu_ps(bound + 4);
+    const __m128 sum = _mm_add_ps(_mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)),
+                                  _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)));
+    return unsigned(_mm_movemask_ps(_mm_cmpgt_ps(sum, _mm_setzero_ps())));
+#else
+    unsigned result = 0;
+    for (int i = 0; i < 4; ++i)
+      result |= unsigned(bound[2 * i] + bound[2 * i + 1] > 0) << i;
+    return result;
+#endif
   }
 
 private:

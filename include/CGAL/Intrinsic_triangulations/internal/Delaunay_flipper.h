@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/Triangulation_block.h>
 
 #include <CGAL/Uncertain.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -58,6 +59,14 @@ enum class Edge_mark : std::uint8_t {
 };
 using Edge_marks = Large_vector<Edge_mark>;
 
+// Whether a visitor never stops anything, so that it need not be asked.
+template <class Visitor, class = void>
+struct Is_silent : std::false_type
+{};
+template <class Visitor>
+struct Is_silent<Visitor, std::void_t<typename Visitor::Is_silent>> : Visitor::Is_silent
+{};
+
 // Whether a flipper has the triangulation to itself; see Triangulation_block.
 template <class Triangulation>
 struct Is_whole_triangulation : std::true_type
@@ -79,6 +88,9 @@ class Delaunay_flipper
 {
   using Flip_outcome = typename Triangulation::Flip_outcome;
   static constexpr bool is_whole = Is_whole_triangulation<Triangulation>::value;
+  // Whether the tests of several edges can be made at once.
+  static constexpr bool tests_together = Triangulation::keeps_bounds && Is_silent<Visitor>::value &&
+                                         std::is_same<ConstraintMap, Static_boolean_property_map<Edge_index, false>>::value;
 
   static constexpr Edge_index::size_type group_size = 1024;
 
@@ -160,15 +172,19 @@ private:
   template <class Iterator>
   bool test(Iterator begin, Iterator end)
   {
-    return find_suspects(begin, end) && test_suspects();
+    suspects_.clear();
+    suspects_.make_room(std::size_t(end - begin));
+    if constexpr (tests_together && std::is_same<Iterator, Delta_complex::Edge_iterator>::value)
+      find_consecutive_suspects(begin, end);
+    else if (!find_suspects(begin, end))
+      return false;
+    return test_suspects();
   }
 
   // Leaves out those that are known to be Delaunay: on an ordinary surface, most.
   template <class Iterator>
   bool find_suspects(Iterator begin, Iterator end)
   {
-    suspects_.clear();
-    suspects_.make_room(std::size_t(end - begin));
     std::uint64_t number_of_known = 0;
     bool goes_on = true;
     for (; begin != end; ++begin) {
@@ -187,6 +203,25 @@ private:
     report_.tests += number_of_known;
     triangulation_.count_as_tested(number_of_known);
     return goes_on;
+  }
+
+  // The same for edges in order, of which it looks at four at once.
+  void find_consecutive_suspects(Delta_complex::Edge_iterator begin, Delta_complex::Edge_iterator end)
+  {
+    const std::size_t first = (*begin).idx(), n = std::size_t(end - begin);
+    std::fill(marks_ + first, marks_ + first + n, Edge_mark::SETTLED);
+    for (; end - begin >= 4; begin += 4) {
+      const unsigned known = triangulation_.are_known_Delaunay(*begin);
+      if (known == 15) // most often, where hardly an edge is to be flipped
+        continue;
+      for (int i = 0; i < 4; ++i)
+        suspects_.push_if((known >> i & 1) == 0, begin[i]);
+    }
+    for (; begin != end; ++begin)
+      suspects_.push_if(!triangulation_.is_known_Delaunay(*begin), *begin);
+    const std::size_t number_of_known = n - suspects_.size();
+    report_.tests += number_of_known;
+    triangulation_.count_as_tested(number_of_known);
   }
 
   bool test_suspects()
@@ -216,6 +251,8 @@ private:
       const bool is_found = !possibly(is_Delaunay);
       marks_[e.idx()] = is_found ? Edge_mark::NOT_DELAUNAY : Edge_mark::SETTLED;
       not_Delaunay_.push_if(is_found, e);
+      if (is_found) // what the flip changes is fetched while other edges are tested
+        triangulation_.connectivity().prefetch(triangulation_.connectivity().hinge(e));
       if (!is_certain(is_Delaunay))
         report_.undecided.push_back(e);
     }
@@ -237,12 +274,13 @@ private:
         return false;
       }
       marks_[e.idx()] = Edge_mark::SETTLED;
-      switch (triangulation_.flip_not_Delaunay(e)) {
+      const Hinge_halfedges around = triangulation_.connectivity().hinge(e);
+      switch (triangulation_.flip_not_Delaunay(around)) {
       case Flip_outcome::FLIPPED:
         ++report_.flips;
         if constexpr (!Triangulation::Traits::Has_exact_decisions::value)
           check_flipped(e);
-        add_surrounding_edges(e);
+        add_surrounding_edges(around);
         visitor_.after_flip(e);
         break;
       case Flip_outcome::NOT_CONVEX:
@@ -283,14 +321,10 @@ private:
     return false;
   }
 
-  void add_surrounding_edges(Edge_index e)
+  void add_surrounding_edges(const Hinge_halfedges& around)
   {
-    const Delta_complex& complex = triangulation_.connectivity();
-    const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-    add_candidate(complex.edge(complex.next(h)));
-    add_candidate(complex.edge(complex.prev(h)));
-    add_candidate(complex.edge(complex.next(g)));
-    add_candidate(complex.edge(complex.prev(g)));
+    for (Halfedge_index h : {around.ki, around.il, around.lj, around.jk})
+      add_candidate(triangulation_.connectivity().edge(h));
   }
 
   // An edge that is marked is a candidate already, or will be when flip_found() comes to it.

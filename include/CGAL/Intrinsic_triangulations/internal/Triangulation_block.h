@@ -33,6 +33,7 @@ class Triangulation_block
 public:
   using Traits = typename Triangulation::Traits;
   using Boolean = typename Triangulation::Boolean;
+  static constexpr bool keeps_bounds = Triangulation::keeps_bounds;
   enum class Flip_outcome {
     FLIPPED,
     NOT_CONVEX,
@@ -76,18 +77,19 @@ public:
   }
 
   bool is_known_Delaunay(Edge_index e) const { return triangulation_.is_known_Delaunay(e); }
+  unsigned are_known_Delaunay(Edge_index e) const { return triangulation_.are_known_Delaunay(e); }
 
   // By what is stored alone.
   Boolean is_locally_Delaunay(Edge_index e) const
   {
-    return triangulation_.traits_.is_locally_Delaunay_object()(triangulation_.hinge(e));
+    return triangulation_.traits_.is_locally_Delaunay_object()(triangulation_.hinge(connectivity().hinge(e)));
   }
   Boolean test_and_refine(Edge_index e) const { return is_locally_Delaunay(e); }
   void count_as_tested(std::uint64_t) const {} // all at once, when the blocks are done
 
-  Flip_outcome flip_not_Delaunay(Edge_index e)
+  Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around)
   {
-    const typename Triangulation::Hinge_data old = triangulation_.hinge(e);
+    const typename Triangulation::Hinge_data old = triangulation_.hinge(around);
     if constexpr (Triangulation::uses_exact_geometry)
       if (!triangulation_.is_new_edge_known_to_have_length(old))
         return Flip_outcome::POSTPONED;
@@ -96,11 +98,8 @@ public:
     if (!certainly(is_convex))
       return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
     if (triangulation_.geometry_)
-      triangulation_.geometry_->flip(connectivity(), e, journal_);
-    triangulation_.replace_hinge(e, flipped);
-    const Halfedge_index h = connectivity().halfedge(e);
-    triangulation_.bound_corners(h);
-    triangulation_.bound_corners(connectivity().opposite(h));
+      triangulation_.geometry_->flip(connectivity(), around, journal_);
+    triangulation_.replace_hinge(around, old, flipped);
     return Flip_outcome::FLIPPED;
   }
 

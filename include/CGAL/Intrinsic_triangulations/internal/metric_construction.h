@@ -94,6 +94,26 @@ void bound_corners(const Traits& traits, Halfedge_index h, Halfedge_index next, 
   }
 }
 
+// Bounds the corners of the two faces that a flip has made.
+template <class Traits>
+void bound_corners_of_flipped(const Traits& traits, const Hinge_halfedges& around,
+                              const typename Traits::Hinge_data& old,
+                              const typename Traits::Flipped_hinge_data& flipped, Cotangent_bounds& bounds)
+{
+  const auto& [ij, jk, ki, ji, il, lj] = around;
+  if constexpr (Takes_two_faces<Traits>::value) {
+    const auto bound = traits.compute_cotangent_bounds_object().of_two(
+      flipped.ilk, flipped.jkl, Two_doubles(flipped.kl), Two_doubles(old.ki, old.lj),
+      Two_doubles(old.il, old.jk));
+    bounds.set(ij, ji, bound[0]);
+    bounds.set(ki, lj, bound[1]);
+    bounds.set(il, jk, bound[2]);
+  } else {
+    bound_corners(traits, ij, ki, il, flipped.ilk, flipped.kl, old.ki, old.il, bounds);
+    bound_corners(traits, ji, lj, jk, flipped.jkl, flipped.kl, old.lj, old.jk, bounds);
+  }
+}
+
 // Two threads may store the same number for an edge, each for one of its faces.
 template <class ConcurrencyTag, class T>
 void store(T& to, const T& value)
@@ -104,8 +124,23 @@ void store(T& to, const T& value)
     to = value;
 }
 
+// The halfedges of a face.
+struct Sides
+{
+  Sides(const Delta_complex& complex, std::size_t f)
+    : h(complex.halfedge(Face_index(std::uint32_t(f)))), next(complex.next(h)), prev(complex.prev(h))
+  {}
+  // Zero for a triangle, and for a face of one side, whose length is zero.
+  std::uint32_t is_other_face(const Delta_complex& complex) const
+  {
+    return complex.next(next).idx() ^ prev.idx();
+  }
+  Halfedge_index h, next, prev;
+};
+
 // All that is computed from the corners of a face is computed while they are at hand: an
-// edge twice, which takes less time than to fetch its ends once more.
+// edge twice, which takes less time than to fetch its ends once more. Where the traits can,
+// two faces are computed at once.
 template <class ConcurrencyTag, class Traits, class PointVector, class EdgeVector, class FaceVector>
 void construct_metric_from_points(const Delta_complex& complex, const Traits& traits,
                                   const PointVector& points, EdgeVector& edges,
@@ -122,7 +157,7 @@ void construct_metric_from_points(const Delta_complex& complex, const Traits& tr
   const auto is_zero = [&](const Edge_data& e) { // 0 or 1, to be combined without a branch
     return int(!possibly(compute_squared_length(e) > FT(0)));
   };
-  std::atomic<bool> has_zero{false}, has_other_faces{false};
+  std::atomic<bool> is_to_be_refused{false};
 
   for_each_block<Tag>(faces.size(), elements_of_block, [&](std::size_t first, std::size_t last) {
     const Point_data* const point = points.data();
@@ -132,30 +167,60 @@ void construct_metric_from_points(const Delta_complex& complex, const Traits& tr
       const Point_data& p = point[complex.target(h).idx()];
       return {p[0], p[1], p[2]};
     };
-    int block_has_zero = 0, block_has_other_faces = 0;
+    int has_zero = 0;
+    std::uint32_t has_other_faces = 0;
     auto* face = faces.data() + first;
-    for (std::size_t f = first; f < last; ++f, ++face) {
-      const Halfedge_index h = complex.halfedge(Face_index(std::uint32_t(f)));
-      const Halfedge_index next = complex.next(h), prev = complex.prev(h);
-      block_has_other_faces |= int(!is_triangle(complex, h));
+    std::size_t f = first;
+    if constexpr (Takes_two_faces<Traits>::value) {
+      const auto two_corners = [&](Halfedge_index h, Halfedge_index g) -> Two_points {
+        const Point_data &p = point[complex.target(h).idx()], &q = point[complex.target(g).idx()];
+        return {Two_doubles(p[0], q[0]), Two_doubles(p[1], q[1]), Two_doubles(p[2], q[2])};
+      };
+      const auto store_two = [&](Halfedge_index h, Halfedge_index g, const Two_doubles& s) {
+        store<Tag>(edge[complex.edge(h).idx()], s.first());
+        store<Tag>(edge[complex.edge(g).idx()], s.second());
+      };
+      Two_doubles shortest = std::numeric_limits<double>::infinity();
+      for (; f + 1 < last; f += 2, face += 2) {
+        const Sides one(complex, f), two(complex, f + 1);
+        has_other_faces |= one.is_other_face(complex) | two.is_other_face(complex);
+        const Two_points p = two_corners(one.prev, two.prev), q = two_corners(one.h, two.h),
+                         r = two_corners(one.next, two.next);
+        const Two_doubles pq = construct_edge_data.of_two(p, q), qr = construct_edge_data.of_two(q, r),
+                          pr = construct_edge_data.of_two(p, r);
+        store_two(one.h, two.h, pq);
+        store_two(one.next, two.next, qr);
+        store_two(one.prev, two.prev, pr);
+        shortest = min_of(min_of(pq, qr), min_of(pr, shortest));
+        const auto areas = construct_face_data.of_two(p, q, r);
+        face[0] = areas.first();
+        face[1] = areas.second();
+        const auto of_corners = traits.compute_cotangent_bounds_object().of_two(areas, pq, qr, pr);
+        bounds.set(one.h, two.h, of_corners[0]);
+        bounds.set(one.next, two.next, of_corners[1]);
+        bounds.set(one.prev, two.prev, of_corners[2]);
+      }
+      has_zero = int(!(shortest.first() > 0 && shortest.second() > 0));
+    }
+    for (; f < last; ++f, ++face) {
+      const Sides sides(complex, f);
+      const auto [h, next, prev] = sides;
+      has_other_faces |= sides.is_other_face(complex);
       const Point_data p = corner(prev), q = corner(h), r = corner(next);
       const Edge_data pq = construct_edge_data(p, q), qr = construct_edge_data(q, r),
                       pr = construct_edge_data(p, r);
       store<Tag>(edge[complex.edge(h).idx()], pq);
       store<Tag>(edge[complex.edge(next).idx()], qr);
       store<Tag>(edge[complex.edge(prev).idx()], pr);
-      block_has_zero |= is_zero(pq) | is_zero(qr) | is_zero(pr);
+      has_zero |= is_zero(pq) | is_zero(qr) | is_zero(pr);
       *face = construct_face_data(p, q, r);
       bound_corners(traits, h, next, prev, *face, pq, qr, pr, bounds);
     }
-    if (block_has_zero != 0)
-      has_zero = true;
-    if (block_has_other_faces != 0)
-      has_other_faces = true;
+    if (has_zero != 0 || has_other_faces != 0)
+      is_to_be_refused = true;
   });
-  if (has_other_faces)
+  if (is_to_be_refused) {
     check_triangles(complex);
-  if (has_zero) {
     Offenders offenders;
     for (std::size_t e = 0; e < edges.size(); ++e)
       if (is_zero(edges[e]) != 0)

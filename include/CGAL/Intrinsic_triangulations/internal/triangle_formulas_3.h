@@ -5,6 +5,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRIANGLE_FORMULAS_3_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRIANGLE_FORMULAS_3_H
 
+#include <CGAL/Intrinsic_triangulations/internal/Two_doubles.h>
+
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
 
@@ -22,6 +24,12 @@ FT sqrt_of_non_negative(const FT& x)
   if (possibly(x > FT(0)))
     return CGAL::sqrt(x);
   return FT(0);
+}
+
+// Of sums of squares, which are not negative.
+inline Two_doubles sqrt_of_non_negative(const Two_doubles& x)
+{
+  return sqrt(x);
 }
 
 // The same bits for (p, q) and (q, p).
