@@ -96,8 +96,8 @@ public:
   /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   bool flip(const Delta_complex& complex, const Hinge_halfedges& around)
   {
-    if (!straight_faces_ && // a journal is not to outgrow the triangulation
-        correspondence_.journal().size() + journal_.size() >= complex.number_of_edges())
+    if (!straight_faces_ &&
+        correspondence_.journal().size() + journal_.size() >= journaled_flips * std::size_t(complex.number_of_edges()))
       start_straight_faces(complex);
     correspondence_.flip(complex, around);
     const Edge_index e = complex.edge(around.ij);
@@ -354,6 +354,9 @@ public:
   }
 
 private:
+  // A journal is not to outgrow the triangulation, which has some 64 bytes for each edge.
+  static constexpr std::size_t journaled_flips = 64 / sizeof(Edge_index);
+
   // Finds out which faces are straight, by repeating the flips; flip() keeps it up from then on.
   void start_straight_faces(const Delta_complex& complex)
   {

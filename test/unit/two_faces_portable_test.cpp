@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// As on a processor that has nothing for two numbers at once.
+
+#include <CGAL/FPU.h>
+#undef CGAL_HAS_SSE2
+
+#include "two_faces_tests.h"

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// With what the processor has for two numbers at once.
+
+#include "two_faces_tests.h"
