@@ -11,6 +11,11 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/config.hpp>
+#include <boost/container/deque.hpp>
+#include <boost/container/options.hpp>
+
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -23,89 +28,71 @@ namespace Intrinsic_triangulations {
 ///
 /// \brief relates a triangulation to the input triangulation that it was flipped from.
 ///
-/// The integers are updated with each flip, and need not know the input. What is kept of that
-/// is a journal of the flips, from which its connectivity is recovered when it is asked for.
+/// What a flip does to the integers depends on the halfedges around the edge alone. So flips are noted
+/// in a journal until somebody asks: then the integers are computed, and the input connectivity is
+/// recovered from it. From then on each flip updates the integers at once.
 class Correspondence
 {
 public:
   /// returns whether `input()` and `input_halfedge()` are available.
   bool is_prepared() const { return is_prepared_; }
 
-  /// returns the flips that were made before `prepare()`, in their order.
-  const std::vector<Edge_index>& journal() const { return journal_; }
+  /// returns the number of flips that were made before `prepare()`.
+  std::size_t number_of_journaled_flips() const { return journal_.size(); }
 
-  /// \brief recovers the input. O(size + number of flips) the first time, and O(1) afterwards.
+  /// \brief computes the integers and recovers the input. O(size + number of flips) the first time,
+  /// and O(1) afterwards.
   /// \param complex the current connectivity
-  /// \return the flips that were made before, which are forgotten
+  /// \return the edges that were flipped before, in order, which are forgotten
+  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`; nothing is changed then
   std::vector<Edge_index> prepare(const Delta_complex& complex)
   {
     if (is_prepared_)
       return {};
-    start(complex);
+    Normal_coordinates coordinates(complex);
+    std::vector<Edge_index> flipped_edges;
+    flipped_edges.reserve(journal_.size());
+    for (const Hinge_halfedges& around : journal_) {
+      coordinates.flip(around);
+      flipped_edges.push_back(complex.edge(around.ij));
+    }
+    coordinates_ = std::move(coordinates);
     input_ = complex;
-    for (std::size_t i = journal_.size(); i-- > 0;)
-      input_.flip_back(journal_[i]);
+    for (std::size_t i = flipped_edges.size(); i-- > 0;)
+      input_.flip_back(flipped_edges[i]);
     is_prepared_ = true;
-    for (Edge_index e : journal_)
+    for (Edge_index e : flipped_edges)
       shorten_walks(complex.halfedge(e));
-    return std::exchange(journal_, {});
+    Journal().swap(journal_);
+    return flipped_edges;
   }
 
-  /// \brief follows the flip of `e`, before the flip of the connectivity. O(1), once the
-  /// first took O(edges).
-  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
+  /// \brief follows the flip of `e`, before the flip of the connectivity. O(1).
+  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`, if `is_prepared()`
   void flip(const Delta_complex& complex, Edge_index e)
   {
     CGAL_precondition(complex.is_flippable(e));
-    flip(complex, complex.hinge(e));
+    flip(complex.hinge(e));
   }
   /// as above, for the halfedges around the edge.
-  void flip(const Delta_complex& complex, const Hinge_halfedges& around)
+  void flip(const Hinge_halfedges& around)
   {
-    if (!is_started_)
-      start(complex);
+    if (!is_prepared_) {
+      journal_.push_back(around);
+      return;
+    }
     coordinates_.flip(around);
-    if (is_prepared_)
-      shorten_walks(around.ij);
-    else
-      journal_.push_back(complex.edge(around.ij));
+    shorten_walks(around.ij);
   }
-
-  /// \name Flips from several threads
-  /// Between the two calls that enclose them, flips of edges whose hinges lie in different
-  /// blocks may be followed at the same time.
-  /// @{
-
-  /// begins. \pre not `is_prepared()`
-  /// \param complex the current connectivity
-  /// \param block_exponent a block consists of `2^block_exponent` consecutive edges
-  void begin_blocks(const Delta_complex& complex, int block_exponent)
+  /// \brief follows flips that others have noted, each as the halfedges around the edge before it.
+  /// \pre not `is_prepared()`
+  void append(const std::vector<Hinge_halfedges>& flips)
   {
     CGAL_precondition(!is_prepared_);
-    start(complex);
-    coordinates_.begin_blocks(block_exponent);
+    journal_.insert(journal_.end(), flips.begin(), flips.end());
   }
-  /// follows the flip of an edge, and notes it in the journal of its block.
-  void flip(const Delta_complex& complex, const Hinge_halfedges& around, std::vector<Edge_index>& journal)
-  {
-    coordinates_.flip(around);
-    journal.push_back(complex.edge(around.ij));
-  }
-  /// ends, with the journals of the blocks: flips in different blocks commute, so that any
-  /// order of the blocks will do.
-  void end_blocks(const std::vector<std::vector<Edge_index>>& journals)
-  {
-    coordinates_.end_blocks();
-    std::size_t size = journal_.size();
-    for (const std::vector<Edge_index>& journal : journals)
-      size += journal.size();
-    journal_.reserve(size);
-    for (const std::vector<Edge_index>& journal : journals)
-      journal_.insert(journal_.end(), journal.begin(), journal.end());
-  }
-  /// @}
 
-  /// returns the integers. \pre there was a flip, or `is_prepared()`
+  /// returns the integers. \pre `is_prepared()`
   const Normal_coordinates& coordinates() const { return coordinates_; }
 
   /// returns the input connectivity: the same vertices, edges, halfedges and faces as at
@@ -126,16 +113,12 @@ public:
   }
 
 private:
+  // In blocks, so that it grows without being copied.
+  using Journal = boost::container::deque<
+    Hinge_halfedges, void, boost::container::deque_options<boost::container::block_bytes<65536u>>::type>;
+
   // More steps than this are replaced: around most vertices, there are never as many.
   static constexpr std::uint64_t longest_walk = 16;
-
-  BOOST_NOINLINE void start(const Delta_complex& complex)
-  {
-    if (is_started_)
-      return;
-    coordinates_ = Normal_coordinates(complex);
-    is_started_ = true;
-  }
 
   BOOST_NOINLINE void shorten_walks(Halfedge_index h)
   {
@@ -149,9 +132,8 @@ private:
     }
   }
 
-  bool is_started_ = false;
   bool is_prepared_ = false;
-  std::vector<Edge_index> journal_;
+  Journal journal_;
   Delta_complex input_;
   Normal_coordinates coordinates_;
   std::optional<internal::Rotation_system> around_; // of the input, for long walks

@@ -88,7 +88,7 @@ public:
   /// returns how the tests that reached the exact stages were decided.
   const Stage_counts& stage_counts() const { return counts_; }
 
-  /// \brief updates the integers, before the flip of the connectivity.
+  /// \brief follows a flip, before that of the connectivity.
   ///
   /// \param complex the triangulation
   /// \param around the halfedges around the edge
@@ -97,9 +97,9 @@ public:
   bool flip(const Delta_complex& complex, const Hinge_halfedges& around)
   {
     if (!straight_faces_ &&
-        correspondence_.journal().size() + journal_.size() >= journaled_flips * std::size_t(complex.number_of_edges()))
+        correspondence_.number_of_journaled_flips() + journal_.size() >= longest_journal * std::size_t(complex.number_of_edges()))
       start_straight_faces(complex);
-    correspondence_.flip(complex, around);
+    correspondence_.flip(around);
     const Edge_index e = complex.edge(around.ij);
     if (straight_faces_)
       return follow(complex, e);
@@ -107,28 +107,10 @@ public:
       journal_.push_back(e);
     return false;
   }
-  /// \name Flips from several threads
-  /// as those of `Correspondence`
-  /// @{
-
-  /// returns whether they are possible: as long as no query was made.
-  bool can_begin_blocks() const { return !correspondence_.is_prepared() && !straight_faces_; }
-  /// begins. \pre `can_begin_blocks()`
-  void begin_blocks(const Delta_complex& complex, int block_exponent)
-  {
-    correspondence_.begin_blocks(complex, block_exponent);
-  }
-  /// follows the flip of an edge.
-  void flip(const Delta_complex& complex, const Hinge_halfedges& around, std::vector<Edge_index>& journal)
-  {
-    correspondence_.flip(complex, around, journal);
-  }
-  /// ends, with the journals of the blocks.
-  void end_blocks(const std::vector<std::vector<Edge_index>>& journals)
-  {
-    correspondence_.end_blocks(journals);
-  }
-  /// @}
+  /// returns whether flips may be appended: as long as no query was made.
+  bool can_append() const { return !correspondence_.is_prepared() && !straight_faces_; }
+  /// as `append()` of `Correspondence`. \pre `can_append()`
+  void append(const std::vector<Hinge_halfedges>& flips) { correspondence_.append(flips); }
 
   /// makes the queries below possible; as `Correspondence::prepare()`.
   void prepare(const Delta_complex& complex)
@@ -354,8 +336,8 @@ public:
   }
 
 private:
-  // A journal is not to outgrow the triangulation, which has some 64 bytes for each edge.
-  static constexpr std::size_t journaled_flips = 64 / sizeof(Edge_index);
+  // In flips for each edge. A journal is not to become much larger than the triangulation.
+  static constexpr std::size_t longest_journal = 4;
 
   // Finds out which faces are straight, by repeating the flips; flip() keeps it up from then on.
   void start_straight_faces(const Delta_complex& complex)

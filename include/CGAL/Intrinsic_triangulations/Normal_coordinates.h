@@ -11,7 +11,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <boost/atomic/atomic_ref.hpp>
 #include <boost/config.hpp>
 
 #include <algorithm>
@@ -130,31 +129,6 @@ public:
                               number_of_crossings(complex.edge(complex.prev(h))));
   }
 
-  /// \name Flips from several threads
-  /// @{
-
-  /// \brief lets `flip()` be called from several threads at once until `end_blocks()`, for edges
-  /// whose hinges lie in different blocks of `2^block_exponent` consecutive edges. O(blocks).
-  /// \exception Integer_overflow_error if there are too many edges to reserve a record for each
-  void begin_blocks(int block_exponent)
-  {
-    const std::size_t n = record_of_.size(), number_of_blocks = (n >> block_exponent) + 1;
-    const std::size_t enough = records_.size() + n + number_of_blocks * records_of_block;
-    if (enough > (std::numeric_limits<std::uint32_t>::max)())
-      throw Integer_overflow_error("there are too many flipped edges for 32-bit indices");
-    end_of_records_ = std::uint32_t(records_.size());
-    records_.resize(enough, internal::default_init);
-    blocks_.resize(number_of_blocks);
-    block_exponent_ = block_exponent;
-  }
-  /// ends what `begin_blocks()` began.
-  void end_blocks()
-  {
-    blocks_.clear();
-    records_.resize(end_of_records_);
-  }
-  /// @}
-
   /// \brief updates the integers for the flip of `e`; to be called before the flip of the
   /// connectivity. O(1).
   ///
@@ -224,24 +198,11 @@ private:
   {
     const std::uint32_t e = h.idx() >> 1;
     std::uint32_t& i = record_of_[e];
-    if (i == 0)
-      i = new_record(e);
-    records_[i] = record;
-  }
-
-  std::uint32_t new_record(std::uint32_t e)
-  {
-    if (blocks_.empty()) {
+    if (i == 0) {
+      i = std::uint32_t(records_.size());
       records_.resize(records_.size() + 1, internal::default_init);
-      return std::uint32_t(records_.size() - 1);
     }
-    Block& block = blocks_[e >> block_exponent_];
-    if (block.next == block.last) {
-      block.next = boost::atomic_ref<std::uint32_t>(end_of_records_)
-                     .fetch_add(records_of_block, boost::memory_order_relaxed);
-      block.last = block.next + records_of_block;
-    }
-    return block.next++;
+    records_[i] = record;
   }
 
   // The first input halfedge after h, whose edge has record i; it is known from that at or after h.
@@ -254,20 +215,8 @@ private:
     return {Halfedge_index(r.base[side]), r.steps[side] + (r.crossings < 0 ? 1 : 0)};
   }
 
-  // Records are given to a block many at a time, so that those used at the same time lie together.
-  static constexpr std::uint32_t records_of_block = 1024;
-  struct alignas(64) Block // on a cache line of its own, as different threads write to them
-  {
-    std::uint32_t next = 0, last = 0;
-  };
-
   internal::Large_vector<Record> records_; // the first is that of all edges never flipped
   internal::Large_vector<std::uint32_t> record_of_;
-
-  // Between begin_blocks() and end_blocks(): where the records end that were given to blocks.
-  std::uint32_t end_of_records_ = 0;
-  std::vector<Block> blocks_;
-  int block_exponent_ = 0;
 };
 
 } // namespace Intrinsic_triangulations

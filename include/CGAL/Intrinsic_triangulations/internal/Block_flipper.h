@@ -131,8 +131,7 @@ public:
     // No block may use up what is there for all, nor fill the memory with its journal.
     budget_of_block_ = (std::min)(budget_ / (2 * number_of_blocks + 1), 16 * std::uint64_t(size));
 
-    Block::begin(triangulation_, exponent - 1);
-    Lists journals;
+    std::vector<std::vector<Hinge_halfedges>> journals;
     std::exception_ptr exception;
     for (std::size_t shift : {std::size_t(0), size / 2}) {
       std::vector<Task> tasks = make_tasks(n, shift);
@@ -151,7 +150,7 @@ public:
       if (visitor_.is_stopped())
         break;
     }
-    Block::end(triangulation_, journals);
+    Block::append(triangulation_, journals);
     if (exception)
       std::rethrow_exception(exception);
     return !visitor_.is_stopped() &&
@@ -159,14 +158,13 @@ public:
   }
 
 private:
-  using Lists = std::vector<std::vector<Edge_index>>;
-
   struct Task
   {
     Edge_index::size_type first, last; // the edges of the block
     std::vector<Edge_index> candidates;
     Flip_report report;
-    std::vector<Edge_index> journal, postponed;
+    std::vector<Hinge_halfedges> journal;
+    std::vector<Edge_index> postponed;
     std::exception_ptr exception;
   };
 

@@ -46,23 +46,19 @@ public:
   static bool are_possible(const Triangulation& triangulation)
   {
     return is_for_threads<typename Triangulation::Edge_data> &&
-           (!triangulation.geometry_ || triangulation.geometry_->can_begin_blocks());
+           (!triangulation.geometry_ || triangulation.geometry_->can_append());
   }
-  // The first block begins after this, all have `2^exponent` edges, ...
-  static void begin(Triangulation& triangulation, int exponent)
+  // To be called when no block is in use, with the journals of all.
+  static void append(Triangulation& triangulation, const std::vector<std::vector<Hinge_halfedges>>& journals)
   {
+    // Flips in different blocks commute, so that any order of the blocks will do.
     if (triangulation.geometry_)
-      triangulation.geometry_->begin_blocks(triangulation.connectivity_, exponent);
-  }
-  // ... and this is called after the last has ended.
-  static void end(Triangulation& triangulation, const std::vector<std::vector<Edge_index>>& journals)
-  {
-    if (triangulation.geometry_)
-      triangulation.geometry_->end_blocks(journals);
+      for (const std::vector<Hinge_halfedges>& journal : journals)
+        triangulation.geometry_->append(journal);
   }
 
   Triangulation_block(Triangulation& triangulation, Edge_index::size_type first,
-                      Edge_index::size_type last, std::vector<Edge_index>& journal)
+                      Edge_index::size_type last, std::vector<Hinge_halfedges>& journal)
     : triangulation_(triangulation), first_(first), size_(last - first), journal_(journal)
   {}
 
@@ -98,7 +94,7 @@ public:
     if (!certainly(is_convex))
       return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
     if (triangulation_.geometry_)
-      triangulation_.geometry_->flip(connectivity(), around, journal_);
+      journal_.push_back(around);
     triangulation_.replace_hinge(around, old, flipped);
     return Flip_outcome::FLIPPED;
   }
@@ -111,7 +107,7 @@ private:
 
   Triangulation& triangulation_;
   Edge_index::size_type first_, size_;
-  std::vector<Edge_index>& journal_;
+  std::vector<Hinge_halfedges>& journal_;
 };
 
 } // namespace internal
