@@ -7,13 +7,12 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/Flip_journal.h>
 #include <CGAL/Intrinsic_triangulations/internal/Rotation_system.h>
 
 #include <CGAL/assertions.h>
 
 #include <boost/config.hpp>
-#include <boost/container/deque.hpp>
-#include <boost/container/options.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -52,10 +51,10 @@ public:
     Normal_coordinates coordinates(complex);
     std::vector<Edge_index> flipped_edges;
     flipped_edges.reserve(journal_.size());
-    for (const Hinge_halfedges& around : journal_) {
+    journal_.for_each([&](const Hinge_halfedges& around) {
       coordinates.flip(around);
       flipped_edges.push_back(complex.edge(around.ij));
-    }
+    });
     coordinates_ = std::move(coordinates);
     input_ = complex;
     for (std::size_t i = flipped_edges.size(); i-- > 0;)
@@ -63,7 +62,7 @@ public:
     is_prepared_ = true;
     for (Edge_index e : flipped_edges)
       shorten_walks(complex.halfedge(e));
-    Journal().swap(journal_);
+    journal_ = {};
     return flipped_edges;
   }
 
@@ -86,10 +85,10 @@ public:
   }
   /// \brief follows flips that others have noted, each as the halfedges around the edge before it.
   /// \pre not `is_prepared()`
-  void append(const std::vector<Hinge_halfedges>& flips)
+  void append(std::vector<Hinge_halfedges> flips)
   {
     CGAL_precondition(!is_prepared_);
-    journal_.insert(journal_.end(), flips.begin(), flips.end());
+    journal_.append(std::move(flips));
   }
 
   /// returns the integers. \pre `is_prepared()`
@@ -113,10 +112,6 @@ public:
   }
 
 private:
-  // In blocks, so that it grows without being copied.
-  using Journal = boost::container::deque<
-    Hinge_halfedges, void, boost::container::deque_options<boost::container::block_bytes<65536u>>::type>;
-
   // More steps than this are replaced: around most vertices, there are never as many.
   static constexpr std::uint64_t longest_walk = 16;
 
@@ -133,7 +128,7 @@ private:
   }
 
   bool is_prepared_ = false;
-  Journal journal_;
+  internal::Flip_journal journal_;
   Delta_complex input_;
   Normal_coordinates coordinates_;
   std::optional<internal::Rotation_system> around_; // of the input, for long walks

@@ -110,7 +110,7 @@ public:
   /// returns whether flips may be appended: as long as no query was made.
   bool can_append() const { return !correspondence_.is_prepared() && !straight_faces_; }
   /// as `append()` of `Correspondence`. \pre `can_append()`
-  void append(const std::vector<Hinge_halfedges>& flips) { correspondence_.append(flips); }
+  void append(std::vector<Hinge_halfedges> flips) { correspondence_.append(std::move(flips)); }
 
   /// makes the queries below possible; as `Correspondence::prepare()`.
   void prepare(const Delta_complex& complex)
@@ -337,7 +337,7 @@ public:
 
 private:
   // In flips for each edge. A journal is not to become much larger than the triangulation.
-  static constexpr std::size_t longest_journal = 4;
+  static constexpr std::size_t longest_journal = 8;
 
   // Finds out which faces are straight, by repeating the flips; flip() keeps it up from then on.
   void start_straight_faces(const Delta_complex& complex)

@@ -150,7 +150,7 @@ public:
       if (visitor_.is_stopped())
         break;
     }
-    Block::append(triangulation_, journals);
+    Block::append(triangulation_, std::move(journals));
     if (exception)
       std::rethrow_exception(exception);
     return !visitor_.is_stopped() &&

@@ -11,6 +11,7 @@
 #include <CGAL/Uncertain.h>
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -49,12 +50,12 @@ public:
            (!triangulation.geometry_ || triangulation.geometry_->can_append());
   }
   // To be called when no block is in use, with the journals of all.
-  static void append(Triangulation& triangulation, const std::vector<std::vector<Hinge_halfedges>>& journals)
+  static void append(Triangulation& triangulation, std::vector<std::vector<Hinge_halfedges>> journals)
   {
     // Flips in different blocks commute, so that any order of the blocks will do.
     if (triangulation.geometry_)
-      for (const std::vector<Hinge_halfedges>& journal : journals)
-        triangulation.geometry_->append(journal);
+      for (std::vector<Hinge_halfedges>& journal : journals)
+        triangulation.geometry_->append(std::move(journal));
   }
 
   Triangulation_block(Triangulation& triangulation, Edge_index::size_type first,
