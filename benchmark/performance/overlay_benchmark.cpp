@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the overlay costs: time for each of its elements (vertices, segments and faces), how the
-// time grows with their number, and what the integers that it is built from cost the flips.
+// time grows with their number, and what the integers cost that it is built from.
 //
 //   overlay_benchmark [ROUNDS]
 //
@@ -27,7 +27,9 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <cstdint>
 #include <ctime>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -58,32 +60,61 @@ struct Costs
   double elements = 0; // of the overlay
   double graph = 0, positions = 0;
   double triangulation = 0;
-  double integers = 0; // what they add to the time in double, which needs none
-  double input = 0;    // to recover its connectivity when the flips are done
+  double journal = 0;  // what noting the flips adds to the time in double, which needs no note
+  double integers = 0; // that, and to compute the integers from the notes
+  double input = 0;    // integers and input connectivity, when the flips are done
   double heat_method = 0;
 };
 
-// In double, from the mesh, with the integers or without them.
-double seconds_in_double(const Mesh& mesh, bool keeps_integers)
+// In double, from the mesh, noting the flips or not.
+double seconds_in_double(const Mesh& mesh, bool notes_flips)
 {
   return seconds([&] {
     auto t = IT::intrinsic_triangulation(
       mesh, CGAL::parameters::geom_traits(IT::Edge_length_traits<double>()));
-    if (keeps_integers) // they need no metric
+    if (notes_flips) // for integers, which need no metric
       t.keep_input(IT::Input_metric::from_points({}));
     IT::flip_to_Delaunay(t);
   });
 }
 
+// The flips of a triangulation, each as the halfedges around the edge before it.
+struct Recorder
+{
+  bool go_further(std::uint64_t, std::uint64_t) { return true; }
+  void after_flip(IT::Edge_index e)
+  {
+    const IT::Hinge_halfedges now = complex.hinge(e);
+    flips.push_back({now.ij, now.lj, now.jk, now.ji, now.ki, now.il});
+  }
+  const IT::Delta_complex& complex;
+  std::vector<IT::Hinge_halfedges> flips;
+};
+
+// The integers alone, from the notes.
+double seconds_for_integers(const Mesh& mesh)
+{
+  auto t = IT::intrinsic_triangulation(mesh);
+  const IT::Delta_complex input = t.connectivity();
+  Recorder recorder{t.connectivity(), {}};
+  IT::flip_to_Delaunay(t, CGAL::parameters::visitor(std::ref(recorder)));
+  return seconds([&] {
+    IT::Normal_coordinates coordinates(input);
+    for (const IT::Hinge_halfedges& around : recorder.flips)
+      coordinates.flip(around);
+  });
+}
+
 Costs measure(const Mesh& mesh, int rounds, bool with_heat_method)
 {
-  std::vector<double> graph, positions, triangulation, without, with, input, heat_method;
+  std::vector<double> graph, positions, triangulation, without, with, integers, input, heat_method;
   Costs costs;
   for (int round = 0; round <= rounds; ++round) {
     std::optional<decltype(IT::intrinsic_delaunay_triangulation(mesh))> t;
     triangulation.push_back(seconds([&] { t.emplace(IT::intrinsic_delaunay_triangulation(mesh)); }));
     without.push_back(seconds_in_double(mesh, false));
     with.push_back(seconds_in_double(mesh, true));
+    integers.push_back(seconds_for_integers(mesh));
     input.push_back(seconds([&] { t->exact_geometry(); }));
     std::optional<IT::Overlay> overlay;
     graph.push_back(seconds([&] { overlay.emplace(*t); }));
@@ -94,13 +125,14 @@ Costs measure(const Mesh& mesh, int rounds, bool with_heat_method)
     if (with_heat_method)
       heat_method.push_back(seconds([&] { const Heat_method_triangulation h(mesh); }));
     if (round == 0) // does not count: caches and memory are cold
-      for (std::vector<double>* values : {&graph, &positions, &triangulation, &without, &with, &input, &heat_method})
+      for (std::vector<double>* values : {&graph, &positions, &triangulation, &without, &with, &integers, &input, &heat_method})
         values->clear();
   }
   costs.graph = median(graph);
   costs.positions = median(positions);
   costs.triangulation = median(triangulation);
-  costs.integers = median(with) - median(without);
+  costs.journal = median(with) - median(without);
+  costs.integers = costs.journal + median(integers);
   costs.input = median(input);
   if (with_heat_method)
     costs.heat_method = median(heat_method);
@@ -113,7 +145,7 @@ void report(const std::string& name, const Costs& costs)
   std::printf("%-20s %11.0f %9.2f %7.1f %9.1f %9.2f %9.2f", name.c_str(), costs.elements,
               1e3 * (costs.graph + costs.positions), per_element * costs.graph,
               per_element * (costs.graph + costs.positions),
-              costs.triangulation / (costs.triangulation - costs.integers),
+              1 + costs.integers / (costs.triangulation - costs.journal),
               costs.input / costs.triangulation);
   if (costs.heat_method > 0)
     std::printf(" %9.2f %9.2f", costs.graph / costs.heat_method,
@@ -129,8 +161,8 @@ int main(int argc, char** argv)
   keep_freed_memory();
   const int rounds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 7;
   std::printf("elements: of the overlay; ms: graph and positions; ns: for each element; integers: time\n"
-              "of the triangulation over what it were without them; input: to recover it, over the\n"
-              "time of the triangulation; heat: over the time that the class of CGAL's Heat_method_3\n"
+              "of triangulation and integers over what it were without them; input: integers and input\n"
+              "connectivity afterwards, over the time of the triangulation; heat: over the time that the class of CGAL's Heat_method_3\n"
               "takes for its triangulation\n\n"
               "%-20s %11s %9s %7s %9s %9s %9s %9s %9s\n",
               "surface", "elements", "ms", "ns", "ns with",

@@ -157,10 +157,10 @@ private:
       t.emplace(std::move(*complex), Triangulation::Point_vector(points_.begin(), points_.end()), IT::Filtered_edge_length_traits(),
                 ConcurrencyTag());
     });
-    stage("tests and flips, with integers", complex_bytes + metric_bytes + 2 * e, times, counts,
+    stage("tests and flips", complex_bytes + metric_bytes + 2 * e, times, counts,
           [&] { IT::flip_to_Delaunay<ConcurrencyTag>(*t); });
     stage("tests where nothing flips", 8 * e + e, times, counts, [&] { IT::flip_to_Delaunay<ConcurrencyTag>(*t); });
-    stage("recovery of the input (one thread)", 2 * complex_bytes, times, counts, [&] { t->exact_geometry(); });
+    stage("integers and input connectivity (one thread)", 2 * complex_bytes, times, counts, [&] { t->exact_geometry(); });
     std::optional<IT::Overlay> overlay;
     overlay.emplace(*t, IT::Progress_function(), ConcurrencyTag()); // for its size
     const double overlay_bytes = 28. * overlay->number_of_segments() + 4. * overlay->number_of_vertices() +
