@@ -18,7 +18,6 @@
 
 #include <boost/config.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -65,10 +64,6 @@ public:
   using Hinge_data = Hinge<Edge_data, Face_data>;
   /// whether decisions and numbers come from the input where the stored ones do not suffice
   static constexpr bool uses_exact_geometry = Traits::Uses_exact_geometry::value;
-
-  /// \cond SKIP_IN_MANUAL
-  static constexpr bool keeps_bounds = internal::Has_cotangent_bounds<Traits>::value;
-  /// \endcond
 
   /// the points of the vertices, in a vector that can be filled without being initialized first
   using Point_vector = internal::Large_vector<Point_data>;
@@ -175,8 +170,9 @@ public:
 
   /// \brief returns the exact geometry, ready for its queries.
   ///
-  /// The first call costs O(size). Queries remember what they computed, so that one object must
-  /// not be queried from two threads at once.
+  /// The first call costs O(size + number of flips). Queries remember what they computed, so that
+  /// one object must not be queried from two threads at once.
+  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   /// \pre `keeps_input()`
   Exact_geometry& exact_geometry() const
   {
@@ -352,14 +348,13 @@ public:
     if (!certainly(is_convex))
       return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
     const bool is_straight = geometry_ && geometry_->flip(connectivity_, around);
-    [[maybe_unused]] const bool has_length = is_new_edge_known_to_have_length(old);
+    const bool has_length = is_new_edge_known_to_have_length(old);
     replace_hinge(around, old, flipped);
-    if constexpr (uses_exact_geometry) {
+    if constexpr (uses_exact_geometry)
       if (is_straight)
         measure_straight_faces(around);
-      if (!has_length)
-        check_length(edge(around.ij));
-    }
+    if (!has_length)
+      check_length(edge(around.ij));
     return Flip_outcome::FLIPPED;
   }
 
@@ -375,6 +370,8 @@ private:
   template <class>
   friend class internal::Triangulation_block;
   /// \endcond
+
+  static constexpr bool keeps_bounds = internal::Has_cotangent_bounds<Traits>::value;
 
   Intrinsic_triangulation(Delta_complex connectivity, const Traits& traits)
     : connectivity_(std::move(connectivity)), traits_(traits),
@@ -425,30 +422,21 @@ private:
     return sign != NEGATIVE;
   }
 
-  // After a flip.
+  // From their points faces are known as well as on the first day, after any number of flips.
   void measure_straight_faces(const Hinge_halfedges& around)
   {
-    for (Halfedge_index side : {around.ij, around.ji})
-      if (!traits_.is_accurate_object()(face_data(connectivity_.face(side))))
-        measure_straight_face(side);
-  }
-
-  // From its points a face is known as well as on the first day, after any number of flips.
-  void measure_straight_face(Halfedge_index h)
-  {
-    if constexpr (uses_exact_geometry) {
-      const Halfedge_index next = connectivity_.next(h), prev = connectivity_.prev(h);
-      const auto& points = geometry_->metric().points();
-      const Point_data &p = points[connectivity_.source(h).idx()],
-                       &q = points[connectivity_.target(h).idx()],
-                       &r = points[connectivity_.target(next).idx()];
-      const auto construct_edge_data = traits_.construct_edge_data_object();
-      edges_[edge(h).idx()] = construct_edge_data(p, q);
-      edges_[edge(next).idx()] = construct_edge_data(q, r);
-      edges_[edge(prev).idx()] = construct_edge_data(r, p);
-      faces_[connectivity_.face(h).idx()] = traits_.construct_face_data_object()(p, q, r);
-      bound_corners(h);
-    }
+    const internal::Face_measurer<Sequential_tag, Traits> measurer(connectivity_, traits_, geometry_->metric().points(),
+                                                                   edges_, faces_, bounds_);
+    const internal::Sides one(connectivity_, around.ij), two(connectivity_, around.ji);
+    const auto is_accurate = traits_.is_accurate_object();
+    const bool measures_one = !is_accurate(face_data(one.face)), measures_two = !is_accurate(face_data(two.face));
+    if constexpr (internal::Takes_two_faces<Traits>::value)
+      if (measures_one && measures_two)
+        return void(measurer.measure(one, two));
+    if (measures_one)
+      measurer.measure(one);
+    if (measures_two)
+      measurer.measure(two);
   }
 
   void refine(Halfedge_index h, const Exact_geometry::Corner& c)

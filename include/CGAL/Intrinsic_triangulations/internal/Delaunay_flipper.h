@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Flip_report.h>
+#include <CGAL/Intrinsic_triangulations/internal/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/Triangulation_block.h>
 
@@ -89,7 +90,7 @@ class Delaunay_flipper
   using Flip_outcome = typename Triangulation::Flip_outcome;
   static constexpr bool is_whole = Is_whole_triangulation<Triangulation>::value;
   // Whether the tests of several edges can be made at once.
-  static constexpr bool tests_together = Triangulation::keeps_bounds && Is_silent<Visitor>::value &&
+  static constexpr bool tests_together = Has_cotangent_bounds<typename Triangulation::Traits>::value && Is_silent<Visitor>::value &&
                                          std::is_same<ConstraintMap, Static_boolean_property_map<Edge_index, false>>::value;
 
   static constexpr Edge_index::size_type group_size = 1024;

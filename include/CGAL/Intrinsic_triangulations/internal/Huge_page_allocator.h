@@ -47,7 +47,7 @@ public:
       void* const block = checked(std::malloc(rounded + huge_page));
       const std::uintptr_t begin = std::uintptr_t(block) / huge_page * huge_page + huge_page;
       void* const p = static_cast<char*>(block) + (begin - std::uintptr_t(block));
-      static_cast<void**>(p)[-1] = block; // malloc() aligns to more than a pointer: there is room
+      static_cast<void**>(p)[-1] = block;   // malloc() aligns to more than a pointer: there is room
       ::madvise(p, rounded, MADV_HUGEPAGE); // a wish: failure changes nothing
       return static_cast<T*>(p);
     }

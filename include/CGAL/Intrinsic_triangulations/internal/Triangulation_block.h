@@ -34,7 +34,6 @@ class Triangulation_block
 public:
   using Traits = typename Triangulation::Traits;
   using Boolean = typename Triangulation::Boolean;
-  static constexpr bool keeps_bounds = Triangulation::keeps_bounds;
   enum class Flip_outcome {
     FLIPPED,
     NOT_CONVEX,

@@ -114,107 +114,148 @@ void bound_corners_of_flipped(const Traits& traits, const Hinge_halfedges& aroun
   }
 }
 
-// Two threads may store the same number for an edge, each for one of its faces.
-template <class ConcurrencyTag, class T>
-void store(T& to, const T& value)
-{
-  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
-    boost::atomic_ref<T>(to).store(value, boost::memory_order_relaxed);
-  else
-    to = value;
-}
-
-// The halfedges of a face.
+// A face and its halfedges.
 struct Sides
 {
-  Sides(const Delta_complex& complex, std::size_t f)
-    : h(complex.halfedge(Face_index(std::uint32_t(f)))), next(complex.next(h)), prev(complex.prev(h))
+  Sides(const Delta_complex& complex, Face_index f) : Sides(complex, f, complex.halfedge(f)) {}
+  Sides(const Delta_complex& complex, Halfedge_index h) : Sides(complex, complex.face(h), h) {}
+  Sides(const Delta_complex& complex, Face_index f, Halfedge_index h)
+    : face(f), h(h), next(complex.next(h)), prev(complex.prev(h))
   {}
   // Zero for a triangle, and for a face of one side, whose length is zero.
   std::uint32_t is_other_face(const Delta_complex& complex) const
   {
     return complex.next(next).idx() ^ prev.idx();
   }
+  Face_index face;
   Halfedge_index h, next, prev;
 };
 
-// All that is computed from the corners of a face is computed while they are at hand: an
-// edge twice, which takes less time than to fetch its ends once more. Where the traits can,
-// two faces are computed at once.
+// Computes what is kept for a face and its sides from its corners.
+//
+// All that is computed from them is computed while they are at hand: an edge twice, which takes
+// less time than to fetch its ends once more.
+template <class ConcurrencyTag, class Traits>
+class Face_measurer
+{
+  using FT = typename Traits::FT;
+  using Edge_data = typename Traits::Edge_data;
+  using Face_data = typename Traits::Face_data;
+  using Point_data = typename Traits::Point_data;
+
+public:
+  template <class PointVector, class EdgeVector, class FaceVector>
+  Face_measurer(const Delta_complex& complex, const Traits& traits, const PointVector& points,
+                EdgeVector& edges, FaceVector& faces, Cotangent_bounds& bounds)
+    : complex_(complex), traits_(traits), points_(points.data()), edges_(edges.data()), faces_(faces.data()),
+      bounds_(bounds)
+  {}
+
+  // Not zero if a side has length zero: numbers can be combined without a branch.
+  int is_zero(const Edge_data& e) const
+  {
+    return int(!possibly(traits_.compute_squared_length_object()(e) > FT(0)));
+  }
+
+  // Returns whether a side has length zero, as is_zero() does.
+  int measure(const Sides& sides) const
+  {
+    const auto edge = traits_.construct_edge_data_object();
+    const Point_data p = corner(sides.prev), q = corner(sides.h), r = corner(sides.next);
+    const Edge_data pq = edge(p, q), qr = edge(q, r), pr = edge(p, r);
+    store(sides.h, pq);
+    store(sides.next, qr);
+    store(sides.prev, pr);
+    const Face_data face = traits_.construct_face_data_object()(p, q, r);
+    faces_[sides.face.idx()] = face;
+    bound_corners(traits_, sides.h, sides.next, sides.prev, face, pq, qr, pr, bounds_);
+    return is_zero(pq) | is_zero(qr) | is_zero(pr);
+  }
+
+  // Returns the smallest squared length of either face.
+  Two_doubles measure(const Sides& one, const Sides& two) const
+  {
+    const auto edge = traits_.construct_edge_data_object();
+    const Two_points p = corners(one.prev, two.prev), q = corners(one.h, two.h), r = corners(one.next, two.next);
+    const Two_doubles pq = edge.of_two(p, q), qr = edge.of_two(q, r), pr = edge.of_two(p, r);
+    store(one.h, two.h, pq);
+    store(one.next, two.next, qr);
+    store(one.prev, two.prev, pr);
+    const auto areas = traits_.construct_face_data_object().of_two(p, q, r);
+    faces_[one.face.idx()] = areas.first();
+    faces_[two.face.idx()] = areas.second();
+    const auto bounds = traits_.compute_cotangent_bounds_object().of_two(areas, pq, qr, pr);
+    bounds_.set(one.h, two.h, bounds[0]);
+    bounds_.set(one.next, two.next, bounds[1]);
+    bounds_.set(one.prev, two.prev, bounds[2]);
+    return min_of(min_of(pq, qr), pr);
+  }
+
+private:
+  // Coordinate by coordinate, so that they are kept in registers.
+  Point_data corner(Halfedge_index h) const
+  {
+    const Point_data& p = points_[complex_.target(h).idx()];
+    return {p[0], p[1], p[2]};
+  }
+  Two_points corners(Halfedge_index h, Halfedge_index g) const
+  {
+    const Point_data &p = points_[complex_.target(h).idx()], &q = points_[complex_.target(g).idx()];
+    return {Two_doubles(p[0], q[0]), Two_doubles(p[1], q[1]), Two_doubles(p[2], q[2])};
+  }
+
+  // Two threads may store the same number for an edge, each for one of its faces.
+  void store(Halfedge_index h, const Edge_data& e) const
+  {
+    Edge_data& to = edges_[complex_.edge(h).idx()];
+    if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+      boost::atomic_ref<Edge_data>(to).store(e, boost::memory_order_relaxed);
+    else
+      to = e;
+  }
+  void store(Halfedge_index h, Halfedge_index g, const Two_doubles& two) const
+  {
+    store(h, two.first());
+    store(g, two.second());
+  }
+
+  const Delta_complex& complex_;
+  const Traits& traits_;
+  const Point_data* points_;
+  Edge_data* edges_;
+  Face_data* faces_;
+  Cotangent_bounds& bounds_;
+};
+
 template <class ConcurrencyTag, class Traits, class PointVector, class EdgeVector, class FaceVector>
 void construct_metric_from_points(const Delta_complex& complex, const Traits& traits,
                                   const PointVector& points, EdgeVector& edges,
                                   FaceVector& faces, Cotangent_bounds& bounds)
 {
   CGAL_precondition(points.size() == complex.number_of_vertices());
-  using FT = typename Traits::FT;
-  using Edge_data = typename Traits::Edge_data;
-  using Point_data = typename Traits::Point_data;
-  using Tag = std::conditional_t<is_for_threads<Edge_data>, ConcurrencyTag, Sequential_tag>;
-  const auto construct_edge_data = traits.construct_edge_data_object();
-  const auto construct_face_data = traits.construct_face_data_object();
-  const auto compute_squared_length = traits.compute_squared_length_object();
-  const auto is_zero = [&](const Edge_data& e) { // 0 or 1, to be combined without a branch
-    return int(!possibly(compute_squared_length(e) > FT(0)));
-  };
+  using Tag =
+    std::conditional_t<is_for_threads<typename Traits::Edge_data>, ConcurrencyTag, Sequential_tag>;
+  const Face_measurer<Tag, Traits> faces_and_sides(complex, traits, points, edges, faces, bounds);
   std::atomic<bool> is_to_be_refused{false};
 
   for_each_block<Tag>(faces.size(), elements_of_block, [&](std::size_t first, std::size_t last) {
-    const Point_data* const point = points.data();
-    auto* const edge = edges.data();
-    // Coordinate by coordinate, so that they are kept in registers.
-    const auto corner = [&](Halfedge_index h) -> Point_data {
-      const Point_data& p = point[complex.target(h).idx()];
-      return {p[0], p[1], p[2]};
-    };
+    const Face_measurer<Tag, Traits> measurer = faces_and_sides;
+    const auto sides = [&](std::size_t f) { return Sides(complex, Face_index(std::uint32_t(f))); };
     int has_zero = 0;
     std::uint32_t has_other_faces = 0;
-    auto* face = faces.data() + first;
     std::size_t f = first;
     if constexpr (Takes_two_faces<Traits>::value) {
-      const auto two_corners = [&](Halfedge_index h, Halfedge_index g) -> Two_points {
-        const Point_data &p = point[complex.target(h).idx()], &q = point[complex.target(g).idx()];
-        return {Two_doubles(p[0], q[0]), Two_doubles(p[1], q[1]), Two_doubles(p[2], q[2])};
-      };
-      const auto store_two = [&](Halfedge_index h, Halfedge_index g, const Two_doubles& s) {
-        store<Tag>(edge[complex.edge(h).idx()], s.first());
-        store<Tag>(edge[complex.edge(g).idx()], s.second());
-      };
       Two_doubles shortest = std::numeric_limits<double>::infinity();
-      for (; f + 1 < last; f += 2, face += 2) {
-        const Sides one(complex, f), two(complex, f + 1);
+      for (; f + 1 < last; f += 2) {
+        const Sides one = sides(f), two = sides(f + 1);
         has_other_faces |= one.is_other_face(complex) | two.is_other_face(complex);
-        const Two_points p = two_corners(one.prev, two.prev), q = two_corners(one.h, two.h),
-                         r = two_corners(one.next, two.next);
-        const Two_doubles pq = construct_edge_data.of_two(p, q), qr = construct_edge_data.of_two(q, r),
-                          pr = construct_edge_data.of_two(p, r);
-        store_two(one.h, two.h, pq);
-        store_two(one.next, two.next, qr);
-        store_two(one.prev, two.prev, pr);
-        shortest = min_of(min_of(pq, qr), min_of(pr, shortest));
-        const auto areas = construct_face_data.of_two(p, q, r);
-        face[0] = areas.first();
-        face[1] = areas.second();
-        const auto of_corners = traits.compute_cotangent_bounds_object().of_two(areas, pq, qr, pr);
-        bounds.set(one.h, two.h, of_corners[0]);
-        bounds.set(one.next, two.next, of_corners[1]);
-        bounds.set(one.prev, two.prev, of_corners[2]);
+        shortest = min_of(measurer.measure(one, two), shortest);
       }
       has_zero = int(!(shortest.first() > 0 && shortest.second() > 0));
     }
-    for (; f < last; ++f, ++face) {
-      const Sides sides(complex, f);
-      const auto [h, next, prev] = sides;
-      has_other_faces |= sides.is_other_face(complex);
-      const Point_data p = corner(prev), q = corner(h), r = corner(next);
-      const Edge_data pq = construct_edge_data(p, q), qr = construct_edge_data(q, r),
-                      pr = construct_edge_data(p, r);
-      store<Tag>(edge[complex.edge(h).idx()], pq);
-      store<Tag>(edge[complex.edge(next).idx()], qr);
-      store<Tag>(edge[complex.edge(prev).idx()], pr);
-      has_zero |= is_zero(pq) | is_zero(qr) | is_zero(pr);
-      *face = construct_face_data(p, q, r);
-      bound_corners(traits, h, next, prev, *face, pq, qr, pr, bounds);
+    for (; f < last; ++f) {
+      has_other_faces |= sides(f).is_other_face(complex);
+      has_zero |= measurer.measure(sides(f));
     }
     if (has_zero != 0 || has_other_faces != 0)
       is_to_be_refused = true;
@@ -223,7 +264,7 @@ void construct_metric_from_points(const Delta_complex& complex, const Traits& tr
     check_triangles(complex);
     Offenders offenders;
     for (std::size_t e = 0; e < edges.size(); ++e)
-      if (is_zero(edges[e]) != 0)
+      if (faces_and_sides.is_zero(edges[e]) != 0)
         offenders.add(e);
     throw_zero_length(complex, points, offenders);
   }
