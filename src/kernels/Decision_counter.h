@@ -35,10 +35,14 @@ public:
     return triangulation_.connectivity();
   }
   Boolean is_locally_Delaunay(Edge_index e) const { return triangulation_.is_locally_Delaunay(e); }
-  Flip_outcome flip_not_Delaunay(Edge_index e) { return triangulation_.flip_not_Delaunay(e); }
+  Flip_outcome flip_not_Delaunay(const CGAL::Intrinsic_triangulations::Hinge_halfedges& around)
+  {
+    return triangulation_.flip_not_Delaunay(around);
+  }
 
   // Each edge is to come to the test.
   bool is_known_Delaunay(Edge_index) const { return false; }
+  unsigned are_known_Delaunay(Edge_index) const { return 0; }
   void count_as_tested(std::uint64_t) {}
   Boolean test_and_refine(Edge_index e)
   {
