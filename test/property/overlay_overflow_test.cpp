@@ -122,6 +122,24 @@ TEST(Overlay_overflow, CountsAreRightUpToTheLastOneAndThenAnError)
   torus.expect_right_counts();
 }
 
+// Flips that are only noted are an error when the integers are asked for.
+TEST(Overlay_overflow, NotesThatLeadBeyondTheLastCountAreAnError)
+{
+  Grown_torus torus(0);
+  IT::Delta_complex complex = torus.complex;
+  IT::Correspondence correspondence;
+  for (unsigned i = 0; i < 130; ++i) {
+    const Edge_index e(i % 3);
+    correspondence.flip(complex, e);
+    complex.flip(e);
+  }
+  for (int again = 0; again < 2; ++again) {
+    EXPECT_THROW(correspondence.prepare(complex), IT::Integer_overflow_error);
+    EXPECT_FALSE(correspondence.is_prepared());
+    EXPECT_EQ(correspondence.number_of_journaled_flips(), 130u);
+  }
+}
+
 TEST(Overlay_overflow, LargeCountsGiveTheRightOverlay)
 {
   const Grown_torus torus(300000);

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -197,6 +198,41 @@ TYPED_TEST(Two_faces, give_bounds_that_are_kept_through_flips)
     EXPECT_GT(IT::flip_to_Delaunay(t).flips, 0u);
     expect_bounds();
   }
+}
+
+// Measures the surface from above: of points, only x and y count.
+template <class Base>
+struct Squashed_traits : Base
+{
+  struct Construct_edge_data : Base::Construct_edge_data
+  {
+    double operator()(Point p, Point q) const
+    {
+      p[2] = q[2] = 0;
+      return Base::Construct_edge_data::operator()(p, q);
+    }
+  };
+  struct Construct_face_data : Base::Construct_face_data
+  {
+    auto operator()(Point p, Point q, Point r) const
+    {
+      p[2] = q[2] = r[2] = 0;
+      return Base::Construct_face_data::operator()(p, q, r);
+    }
+  };
+  Construct_edge_data construct_edge_data_object() const { return {}; }
+  Construct_face_data construct_face_data_object() const { return {}; }
+};
+
+TYPED_TEST(Two_faces, are_left_to_the_functors_of_derived_traits)
+{
+  const std::vector<Point> points{{0, 0, 0}, {1, 0, 5}, {1, 1, 0}, {0, 1, 5}, {2, 2, 7}};
+  const std::vector<std::array<std::uint32_t, 3>> faces{{0, 1, 2}, {0, 2, 3}, {1, 4, 2}};
+  const IT::Intrinsic_triangulation<Squashed_traits<TypeParam>> t(
+    IT::make_Delta_complex_from_triangles(points.size(), faces), points);
+  EXPECT_EQ(t.squared_length(IT::Edge_index(0)), 1);
+  for (IT::Face_index f : t.connectivity().faces())
+    EXPECT_EQ(area(t.face_data(f)), 2);
 }
 
 // Where not all vertices are used, nor an even number of them.

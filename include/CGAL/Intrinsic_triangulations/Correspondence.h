@@ -43,7 +43,8 @@ public:
   /// and O(1) afterwards.
   /// \param complex the current connectivity
   /// \return the edges that were flipped before, in order, which are forgotten
-  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`; nothing is changed then
+  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`. Nothing is changed then, and
+  ///   there is no way to the integers any more, even if the flips are undone
   std::vector<Edge_index> prepare(const Delta_complex& complex)
   {
     if (is_prepared_)
@@ -59,9 +60,9 @@ public:
     input_ = complex;
     for (std::size_t i = flipped_edges.size(); i-- > 0;)
       input_.flip_back(flipped_edges[i]);
-    is_prepared_ = true;
     for (Edge_index e : flipped_edges)
       shorten_walks(complex.halfedge(e));
+    is_prepared_ = true;
     journal_ = {};
     return flipped_edges;
   }

@@ -11,9 +11,9 @@
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
-#include <CGAL/tags.h>
 
 #include <array>
+#include <type_traits>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -48,7 +48,6 @@ struct Cotangent_bounds_of_edge_length_traits<double>
       return of_two({ijk, other}, ij, jk, ki);
     }
   };
-  using Takes_two_faces = Tag_true;
   Compute_cotangent_bounds compute_cotangent_bounds_object() const { return {}; }
 };
 
@@ -217,6 +216,14 @@ public:
   Compute_cotangent compute_cotangent_object() const { return {}; }
   /// @}
 };
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+template <>
+struct Takes_two_faces<Edge_length_traits<double>> : std::true_type
+{};
+} // namespace internal
+/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

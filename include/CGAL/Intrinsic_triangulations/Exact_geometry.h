@@ -76,6 +76,7 @@ public:
     journal_ = std::move(other.journal_);
     straight_faces_ = std::move(other.straight_faces_);
     developed_faces_ = {};
+    is_close_call_.clear();
     surface_.reset();
     return *this;
   }
@@ -93,7 +94,7 @@ public:
   /// \param complex the triangulation
   /// \param around the halfedges around the edge
   /// \return whether the new edge is known to be a straight line between two of the points
-  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
+  /// \exception Integer_overflow_error as `prepare()` and `flip()` of `Correspondence`
   bool flip(const Delta_complex& complex, const Hinge_halfedges& around)
   {
     if (!straight_faces_ &&
@@ -349,14 +350,15 @@ private:
   BOOST_NOINLINE void find_straight_faces(const Delta_complex& complex)
   {
     prepare(complex);
-    straight_faces_.emplace(complex.number_of_faces(), metric_.points().size());
+    internal::Straight_faces straight_faces(complex.number_of_faces(), metric_.points().size());
     if (!metric_.points().empty()) {
       Delta_complex copy = correspondence_.input();
       for (Edge_index e : journal_) {
-        straight_faces_->flip(copy, metric_.points(), e);
+        straight_faces.flip(copy, metric_.points(), e);
         copy.flip(e);
       }
     }
+    straight_faces_ = std::move(straight_faces);
     std::vector<Edge_index>().swap(journal_);
   }
 

@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -108,10 +109,6 @@ public:
   using Has_exact_decisions = Tag_true;
   /// undecided tests are passed on to the `Exact_geometry` of the triangulation
   using Uses_exact_geometry = Tag_true;
-  /// \cond SKIP_IN_MANUAL
-  // Functors have `of_two()`, for two edges or faces at once.
-  using Takes_two_faces = Tag_true;
-  /// \endcond
 
   /// makes the squared length of an edge, right up to 6 u.
   struct Construct_edge_data
@@ -388,6 +385,14 @@ public:
   Compute_bounded_cotangent compute_bounded_cotangent_object() const { return {}; }
   /// @}
 };
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+template <>
+struct Takes_two_faces<Filtered_edge_length_traits> : std::true_type
+{};
+} // namespace internal
+/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

@@ -172,7 +172,7 @@ public:
   ///
   /// The first call costs O(size + number of flips). Queries remember what they computed, so that
   /// one object must not be queried from two threads at once.
-  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
+  /// \exception Integer_overflow_error as `prepare()` of `Correspondence`
   /// \pre `keeps_input()`
   Exact_geometry& exact_geometry() const
   {

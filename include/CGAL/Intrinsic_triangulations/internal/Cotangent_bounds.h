@@ -41,14 +41,6 @@ inline std::array<float, 3> rounded(const std::array<double, 3>& bounds)
   return {float(bounds[0]), float(bounds[1]), float(bounds[2])};
 }
 
-// Whether the functors of traits take the numbers of two faces at once, too.
-template <class Traits, class = void>
-struct Takes_two_faces : std::false_type
-{};
-template <class Traits>
-struct Takes_two_faces<Traits, std::void_t<typename Traits::Takes_two_faces>> : Traits::Takes_two_faces
-{};
-
 // Whether traits bound cotangents.
 template <class Traits, class = void>
 struct Has_cotangent_bounds : std::false_type

@@ -172,8 +172,8 @@ private:
       position = free_.back();
       free_.pop_back();
     } else if (position == none) {
-      position = std::uint32_t(layouts_.size());
       layouts_.emplace_back();
+      position = std::uint32_t(layouts_.size() - 1);
     }
     layouts_[position] = layout;
   }

@@ -28,8 +28,9 @@ public:
   }
   void append(std::vector<Hinge_halfedges> flips)
   {
-    size_of_full_parts_ = size();
+    const std::size_t n = size();
     parts_.push_back(std::move(flips));
+    size_of_full_parts_ = n;
   }
   std::size_t size() const { return parts_.empty() ? 0 : size_of_full_parts_ + parts_.back().size(); }
 
@@ -45,8 +46,9 @@ private:
   void begin_part()
   {
     constexpr std::size_t size_of_part = 2048;
-    size_of_full_parts_ = size();
+    const std::size_t n = size();
     parts_.emplace_back();
+    size_of_full_parts_ = n;
     parts_.back().reserve(size_of_part);
   }
 

@@ -11,7 +11,7 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
+#include <type_traits>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -84,6 +84,12 @@ private:
 };
 
 using Two_points = std::array<Two_doubles, 3>;
+
+// Whether the functors of traits have `of_two()`, for two edges or faces at once. Traits that are derived
+// from such may have other functors, and do not count.
+template <class Traits>
+struct Takes_two_faces : std::false_type
+{};
 
 } // namespace internal
 } // namespace Intrinsic_triangulations
