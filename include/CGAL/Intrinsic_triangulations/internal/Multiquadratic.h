@@ -118,8 +118,7 @@ private:
     std::size_t pivot;
   };
 
-  // The primes below 2^31 from the top: the odds that one divides an input are nil, and if
-  // one does, the reduction above errs on the safe side only: it is checked or refused.
+  // The primes below 2^31 from the top.
   static const std::vector<unsigned long>& primes()
   {
     static const std::vector<unsigned long> list = [] {
@@ -134,21 +133,45 @@ private:
     return list;
   }
 
-  static Characters characters(const Integer& n)
+  Characters characters(const Integer& n)
   {
     Characters result;
     for (std::size_t i = 0; i < number_of_primes; ++i) {
       const int symbol = mpz_kronecker_ui(data(n), primes()[i]);
-      if (symbol == 0)
-        throw Too_many_roots();
       result[i] = symbol < 0;
+      if (symbol == 0 && !left_out_[i])
+        leave_out(i);
     }
-    return result;
+    return result & ~left_out_;
+  }
+
+  // A prime that divides one of the integers says nothing of products with it: from then on it is
+  // not used for any.
+  void leave_out(std::size_t prime)
+  {
+    left_out_.set(prime);
+    for (Row& row : rows_)
+      row.vector.reset(prime);
+    for (Row& row : rows_) {
+      if (row.pivot != prime)
+        continue;
+      if (row.vector.none())
+        throw Too_many_roots();
+      row.pivot = 0;
+      while (!row.vector[row.pivot])
+        ++row.pivot;
+      for (Row& other : rows_)
+        if (&other != &row && other.vector[row.pivot]) {
+          other.vector ^= row.vector;
+          other.mask ^= row.mask;
+        }
+    }
   }
 
   std::size_t maximum_size_;
   std::vector<Integer> generators_;
   std::vector<Row> rows_;
+  Characters left_out_; // the primes that divide a generator or were found to divide another integer
 };
 
 // A sum of rational multiples of products of roots, each product once, none with
