@@ -161,6 +161,32 @@ TYPED_TEST(Mesh_input, helical_tube_has_58_loops)
   EXPECT_EQ(self_glued, 2);
 }
 
+TYPED_TEST(Mesh_input, polygons_are_refused)
+{
+  std::vector<typename TypeParam::Kernel::Point_3> points;
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x)
+      points.emplace_back(x, y, x * y);
+  const auto at = [](std::size_t x, std::size_t y) { return 40 * y + x; };
+  std::vector<std::vector<std::size_t>> polygons{{at(0, 0), at(1, 0), at(0, 1)}, {at(1, 0), at(1, 1), at(0, 1)}};
+  for (std::size_t y = 0; y < 39; ++y)
+    for (std::size_t x = y == 0 ? 1 : 0; x < 39; ++x)
+      polygons.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
+  for (const std::size_t number_of_polygons : {polygons.size(), std::size_t(3)}) {
+    polygons.resize(number_of_polygons);
+    typename TypeParam::Mesh mesh;
+    CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, polygons, mesh);
+    try {
+      IT::intrinsic_delaunay_triangulation(mesh, test_traits<TypeParam>());
+      FAIL();
+    } catch (const IT::Invalid_surface_error& error) {
+      EXPECT_EQ(error.defect(), IT::Invalid_surface_error::Defect::NOT_A_TRIANGLE);
+      EXPECT_EQ(error.element(), 2u);
+      EXPECT_EQ(error.count(), number_of_polygons - 2);
+    }
+  }
+}
+
 TYPED_TEST(Mesh_input, vertex_point_map_is_used)
 {
   auto mesh = mesh_of<TypeParam>(sphere());

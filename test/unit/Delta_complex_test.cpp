@@ -317,6 +317,27 @@ TEST(Make_Delta_complex, refuses_a_face_that_is_not_a_triangle)
   expect_defect([&] { IT::make_Delta_complex(mesh); }, Defect::NOT_A_TRIANGLE, 0, "6 such faces");
 }
 
+// An edge that no face has: nothing that leads to it may be left out of the copy.
+TEST(Make_Delta_complex, copies_an_edge_without_faces)
+{
+  Mesh mesh;
+  CGAL::make_triangle(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), mesh);
+  const auto v = mesh.add_vertex(Point(5, 0, 0)), w = mesh.add_vertex(Point(6, 0, 0));
+  const auto h = mesh.add_edge(v, w), g = mesh.opposite(h);
+  mesh.set_next(h, g);
+  mesh.set_next(g, h);
+  mesh.set_halfedge(v, g);
+  mesh.set_halfedge(w, h);
+  const Delta_complex c = IT::make_Delta_complex(mesh);
+  ASSERT_EQ(c.number_of_halfedges(), 8u);
+  const Halfedge_index copy(h.idx());
+  EXPECT_TRUE(c.is_border(copy) && c.is_border(c.opposite(copy)));
+  EXPECT_EQ(c.next(copy), c.opposite(copy));
+  EXPECT_EQ(c.prev(copy), c.opposite(copy));
+  EXPECT_EQ(c.target(copy).idx(), w.idx());
+  EXPECT_EQ(c.source(copy).idx(), v.idx());
+}
+
 TEST(Delta_complex, any_single_wrong_entry_is_found)
 {
   const Delta_complex with_border =

@@ -62,7 +62,7 @@ public:
     check_end();
     Gluing result;
     result.complex = Delta_complex_builder::from_numbered_sides(
-      number_of_vertices_, std::move(corner_vertex_), halfedge_of_, lengths_.size());
+      number_of_vertices_, corner_vertex_, halfedge_of_, lengths_.size());
     result.lengths = std::move(lengths_);
     return result;
   }

@@ -94,13 +94,23 @@ public:
   template <class ConcurrencyTag = Sequential_tag>
   Intrinsic_triangulation(Delta_complex connectivity, Point_vector&& points,
                           const Traits& traits = Traits(), ConcurrencyTag = ConcurrencyTag())
+    : Intrinsic_triangulation(std::move(connectivity), std::move(points), traits, ConcurrencyTag(),
+                              internal::Nothing_to_copy())
+  {}
+
+  /// \cond SKIP_IN_MANUAL
+  // As above, with the vertices only: the copier brings the faces.
+  template <class ConcurrencyTag, class Copier>
+  Intrinsic_triangulation(Delta_complex connectivity, Point_vector&& points, const Traits& traits, ConcurrencyTag,
+                          Copier&& copier)
     : Intrinsic_triangulation(std::move(connectivity), traits)
   {
     exponent_ = internal::normalize_points<ConcurrencyTag>(points, internal::Is_used_vertex{connectivity_});
-    internal::construct_metric_from_points<ConcurrencyTag>(connectivity_, traits_, points, edges_, faces_, bounds_);
+    internal::construct_metric_from_points<ConcurrencyTag>(connectivity_, copier, traits_, points, edges_, faces_, bounds_);
     if constexpr (uses_exact_geometry)
       keep_input(Input_metric::from_normalized_points(std::move(points), exponent_));
   }
+  /// \endcond
 
   /// \brief constructs the triangulation of a surface given by the lengths of its edges.
   ///
@@ -137,19 +147,7 @@ public:
     Input_metric metric = Input_metric::from_squared_lengths(std::move(squared_lengths));
     metric.check(t.connectivity_);
     t.exponent_ = metric.unit_exponent();
-    const auto refined = traits.construct_refined_data_object();
-    for (Edge_index e : t.connectivity_.edges())
-      t.edges_[e.idx()] = refined(metric.squared_length_double_double(t.connectivity_, e));
-    const auto squared_length = [&](Halfedge_index h) {
-      return metric.squared_length_double_double(t.connectivity_, t.edge(h));
-    };
-    for (Face_index f : t.connectivity_.faces()) {
-      const Halfedge_index h = t.connectivity_.halfedge(f);
-      t.faces_[f.idx()] = refined(metric.four_areas_double_double(t.connectivity_, f),
-                                  squared_length(h), squared_length(t.connectivity_.next(h)),
-                                  squared_length(t.connectivity_.prev(h)));
-      t.bound_corners(h);
-    }
+    internal::construct_metric_from_input(t.connectivity_, t.traits_, metric, t.edges_, t.faces_, t.bounds_);
     t.keep_input(std::move(metric));
     return t;
   }

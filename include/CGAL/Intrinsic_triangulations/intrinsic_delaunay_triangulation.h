@@ -127,12 +127,12 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
   using Triangulation = Intrinsic_triangulation<Traits>;
   const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
 
-  Delta_complex connectivity = internal::copy_face_graph<ConcurrencyTag>(mesh);
   if constexpr (Triangulation::uses_exact_geometry &&
                 !std::is_floating_point<typename Kernel::FT>::value) {
     static_assert(!std::is_same<Default_intrinsic_triangulation_traits<Kernel>,
                                 Edge_length_traits<typename Kernel::FT>>::value,
                   "exact geometry needs points with rational coordinates");
+    Delta_complex connectivity = internal::copy_face_graph<ConcurrencyTag>(mesh);
     std::optional<std::vector<Input_metric::Rational>> squared_lengths =
       internal::rational_squared_lengths(mesh, point_map, connectivity);
     if (squared_lengths) { // some coordinate is not a double
@@ -141,6 +141,8 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
                                                  std::move(*squared_lengths), traits);
     }
   }
+  internal::Face_graph_copier<TriangleMesh> copier(mesh);
+  Delta_complex connectivity = copier.template copy_vertices<ConcurrencyTag>();
   typename Triangulation::Point_vector points(connectivity.number_of_vertices(),
                                               internal::default_init);
   internal::for_each_element<ConcurrencyTag>(
@@ -153,7 +155,7 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
       }
       return true;
     });
-  return Triangulation(std::move(connectivity), std::move(points), traits, ConcurrencyTag());
+  return Triangulation(std::move(connectivity), std::move(points), traits, ConcurrencyTag(), copier);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRef

@@ -40,13 +40,8 @@ public:
   static Delta_complex from_triangles(std::size_t number_of_vertices, const TriangleRange& triangles)
   {
     Delta_complex_builder b;
-    b.corner_vertex_.reserve(3 * std::size_t(std::distance(std::begin(triangles), std::end(triangles))));
-    for (const auto& t : triangles)
-      for (int i = 0; i < 3; ++i)
-        b.corner_vertex_.push_back(checked_corner(t, i, b.corner_vertex_.size() / 3,
-                                                  number_of_vertices));
-    check_size(2 * b.corner_vertex_.size());
     b.number_of_vertices_ = number_of_vertices;
+    b.read(triangles);
     b.glue_by_end_vertices();
     Delta_complex complex = b.assemble();
     check_fans(complex);
@@ -78,6 +73,7 @@ public:
       b.glued_to_[t] = std::uint32_t(s);
       ++pair;
     }
+    b.number_of_glued_pairs_ = pair;
     b.name_vertices();
     return b.assemble();
   }
@@ -86,7 +82,7 @@ public:
   // `halfedge_of[s]` its halfedge; halfedges that no side has are border halfedges. The
   // caller has checked that glued sides have the same ends.
   static Delta_complex from_numbered_sides(std::size_t number_of_vertices,
-                                           std::vector<std::uint32_t> corner_vertex,
+                                           const std::vector<std::uint32_t>& corner_vertex,
                                            const std::vector<std::uint32_t>& halfedge_of,
                                            std::size_t number_of_edges)
   {
@@ -94,12 +90,12 @@ public:
     std::vector<std::uint32_t> side_of(2 * number_of_edges, null);
     for (std::size_t s = 0; s < halfedge_of.size(); ++s)
       side_of[halfedge_of[s]] = std::uint32_t(s);
-    b.glued_to_.resize(halfedge_of.size());
-    for (std::size_t s = 0; s < halfedge_of.size(); ++s)
-      b.glued_to_[s] = side_of[halfedge_of[s] ^ 1];
     b.number_of_vertices_ = number_of_vertices;
-    b.corner_vertex_ = std::move(corner_vertex);
-    Delta_complex complex = b.assemble(halfedge_of, number_of_edges);
+    b.corner_vertex_.assign(corner_vertex.begin(), corner_vertex.end());
+    const auto given_halfedge = [&](std::uint32_t s) {
+      return Numbered_side{halfedge_of[s], side_of[halfedge_of[s] ^ 1] == null};
+    };
+    Delta_complex complex = b.assemble(number_of_edges, given_halfedge);
     check_fans(complex);
     return complex;
   }
@@ -110,23 +106,44 @@ private:
   static std::uint32_t next_side(std::uint32_t s) { return s % 3 == 2 ? s - 2 : s + 1; }
   static std::uint32_t previous_side(std::uint32_t s) { return s % 3 == 0 ? s + 2 : s - 1; }
 
-  template <class Triangle>
-  static std::uint32_t checked_corner(const Triangle& t, int i, std::size_t face,
-                                      std::size_t number_of_vertices)
+  // Copies the corners, and counts the sides of each bucket.
+  template <class TriangleRange>
+  void read(const TriangleRange& triangles)
   {
-    const std::size_t v = std::size_t(t[i]);
-    // What was -1 before it was converted is shown as -1.
-    const bool was_negative = v > (std::numeric_limits<std::size_t>::max)() / 2;
-    if (v >= number_of_vertices)
-      throw Invalid_surface_error(Defect::BAD_INDEX, face, 1,
-                                  "face " + std::to_string(face) + " names vertex " +
-                                    (was_negative ? "-" + std::to_string(std::size_t(0) - v) : std::to_string(v)) + ", but there are only " +
-                                    std::to_string(number_of_vertices) + " vertices");
-    if (v == std::size_t(t[(i + 1) % 3]))
-      throw Invalid_surface_error(Defect::REPEATED_CORNER, face, 1,
-                                  "face " + std::to_string(face) + " has vertex " +
-                                    std::to_string(v) + " as two of its corners");
-    return std::uint32_t(v);
+    const std::size_t n = std::size_t(std::distance(std::begin(triangles), std::end(triangles)));
+    check_size(6 * n);
+    corner_vertex_ = Side_vector(3 * n, default_init);
+    bucket_begin_ = Side_vector(number_of_vertices_ + 2, 0);
+    const auto count = [this](std::size_t i, std::size_t j) { ++bucket_begin_[(std::min)(i, j) + 2]; };
+    std::uint32_t* corner = corner_vertex_.data();
+    for (const auto& t : triangles) {
+      const std::size_t i = std::size_t(t[0]), j = std::size_t(t[1]), k = std::size_t(t[2]);
+      if ((std::max)({i, j, k}) >= number_of_vertices_ || i == j || j == k || k == i)
+        throw_bad_corner({i, j, k}, std::size_t(corner - corner_vertex_.data()) / 3);
+      *corner++ = std::uint32_t(i);
+      *corner++ = std::uint32_t(j);
+      *corner++ = std::uint32_t(k);
+      count(i, j);
+      count(j, k);
+      count(k, i);
+    }
+  }
+
+  [[noreturn]] void throw_bad_corner(const std::array<std::size_t, 3>& corners, std::size_t face) const
+  {
+    const std::string name = "face " + std::to_string(face);
+    for (std::size_t v : corners) {
+      // What was -1 before it was converted is shown as -1.
+      const bool was_negative = v > (std::numeric_limits<std::size_t>::max)() / 2;
+      if (v >= number_of_vertices_)
+        throw Invalid_surface_error(Defect::BAD_INDEX, face, 1,
+                                    name + " names vertex " +
+                                      (was_negative ? "-" + std::to_string(std::size_t(0) - v) : std::to_string(v)) +
+                                      ", but there are only " + std::to_string(number_of_vertices_) + " vertices");
+    }
+    const std::size_t repeated = corners[1] == corners[2] ? corners[1] : corners[0];
+    throw Invalid_surface_error(Defect::REPEATED_CORNER, face, 1,
+                                name + " has vertex " + std::to_string(repeated) + " as two of its corners");
   }
 
   // Calls function(side, source, target) for all sides, in order.
@@ -158,9 +175,8 @@ private:
   // through a table over all vertices: an entry counts if it lies in the bucket.
   void glue_by_end_vertices()
   {
-    glued_to_.assign(corner_vertex_.size(), null);
-    Large_vector<std::uint32_t> bucket_begin(number_of_vertices_ + 2, 0);
-    for_each_side([&](std::uint32_t, std::uint32_t i, std::uint32_t j) { ++bucket_begin[(std::min)(i, j) + 2]; });
+    glued_to_ = Side_vector(corner_vertex_.size(), null);
+    Side_vector bucket_begin = std::move(bucket_begin_);
     for (std::size_t v = 2; v < bucket_begin.size(); ++v)
       bucket_begin[v] += bucket_begin[v - 1];
     Large_vector<Gathered_side> sides(corner_vertex_.size(), default_init);
@@ -168,7 +184,7 @@ private:
       sides[bucket_begin[(std::min)(i, j) + 1]++] = {(std::max)(i, j), 2 * s + (i > j ? 1 : 0)};
     });
 
-    Large_vector<std::uint32_t> waiting(number_of_vertices_, null); // positions in sides
+    Side_vector waiting(number_of_vertices_, null); // positions in sides
     for (std::size_t v = 0; v < number_of_vertices_; ++v) {
       const std::uint32_t begin = bucket_begin[v];
       for (std::uint32_t i = begin; i < bucket_begin[v + 1]; ++i) {
@@ -186,6 +202,7 @@ private:
                         "is traversed twice in the same direction; orient the faces first");
         glued_to_[partner] = s;
         glued_to_[s] = partner;
+        ++number_of_glued_pairs_;
       }
     }
   }
@@ -222,30 +239,49 @@ private:
     number_of_vertices_ = number;
   }
 
-  Delta_complex assemble() const
+  // The halfedge of a side, and whether the other one of its edge is on the border.
+  struct Numbered_side
   {
-    const std::uint32_t n = std::uint32_t(glued_to_.size());
-    std::vector<std::uint32_t> halfedge_of(n);
-    std::uint32_t number_of_edges = 0;
-    for (std::uint32_t s = 0; s < n; ++s)
-      halfedge_of[s] = glued_to_[s] < s ? halfedge_of[glued_to_[s]] + 1 : 2 * number_of_edges++;
-    return assemble(halfedge_of, number_of_edges);
+    std::uint32_t halfedge;
+    bool is_at_border;
+  };
+
+  // Edges are numbered in the order of their first sides.
+  Delta_complex assemble()
+  {
+    // When the first side of an edge has a number, the second finds the other one in place of its partner.
+    constexpr std::uint32_t is_numbered = std::uint32_t(1) << 31; // sides have smaller numbers
+    std::uint32_t number_of_halfedges = 0;
+    return assemble(glued_to_.size() - number_of_glued_pairs_, [&](std::uint32_t s) {
+      const std::uint32_t partner = glued_to_[s];
+      if (partner == null) {
+        number_of_halfedges += 2;
+        return Numbered_side{number_of_halfedges - 2, true};
+      }
+      const bool is_first = (partner & is_numbered) == 0;
+      const std::uint32_t halfedge = is_first ? number_of_halfedges : partner & ~is_numbered;
+      number_of_halfedges += is_first ? 2 : 0;
+      glued_to_[is_first ? partner : s] = (halfedge ^ 1) | is_numbered;
+      return Numbered_side{halfedge, false};
+    });
   }
 
-  Delta_complex assemble(const std::vector<std::uint32_t>& halfedge_of,
-                         std::size_t number_of_edges) const
+  // number_of(s) is called once for each side, in order.
+  template <class NumberOf>
+  Delta_complex assemble(std::size_t number_of_edges, const NumberOf& number_of) const
   {
-    const std::uint32_t n = std::uint32_t(glued_to_.size());
+    const std::uint32_t n = std::uint32_t(corner_vertex_.size());
     Delta_complex::Halfedge_vector records(2 * number_of_edges, default_init);
     Delta_complex::Descriptor_vector face_halfedges(n / 3, default_init), vertex_halfedges(number_of_vertices_);
     const auto point_to = [&vertex_halfedges](std::uint32_t v, std::uint32_t h) {
       if (h < vertex_halfedges[v].idx()) // the null descriptor is larger than all
         vertex_halfedges[v] = Halfedge_index(h);
     };
-    bool has_border = false;
+    std::vector<std::uint32_t> border;
     for (std::uint32_t s = 0; s < n; s += 3) {
       const std::uint32_t v[] = {corner_vertex_[s], corner_vertex_[s + 1], corner_vertex_[s + 2]};
-      const std::uint32_t h[] = {halfedge_of[s], halfedge_of[s + 1], halfedge_of[s + 2]};
+      const Numbered_side side[] = {number_of(s), number_of(s + 1), number_of(s + 2)};
+      const std::uint32_t h[] = {side[0].halfedge, side[1].halfedge, side[2].halfedge};
       records[h[0]] = {h[1], h[2], v[1], s / 3};
       records[h[1]] = {h[2], h[0], v[2], s / 3};
       records[h[2]] = {h[0], h[1], v[0], s / 3};
@@ -253,31 +289,29 @@ private:
       point_to(v[1], h[0]);
       point_to(v[2], h[1]);
       point_to(v[0], h[2]);
-      has_border = has_border || glued_to_[s] == null || glued_to_[s + 1] == null || glued_to_[s + 2] == null;
+      if (side[0].is_at_border || side[1].is_at_border || side[2].is_at_border)
+        for (int i = 0; i < 3; ++i)
+          if (side[i].is_at_border) {
+            records[h[i] ^ 1] = {0, 0, v[i], Face_index::null_index()};
+            border.push_back(h[i] ^ 1);
+          }
     }
-    if (has_border)
-      add_border(halfedge_of, records, vertex_halfedges);
+    link_border(border, records, vertex_halfedges);
     return Delta_complex(std::move(records), std::move(vertex_halfedges), std::move(face_halfedges));
   }
 
-  // The border halfedge opposite to side s is followed by the one opposite to the last
-  // side of the fan that begins with s, turning around the source of s. It is the halfedge of its
-  // target, as the complex wants it.
-  void add_border(const std::vector<std::uint32_t>& halfedge_of, Delta_complex::Halfedge_vector& records,
-                  Delta_complex::Descriptor_vector& vertex_halfedges) const
+  // A border halfedge is followed by the one opposite to the last side of the fan around its target.
+  // It is the halfedge of its target, as the complex wants it.
+  static void link_border(const std::vector<std::uint32_t>& border, Delta_complex::Halfedge_vector& records,
+                          Delta_complex::Descriptor_vector& vertex_halfedges)
   {
-    for (std::uint32_t s = 0; s < glued_to_.size(); ++s) {
-      if (glued_to_[s] != null)
-        continue;
-      std::uint32_t t = previous_side(s);
-      while (glued_to_[t] != null)
-        t = previous_side(glued_to_[t]);
-      Delta_complex::Halfedge& r = records[halfedge_of[s] ^ 1];
-      r.next = halfedge_of[t] ^ 1;
-      r.target = corner_vertex_[s];
-      r.face = Face_index::null_index();
-      records[halfedge_of[t] ^ 1].prev = halfedge_of[s] ^ 1;
-      vertex_halfedges[corner_vertex_[s]] = Halfedge_index(halfedge_of[s] ^ 1);
+    for (std::uint32_t h : border) {
+      std::uint32_t t = records[h ^ 1].prev;
+      while (records[t ^ 1].face != Face_index::null_index())
+        t = records[t ^ 1].prev;
+      records[h].next = t ^ 1;
+      records[t ^ 1].prev = h;
+      vertex_halfedges[records[h].target] = Halfedge_index(h);
     }
   }
 
@@ -299,9 +333,13 @@ private:
                                   " form more than one fan; duplicate the vertex first");
   }
 
+  using Side_vector = Large_vector<std::uint32_t>;
+
   std::size_t number_of_vertices_ = 0;
-  std::vector<std::uint32_t> corner_vertex_; // of each side, its source
-  std::vector<std::uint32_t> glued_to_;      // of each side, its partner
+  Side_vector corner_vertex_; // of each side, its source
+  Side_vector bucket_begin_;  // of each vertex, in how many sides it is the smaller end
+  Side_vector glued_to_;      // of each side, its partner
+  std::size_t number_of_glued_pairs_ = 0;
 };
 
 } // namespace internal

@@ -227,12 +227,21 @@ private:
   Cotangent_bounds& bounds_;
 };
 
-template <class ConcurrencyTag, class Traits, class PointVector, class EdgeVector, class FaceVector>
-void construct_metric_from_points(const Delta_complex& complex, const Traits& traits,
+// For a complex that is complete: what construct_metric_from_points() asks of a `Face_graph_copier`.
+struct Nothing_to_copy
+{
+  void copy_faces(std::size_t, std::size_t) const {}
+  void finish() const {}
+};
+
+// The copier brings the faces, a few at a time.
+template <class ConcurrencyTag, class Traits, class Copier, class PointVector, class EdgeVector, class FaceVector>
+void construct_metric_from_points(const Delta_complex& complex, Copier& copier, const Traits& traits,
                                   const PointVector& points, EdgeVector& edges,
                                   FaceVector& faces, Cotangent_bounds& bounds)
 {
   CGAL_precondition(points.size() == complex.number_of_vertices());
+  constexpr std::size_t faces_at_a_time = 16;
   using Tag =
     std::conditional_t<is_for_threads<typename Traits::Edge_data>, ConcurrencyTag, Sequential_tag>;
   const Face_measurer<Tag, Traits> faces_and_sides(complex, traits, points, edges, faces, bounds);
@@ -243,23 +252,25 @@ void construct_metric_from_points(const Delta_complex& complex, const Traits& tr
     const auto sides = [&](std::size_t f) { return Sides(complex, Face_index(std::uint32_t(f))); };
     int has_zero = 0;
     std::uint32_t has_other_faces = 0;
-    std::size_t f = first;
-    if constexpr (Takes_two_faces<Traits>::value) {
-      Two_doubles shortest = std::numeric_limits<double>::infinity();
-      for (; f + 1 < last; f += 2) {
-        const Sides one = sides(f), two = sides(f + 1);
-        has_other_faces |= one.is_other_face(complex) | two.is_other_face(complex);
-        shortest = min_of(measurer.measure(one, two), shortest);
+    Two_doubles shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t f = first, end; f < last;) {
+      end = (std::min)(f + faces_at_a_time, last);
+      copier.copy_faces(f, end);
+      if constexpr (Takes_two_faces<Traits>::value)
+        for (; f + 1 < end; f += 2) {
+          const Sides one = sides(f), two = sides(f + 1);
+          has_other_faces |= one.is_other_face(complex) | two.is_other_face(complex);
+          shortest = min_of(measurer.measure(one, two), shortest);
+        }
+      for (; f < end; ++f) {
+        has_other_faces |= sides(f).is_other_face(complex);
+        has_zero |= measurer.measure(sides(f));
       }
-      has_zero = int(!(shortest.first() > 0 && shortest.second() > 0));
     }
-    for (; f < last; ++f) {
-      has_other_faces |= sides(f).is_other_face(complex);
-      has_zero |= measurer.measure(sides(f));
-    }
-    if (has_zero != 0 || has_other_faces != 0)
+    if (has_zero != 0 || has_other_faces != 0 || !(shortest.first() > 0 && shortest.second() > 0))
       is_to_be_refused = true;
   });
+  copier.finish();
   if (is_to_be_refused) {
     check_triangles(complex);
     Offenders offenders;
@@ -304,6 +315,26 @@ void construct_metric_from_lengths(const Delta_complex& complex, const Traits& t
     throw Invalid_surface_error(Defect::TRIANGLE_INEQUALITY, offenders.first, offenders.count,
                                 "the lengths of face " + std::to_string(offenders.first) +
                                   " violate the triangle inequality" + offenders.and_more());
+}
+
+// For traits with exact geometry, from the exact metric.
+template <class Traits, class InputMetric, class EdgeVector, class FaceVector>
+void construct_metric_from_input(const Delta_complex& complex, const Traits& traits, const InputMetric& metric,
+                                 EdgeVector& edges, FaceVector& faces, Cotangent_bounds& bounds)
+{
+  const auto refined = traits.construct_refined_data_object();
+  for (Edge_index e : complex.edges())
+    edges[e.idx()] = refined(metric.squared_length_double_double(complex, e));
+  const auto squared_length = [&](Halfedge_index h) {
+    return metric.squared_length_double_double(complex, complex.edge(h));
+  };
+  for (Face_index f : complex.faces()) {
+    const Sides sides(complex, f);
+    faces[f.idx()] = refined(metric.four_areas_double_double(complex, f), squared_length(sides.h),
+                             squared_length(sides.next), squared_length(sides.prev));
+    bound_corners(traits, sides.h, sides.next, sides.prev, faces[f.idx()], edges[complex.edge(sides.h).idx()],
+                  edges[complex.edge(sides.next).idx()], edges[complex.edge(sides.prev).idx()], bounds);
+  }
 }
 
 } // namespace internal
