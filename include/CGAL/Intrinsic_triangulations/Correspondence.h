@@ -39,6 +39,15 @@ public:
   /// returns the number of flips that were made before `prepare()`.
   std::size_t number_of_journaled_flips() const { return journal_.size(); }
 
+  /// returns the edges of these flips, in order.
+  std::vector<Edge_index> journaled_flips(const Delta_complex& complex) const
+  {
+    std::vector<Edge_index> result;
+    result.reserve(journal_.size());
+    journal_.for_each([&](const Hinge_halfedges& around) { result.push_back(complex.edge(around.ij)); });
+    return result;
+  }
+
   /// \brief computes the integers and recovers the input. O(size + number of flips) the first time,
   /// and O(1) afterwards.
   /// \param complex the current connectivity
@@ -50,12 +59,8 @@ public:
     if (is_prepared_)
       return {};
     Normal_coordinates coordinates(complex);
-    std::vector<Edge_index> flipped_edges;
-    flipped_edges.reserve(journal_.size());
-    journal_.for_each([&](const Hinge_halfedges& around) {
-      coordinates.flip(around);
-      flipped_edges.push_back(complex.edge(around.ij));
-    });
+    journal_.for_each([&](const Hinge_halfedges& around) { coordinates.flip(around); });
+    std::vector<Edge_index> flipped_edges = journaled_flips(complex);
     coordinates_ = std::move(coordinates);
     input_ = complex;
     for (std::size_t i = flipped_edges.size(); i-- > 0;)

@@ -97,9 +97,10 @@ public:
   /// \exception Integer_overflow_error as `prepare()` and `flip()` of `Correspondence`
   bool flip(const Delta_complex& complex, const Hinge_halfedges& around)
   {
-    if (!straight_faces_ &&
-        correspondence_.number_of_journaled_flips() + journal_.size() >= longest_journal * std::size_t(complex.number_of_edges()))
+    if (correspondence_.number_of_journaled_flips() + journal_.size() >= longest_journal * std::size_t(complex.number_of_edges())) {
       start_straight_faces(complex);
+      prepare(complex);
+    }
     correspondence_.flip(around);
     const Edge_index e = complex.edge(around.ij);
     if (straight_faces_)
@@ -118,8 +119,11 @@ public:
   {
     if (surface_)
       return;
-    if (!correspondence_.is_prepared())
-      journal_ = correspondence_.prepare(complex);
+    if (!correspondence_.is_prepared()) {
+      std::vector<Edge_index> journal = correspondence_.prepare(complex);
+      if (!straight_faces_)
+        journal_ = std::move(journal);
+    }
     surface_ = std::make_unique<internal::Input_surface>(correspondence_.input(), metric_);
   }
 
@@ -131,7 +135,8 @@ public:
   /// \brief returns the sign of `cot k + cot l` for the angles opposite to `e`, exactly.
   ///
   /// Where both faces have zero area, it is `NEGATIVE` if both angles are π, and `ZERO`
-  /// otherwise. \pre `prepare()` was called; `e` lies between two different faces
+  /// otherwise. Calls `prepare()`, unless both faces lie in one plane in space.
+  /// \pre `e` lies between two different faces
   /// \param complex the triangulation
   /// \param e the edge
   /// \param corners receives the two corners
@@ -145,6 +150,7 @@ public:
     if (straight_faces_->are_coplanar(complex, metric_.points(), h))
       return decided(Stage::COPLANAR,
                      internal::Coplanar_hinge(complex, metric_.points(), h).sign_of_cotangents());
+    prepare(complex);
     is_close_call_.resize(complex.number_of_edges());
     is_close_call_[e.idx()] = true;
     corners = Opposite_corners{developed_corner(complex, h), developed_corner(complex, g)};
@@ -349,11 +355,14 @@ private:
 
   BOOST_NOINLINE void find_straight_faces(const Delta_complex& complex)
   {
-    prepare(complex);
     internal::Straight_faces straight_faces(complex.number_of_faces(), metric_.points().size());
     if (!metric_.points().empty()) {
-      Delta_complex copy = correspondence_.input();
-      for (Edge_index e : journal_) {
+      std::vector<Edge_index> flips = correspondence_.journaled_flips(complex);
+      flips.insert(flips.end(), journal_.begin(), journal_.end());
+      Delta_complex copy = complex;
+      for (std::size_t i = flips.size(); i-- > 0;)
+        copy.flip_back(flips[i]);
+      for (Edge_index e : flips) {
         straight_faces.flip(copy, metric_.points(), e);
         copy.flip(e);
       }

@@ -408,8 +408,7 @@ private:
   BOOST_NOINLINE bool decide_and_refine(Edge_index e)
   {
     std::optional<Exact_geometry::Opposite_corners> corners;
-    Exact_geometry& geometry = exact_geometry();
-    const Sign sign = geometry.sign_of_cotangents(connectivity_, e, corners);
+    const Sign sign = geometry_->sign_of_cotangents(connectivity_, e, corners);
     const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
     if (corners) {
       refine(h, corners->k);
