@@ -109,12 +109,42 @@ TEST(Exact_stages, multiple_precision_decides_where_magnitudes_differ)
   expect_agreement(t);
 }
 
-TEST(Exact_stages, the_multiquadratic_field_proves_ties_across_bent_edges)
+// All areas are rational, or all are rational multiples of the root of two.
+TEST(Exact_stages, ties_across_bent_edges_are_proven_in_the_rationals_and_in_a_multiquadratic_field)
 {
-  const Triangulation t = make_Delaunay(IT::pillow(60));
-  EXPECT_GT(t.stage_counts()[IT::Stage::ALGEBRAIC], 0u);
-  EXPECT_GT(IT::verify_Delaunay(t).ties, 0u);
-  expect_agreement(t);
+  for (double slope : {0, 1}) {
+    IT::Indexed_triangles surface = IT::pillow(60);
+    for (auto& p : surface.points)
+      p[2] = slope * p[1];
+    const Triangulation t = make_Delaunay(surface);
+    EXPECT_GT(t.stage_counts()[IT::Stage::ALGEBRAIC], 0u);
+    EXPECT_GT(IT::verify_Delaunay(t).ties, 0u);
+    expect_agreement(t);
+  }
+}
+
+// Without a root, the rationals decide whatever they are asked.
+TEST(Exact_stages, the_rationals_decide_where_no_area_has_a_root)
+{
+  const IT::Indexed_triangles surface = IT::pillow(20);
+  const Triangulation input(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
+                            surface.points);
+  std::array<int, 3> number_of_signs{};
+  for (const Triangulation& t : {input, make_Delaunay(surface)}) {
+    IT::Exact_geometry& geometry = t.exact_geometry();
+    const IT::internal::Late_stages late_stages(t.connectivity(), geometry.correspondence(),
+                                                geometry.input_surface());
+    for (IT::Edge_index e : t.connectivity().edges()) {
+      if (!t.connectivity().is_flippable(e))
+        continue;
+      const auto decision = late_stages.sign_of_cotangents(IT::internal::corners_beside(t.connectivity(), e));
+      EXPECT_EQ(decision.stage, IT::Stage::ALGEBRAIC);
+      EXPECT_EQ(decision.sign, CGAL::sign(t.cotangent_weight(e)));
+      ++number_of_signs[std::size_t(1 + decision.sign)];
+    }
+  }
+  for (int n : number_of_signs)
+    EXPECT_GT(n, 0);
 }
 
 // At will, edges may be flipped that are Delaunay: then the hinge may have no other diagonal.

@@ -20,7 +20,7 @@ enum class Stage {
   UNFOLDING,      ///< the unfolding over the input triangles, in double-doubles with error bounds
   RATIONAL,       ///< both faces are straight triangles in space: rational arithmetic
   MULTIPRECISION, ///< the unfolding in MPFR intervals
-  ALGEBRAIC       ///< the unfolding in a multiquadratic field: a proof of zero
+  ALGEBRAIC       ///< the unfolding in exact numbers: most often a proof of zero
 };
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// \brief the number of stages.

@@ -76,6 +76,8 @@ public:
   // few roots. With many it is the last resort.
   Decision sign_of_cotangents(const Two_corners& corners) const
   {
+    if (const std::optional<Sign> sign = rational_sign(corners))
+      return {*sign, Stage::ALGEBRAIC};
     if (const std::optional<Sign> tie = proven_tie(corners, few_roots))
       return {*tie, Stage::ALGEBRAIC};
     for (long precision = 128; precision <= 2048; precision *= 4)
@@ -180,6 +182,20 @@ private:
     const auto approximate = approximate_corners(corners, precision);
     return internal::sign_of_cotangents(approximate.k, approximate.l);
   }
+
+  // The sign if all roots are rational.
+  std::optional<Sign> rational_sign(const Two_corners& corners) const
+  {
+    try {
+      Rational_metric<Rational_image> metric(surface_, {});
+      const auto exact = unfolded_corners(complex_, correspondence_, corners, metric);
+      const Sign sign = sign_of(exact.k.p * exact.l.four_areas + exact.l.p * exact.k.four_areas);
+      return sign != ZERO ? sign : sign_of_tie(sign_of(exact.k.p), sign_of(exact.l.p));
+    } catch (const Too_many_roots&) {
+      return std::nullopt;
+    }
+  }
+  static Sign sign_of(const Rational& x) { return static_cast<Sign>(x.sign()); }
 
   // The sign if the edge is proven to be a tie; none says nothing.
   std::optional<Sign> proven_tie(const Two_corners& corners, std::size_t maximum_number_of_roots) const

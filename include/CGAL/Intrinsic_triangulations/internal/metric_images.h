@@ -170,7 +170,7 @@ public:
                w = difference<Rational>(points, from, to);
     const auto normal = cross_product(u, w);
     const Rational s = scalar_product(u, u);
-    const Real height = image_.root(scalar_product(normal, normal) / (s * s));
+    const Real height = image_.root(scalar_product(normal, normal)) / image_.rational(s);
     return {image_.rational(scalar_product(u, w) / s),
             surface_.side(h, from, to) == NEGATIVE ? -height : height};
   }
@@ -203,6 +203,23 @@ struct Multiquadratic_image
     return Real(&basis, root.mask, root.coefficient);
   }
   Square_root_basis& basis;
+};
+
+// The rationals themselves: wherever the roots that are asked for are rational, as on a surface
+// of rectangles, and much faster there than their field.
+struct Rational_image
+{
+  using Real = Rational;
+  using Vector = Planar_vector<Real>;
+  Real rational(const Rational& x) const { return x; }
+  Real root(const Rational& x) const
+  {
+    const Integer denominator = boost::multiprecision::denominator(x),
+                  n = boost::multiprecision::numerator(x) * denominator;
+    if (!mpz_perfect_square_p(data(n)))
+      throw Too_many_roots();
+    return Rational(Integer(boost::multiprecision::sqrt(n)), denominator);
+  }
 };
 
 using Mpfr_metric = Rational_metric<Mpfr_image>;
