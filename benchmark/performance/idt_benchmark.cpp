@@ -6,14 +6,16 @@
 //   idt_benchmark [OPTION...] [MESH...]
 //
 // MESH is a file that CGAL reads, or the name of a built-in sample surface. Without one, a
-// torus of a million vertices, a bumpy sphere of a quarter of a million, and table1/horse.off
+// torus of a million vertices, a bumpy sphere of a quarter of a million, a sheared grid each of whose
+// edges is flipped more than once, and table1/horse.off
 // from the folder in the environment variable IDT_DATA_DIR, or from shared/data beside the
 // checkout, are taken. Options are those of Google Benchmark, for instance
 // `--benchmark_format=json`; IDT_BENCHMARK_ROUNDS sets the number of rounds (7).
 //
-// In each round every method runs once, each round begins with another method, and what
-// counts is the median of the rounds: a machine that slows down or speeds up in between does
-// so for all methods alike. The last lines, on the standard error, are the ratios.
+// In each round every method runs once, in an order that changes from round to round, as a method
+// finds in the caches what the one before has left there. What counts is the median of the rounds: a
+// machine that slows down or speeds up in between does so for all methods alike. The last lines, on the
+// standard error, are the ratios.
 
 #include "benchmark_meshes.h"
 
@@ -36,6 +38,8 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <numeric>
+#include <random>
 #include <string>
 #include <utility>
 #include <variant>
@@ -124,7 +128,8 @@ Input input(const std::string& name)
 std::vector<Input> default_inputs()
 {
   std::vector<Input> inputs{{"bad_torus_1000x1000", [] { return mesh_of(IT::bad_torus(1000, 1000)); }},
-                            {"bumpy_sphere_700x351", [] { return mesh_of(IT::bumpy_sphere(700, 351)); }}};
+                            {"bumpy_sphere_700x351", [] { return mesh_of(IT::bumpy_sphere(700, 351)); }},
+                            {"sheared_grid_300x300", [] { return mesh_of(IT::sheared_grid(300, 300, 3.3)); }}};
   if (const std::string horse = horse_path(); !horse.empty())
     inputs.insert(inputs.begin(), input(horse));
   return inputs;
@@ -157,11 +162,14 @@ private:
     std::vector<std::vector<Run>> runs(methods.size());
     for (const Method& method : methods) // one round does not count: caches and memory are cold
       method.run(mesh);
-    for (std::size_t round = 0; round < rounds; ++round)
-      for (std::size_t i = 0; i < methods.size(); ++i) {
-        const std::size_t method = (round + i) % methods.size();
+    std::vector<std::size_t> order(methods.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::mt19937 random; // the same orders each time
+    for (std::size_t round = 0; round < rounds; ++round) {
+      std::shuffle(order.begin(), order.end(), random);
+      for (std::size_t method : order)
         runs[method].push_back(methods[method].run(mesh));
-      }
+    }
     for (std::vector<Run>& of_method : runs) {
       const auto middle = of_method.begin() + std::ptrdiff_t(of_method.size() / 2);
       std::nth_element(of_method.begin(), middle, of_method.end(),
