@@ -129,10 +129,11 @@ private:
     }
   }
 
-  [[noreturn]] void throw_bad_corner(const std::array<std::size_t, 3>& corners, std::size_t face) const
+  void throw_bad_corner(const std::array<std::size_t, 3>& corners, std::size_t face) const
   {
     const std::string name = "face " + std::to_string(face);
-    for (std::size_t v : corners) {
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t v = corners[i];
       // What was -1 before it was converted is shown as -1.
       const bool was_negative = v > (std::numeric_limits<std::size_t>::max)() / 2;
       if (v >= number_of_vertices_)
@@ -140,10 +141,10 @@ private:
                                     name + " names vertex " +
                                       (was_negative ? "-" + std::to_string(std::size_t(0) - v) : std::to_string(v)) +
                                       ", but there are only " + std::to_string(number_of_vertices_) + " vertices");
+      if (v == corners[(i + 1) % 3])
+        throw Invalid_surface_error(Defect::REPEATED_CORNER, face, 1,
+                                    name + " has vertex " + std::to_string(v) + " as two of its corners");
     }
-    const std::size_t repeated = corners[1] == corners[2] ? corners[1] : corners[0];
-    throw Invalid_surface_error(Defect::REPEATED_CORNER, face, 1,
-                                name + " has vertex " + std::to_string(repeated) + " as two of its corners");
   }
 
   // Calls function(side, source, target) for all sides, in order.
@@ -249,20 +250,19 @@ private:
   // Edges are numbered in the order of their first sides.
   Delta_complex assemble()
   {
-    // When the first side of an edge has a number, the second finds the other one in place of its partner.
-    constexpr std::uint32_t is_numbered = std::uint32_t(1) << 31; // sides have smaller numbers
-    std::uint32_t number_of_halfedges = 0;
+    // When the first side of an edge comes, the second is told the number of the edge in place of its
+    // partner's. Sides and edges both have numbers below this bit.
+    constexpr std::uint32_t is_edge = std::uint32_t(1) << 31;
+    std::uint32_t number_of_edges = 0;
     return assemble(glued_to_.size() - number_of_glued_pairs_, [&](std::uint32_t s) {
       const std::uint32_t partner = glued_to_[s];
-      if (partner == null) {
-        number_of_halfedges += 2;
-        return Numbered_side{number_of_halfedges - 2, true};
-      }
-      const bool is_first = (partner & is_numbered) == 0;
-      const std::uint32_t halfedge = is_first ? number_of_halfedges : partner & ~is_numbered;
-      number_of_halfedges += is_first ? 2 : 0;
-      glued_to_[is_first ? partner : s] = (halfedge ^ 1) | is_numbered;
-      return Numbered_side{halfedge, false};
+      if (partner == null)
+        return Numbered_side{2 * number_of_edges++, true};
+      const bool is_first = (partner & is_edge) == 0;
+      const std::uint32_t edge = is_first ? number_of_edges : partner & ~is_edge;
+      number_of_edges += is_first;
+      glued_to_[is_first ? partner : s] = edge | is_edge;
+      return Numbered_side{2 * edge + !is_first, false};
     });
   }
 
