@@ -10,7 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
 
-#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
@@ -24,6 +23,10 @@
 #include <vector>
 
 namespace CGAL {
+
+template <typename Point>
+class Surface_mesh;
+
 namespace Intrinsic_triangulations {
 namespace internal {
 
@@ -34,7 +37,7 @@ bool has_no_garbage(const FaceGraph&)
   return false;
 }
 template <class Point>
-bool has_no_garbage(const CGAL::Surface_mesh<Point>& mesh)
+bool has_no_garbage(const Surface_mesh<Point>& mesh)
 {
   return !mesh.has_garbage();
 }
