@@ -22,11 +22,14 @@
 #include <utility>
 #include <vector>
 
+/// \cond SKIP_IN_MANUAL
 namespace CGAL {
-
 template <typename Point>
 class Surface_mesh;
+} // namespace CGAL
+/// \endcond
 
+namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
