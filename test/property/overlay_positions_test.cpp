@@ -112,15 +112,12 @@ void expect_most_positions_known(const Triangulation& t)
   for (IT::Edge_index e : t.connectivity().edges()) {
     if (overlay.intrinsic_crossings(e).empty())
       continue;
-    bool is_first = true;
-    for (IT::Overlay::Vertex x : overlay.intrinsic_crossings(e)) {
-      const IT::Halfedge_index crossed = input.opposite(overlay.crossing_input_halfedge(x));
-      is_first ? strip.start(crossed) : strip.add(crossed);
-      is_first = false;
-    }
+    std::vector<IT::Halfedge_index> crossed;
+    for (IT::Overlay::Vertex x : overlay.intrinsic_crossings(e))
+      crossed.push_back(input.opposite(overlay.crossing_input_halfedge(x)));
     std::size_t visited = 0;
     ++asked;
-    if (strip.finish([&](const IT::internal::Strip_layout::Crossing&) { ++visited; })) {
+    if (strip(crossed, [&](const IT::internal::Strip_layout::Crossing&) { ++visited; })) {
       ++known;
       EXPECT_EQ(visited, overlay.intrinsic_crossings(e).size());
     }
@@ -150,8 +147,7 @@ void expect_nothing_without_area()
   for (IT::Halfedge_index h : input.halfedges())
     if (!input.is_border(input.edge(h))) {
       Strip strip(input, points);
-      strip.start(h);
-      EXPECT_FALSE(strip.finish([](const IT::internal::Strip_layout::Crossing&) {}));
+      EXPECT_FALSE(strip({h}, [](const IT::internal::Strip_layout::Crossing&) {}));
     }
 }
 

@@ -177,6 +177,8 @@ private:
 
   void make_ascending(const Overlay& overlay, Edge_index input_edge)
   {
+    if (overlay.number_of_input_segments(input_edge) < 3)
+      return;
     double last = 0;
     for (size_type i = 0; i + 1 < overlay.number_of_input_segments(input_edge); ++i) {
       double& position = on_input_edge_[index(overlay.input_crossing(input_edge, i))];

@@ -101,11 +101,9 @@ private:
   template <class Strip>
   bool locate_in(Strip& strip)
   {
-    strip.start(crossed_.front());
-    std::for_each(crossed_.begin() + 1, crossed_.end(), [&](Halfedge_index h) { strip.add(h); });
     positions_.clear();
     auto crossed = crossed_.begin();
-    return strip.finish([&](const Strip_layout::Crossing& crossing) {
+    return strip(crossed_, [&](const Strip_layout::Crossing& crossing) {
       const bool starts_left = (crossed++->idx() & 1) == 0;
       positions_.push_back({crossing.on_line(), starts_left ? crossing.from_left() : crossing.from_right()});
     });

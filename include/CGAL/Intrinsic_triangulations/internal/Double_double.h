@@ -5,20 +5,24 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DOUBLE_DOUBLE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DOUBLE_DOUBLE_H
 
+#include <boost/config.hpp>
+
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// s + e is exactly a + b (Knuth).
-inline void two_sum(double a, double b, double& s, double& e)
+// s + e is exactly a + b (Knuth). A `Number` is double, or several of them.
+template <class Number>
+BOOST_FORCEINLINE void two_sum(const Number& a, const Number& b, Number& s, Number& e)
 {
   s = a + b;
-  const double bb = s - a;
+  const Number bb = s - a;
   e = (a - (s - bb)) + (b - bb);
 }
 
 // As two_sum, for |a| >= |b| or a == 0 (Dekker).
-inline void fast_two_sum(double a, double b, double& s, double& e)
+template <class Number>
+BOOST_FORCEINLINE void fast_two_sum(const Number& a, const Number& b, Number& s, Number& e)
 {
   s = a + b;
   e = b - (s - a);

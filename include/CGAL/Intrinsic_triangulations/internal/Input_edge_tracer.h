@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/Overlay_arrays.h>
 
 #include <cstdint>
 
@@ -15,7 +16,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Only reads the integers: any number of threads may trace at once.
+// Only reads the integers: any number of threads may trace at once. How often an edge is crossed
+// comes from the numbers of its segments, which lie side by side in memory.
 class Input_edge_tracer
 {
 public:
@@ -27,10 +29,32 @@ public:
     std::int64_t position;
   };
 
-  Input_edge_tracer(const Delta_complex& intrinsic, const Correspondence& correspondence)
+  // An end of an input edge in the corner opposite to ij, as a number of a count of such ends there.
+  struct End
+  {
+    Halfedge_index ij;
+    std::int64_t number;
+    std::int64_t count;
+  };
+
+  // \param overlay has numbers for the segments of intrinsic edges when the first edge is traced
+  Input_edge_tracer(const Delta_complex& intrinsic, const Correspondence& correspondence,
+                    const Overlay_arrays& overlay)
     : intrinsic_(intrinsic), correspondence_(correspondence), input_(correspondence.input()),
-      coordinates_(correspondence.coordinates())
+      overlay_(overlay)
   {}
+
+  std::int64_t number_of_crossings(Halfedge_index h) const
+  {
+    const Overlay_arrays::size_type e = intrinsic_.edge(h).idx();
+    return std::int64_t(overlay_.intrinsic_segments_end(e)) - overlay_.first_segments[e] - 1;
+  }
+  // The triangle to the left of ij.
+  Triangle_crossings triangle_crossings(Halfedge_index ij) const
+  {
+    return Triangle_crossings(number_of_crossings(ij), number_of_crossings(intrinsic_.next(ij)),
+                              number_of_crossings(intrinsic_.prev(ij)));
+  }
 
   // The n input halfedges that leave the corner opposite to ij. Those that leave a vertex within
   // an intrinsic triangle are consecutive around it.
@@ -41,46 +65,47 @@ public:
       return;
     const Halfedge_index ki = intrinsic_.prev(ij);
     Halfedge_index start = correspondence_.input_halfedge(ki);
-    if (coordinates_.is_original(intrinsic_.edge(ki)))
+    if (correspondence_.coordinates().is_original(intrinsic_.edge(ki)))
       start = input_.next_around_source(start);
     for (std::int64_t i = 0; i < n; ++i, start = input_.next_around_source(start))
       function(start, i);
   }
 
-  // Calls function(h, ij, start) for the input halfedges h, those numbered 2e, that leave a corner
-  // opposite to a side ij on the intrinsic edge e as number `start` of those there.
+  // Calls function(h, source, position) for the input halfedges h, those numbered 2e, that cross the
+  // intrinsic edge e next to their source, at a position counted from the source of `source.ij`.
   template <class Function>
   void for_each_path_across(Edge_index e, const Function& function) const
   {
-    if (coordinates_.crossings(e) <= 0)
+    const Halfedge_index first = intrinsic_.halfedge(e);
+    if (number_of_crossings(first) == 0)
       return;
-    for (Halfedge_index ij : {intrinsic_.halfedge(e), intrinsic_.opposite(intrinsic_.halfedge(e))})
-      for_each_start(ij, coordinates_.triangle_crossings(intrinsic_, ij).e_k,
-                     [&](Halfedge_index h, std::int64_t i) {
-                       if (h == input_.halfedge(input_.edge(h)))
-                         function(h, ij, i);
-                     });
+    for (Halfedge_index ij : {first, intrinsic_.opposite(first)}) {
+      const Triangle_crossings t = triangle_crossings(ij);
+      for_each_start(ij, t.e_k, [&](Halfedge_index h, std::int64_t i) {
+        if (h == input_.halfedge(input_.edge(h)))
+          function(h, End{ij, i, t.e_k}, t.c_i + i);
+      });
+    }
   }
 
-  // Visits the crossings of the input halfedge that leaves the corner opposite to ij as number
-  // `start` of those there.
+  // Visits the crossings of the input halfedge that comes from the corner opposite to ij and crosses
+  // it at a position, counted from i. Returns where it ends.
   template <class Function>
-  void follow(Halfedge_index ij, std::int64_t start, const Function& visit) const
+  End follow(Halfedge_index ij, std::int64_t position, const Function& visit) const
   {
-    std::int64_t position = coordinates_.triangle_crossings(intrinsic_, ij).c_i + start;
     while (true) {
       // It leaves the triangle to the left of ij at `position`, counted from i.
-      const std::int64_t n = coordinates_.number_of_crossings(intrinsic_.edge(ij));
+      const std::int64_t n = number_of_crossings(ij);
       const bool is_first_halfedge = ij == intrinsic_.halfedge(intrinsic_.edge(ij));
       visit(Crossing{ij, is_first_halfedge ? position : n - 1 - position});
       const Halfedge_index ji = intrinsic_.opposite(ij);
       position = n - 1 - position;
-      const Triangle_crossings t = coordinates_.triangle_crossings(intrinsic_, ji);
+      const Triangle_crossings t = triangle_crossings(ji);
       if (position < t.c_i) { // around the source of ji
         ij = intrinsic_.prev(ji);
-        position = coordinates_.number_of_crossings(intrinsic_.edge(ij)) - 1 - position;
+        position = number_of_crossings(ij) - 1 - position;
       } else if (position < t.c_i + t.e_k) {
-        return;
+        return {ji, position - t.c_i, t.e_k};
       } else { // around its target
         ij = intrinsic_.next(ji);
         position = n - 1 - position;
@@ -92,7 +117,7 @@ private:
   const Delta_complex& intrinsic_;
   const Correspondence& correspondence_;
   const Delta_complex& input_;
-  const Normal_coordinates& coordinates_;
+  const Overlay_arrays& overlay_;
 };
 
 } // namespace internal

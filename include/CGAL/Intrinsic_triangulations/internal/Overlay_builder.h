@@ -17,6 +17,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -41,13 +42,14 @@ template <class ConcurrencyTag>
 class Overlay_builder
 {
   using size_type = Overlay_arrays::size_type;
+  using End = Input_edge_tracer::End;
   static constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
 
 public:
   Overlay_builder(const Delta_complex& intrinsic, const Correspondence& correspondence,
                   const Progress_function& progress)
     : intrinsic_(intrinsic), input_(correspondence.input()), correspondence_(correspondence),
-      coordinates_(correspondence.coordinates()), tracer_(intrinsic, correspondence), progress_(progress)
+      coordinates_(correspondence.coordinates()), tracer_(intrinsic, correspondence, overlay_), progress_(progress)
   {
     CGAL_precondition(correspondence.is_prepared());
   }
@@ -198,12 +200,12 @@ private:
       size_type segment = overlay_.first_input_segment;
       for (Edge_index e : intrinsic_.edges()) {
         progress.at(e.idx());
-        tracer_.for_each_path_across(
-          e, [&](Halfedge_index input_halfedge, Halfedge_index ij, std::int64_t start) {
-            add_input_edge(input_halfedge, segment, [&](const auto& visit) {
-              tracer_.follow(ij, start, [&](const Input_edge_tracer::Crossing& x) { visit(crossed(x)); });
-            });
+        tracer_.for_each_path_across(e, [&](Halfedge_index input_halfedge, const End& source, std::int64_t position) {
+          add_input_edge(input_halfedge, source, segment, [&](const auto& visit) {
+            return tracer_.follow(source.ij, position,
+                                  [&](const Input_edge_tracer::Crossing& x) { visit(crossed(x)); });
           });
+        });
       }
     }
   }
@@ -215,6 +217,7 @@ private:
     struct Path
     {
       Halfedge_index input_halfedge;
+      End source, target;
       std::size_t end; // behind its last crossing
     };
     struct Paths
@@ -228,11 +231,13 @@ private:
       Paths& here = blocks[block(first)];
       for (std::size_t i = first; i < last; ++i)
         tracer_.for_each_path_across(
-          Edge_index(size_type(i)), [&](Halfedge_index input_halfedge, Halfedge_index ij, std::int64_t start) {
-            tracer_.follow(ij, start, [&](const Input_edge_tracer::Crossing& x) {
-              here.crossings.push_back(crossed(x));
-            });
-            here.paths.push_back({input_halfedge, here.crossings.size()});
+          Edge_index(size_type(i)),
+          [&](Halfedge_index input_halfedge, const End& source, std::int64_t position) {
+            const End target =
+              tracer_.follow(source.ij, position, [&](const Input_edge_tracer::Crossing& x) {
+                here.crossings.push_back(crossed(x));
+              });
+            here.paths.push_back({input_halfedge, source, target, here.crossings.size()});
           });
     });
     std::vector<std::uint64_t> segments;
@@ -244,9 +249,10 @@ private:
       const Paths& here = blocks[block(first)];
       std::size_t i = 0;
       for (const Path& path : here.paths)
-        add_input_edge(path.input_halfedge, segment, [&](const auto& visit) {
+        add_input_edge(path.input_halfedge, path.source, segment, [&](const auto& visit) {
           for (; i < path.end; ++i)
             visit(here.crossings[i]);
+          return path.target;
         });
     });
   }
@@ -263,9 +269,10 @@ private:
   }
 
   // Makes the segments of an input edge, from number `segment` on, which is advanced behind them;
-  // for_each_crossing(visit) visits what it crosses.
+  // for_each_crossing(visit) visits what it crosses and returns its end at the target.
   template <class Function>
-  void add_input_edge(Halfedge_index input_halfedge, size_type& segment, const Function& for_each_crossing)
+  void add_input_edge(Halfedge_index input_halfedge, const End& source, size_type& segment,
+                      const Function& for_each_crossing)
   {
     const size_type edge = input_.edge(input_halfedge).idx(), first = segment;
     size_type from = input_.source(input_halfedge).idx();
@@ -274,10 +281,24 @@ private:
       set_ends(segment++, from, to);
       from = to;
     };
-    for_each_crossing([&](const Crossed& x) { end_segment(cross(x, segment)); });
+    const End target = for_each_crossing([&](const Crossed& x) { end_segment(cross(x, segment)); });
     end_segment(input_.target(input_halfedge).idx());
     overlay_.input_edges[edge] = {2 * first, segment - first};
+    link_end(source, 2 * first);
+    link_end(target, 2 * (segment - 1) + 1);
   }
+
+  // The segment that leaves a corner, if it is alone there.
+  void link_end(const End& end, size_type out)
+  {
+    if (end.count == 1) {
+      link(corner_begin(end.ij), out);
+      link(out, corner_end(end.ij));
+    }
+  }
+  // The sides of the corner opposite to ij, out of it, counterclockwise.
+  size_type corner_begin(Halfedge_index ij) const { return first_part(intrinsic_.prev(ij)); }
+  size_type corner_end(Halfedge_index ij) const { return first_part(intrinsic_.opposite(intrinsic_.next(ij))); }
 
   // Links the four segments that meet at a crossing, at which an input segment ends; returns the
   // crossing.
@@ -335,7 +356,7 @@ private:
   // Into how many faces its chords divide a face.
   std::uint64_t number_of_parts(Face_index f) const
   {
-    const Triangle_crossings t = coordinates_.triangle_crossings(intrinsic_, intrinsic_.halfedge(f));
+    const Triangle_crossings t = tracer_.triangle_crossings(intrinsic_.halfedge(f));
     return std::uint64_t(1 + t.c_i + t.c_j + t.c_k + t.e_i + t.e_j + t.e_k);
   }
 
@@ -350,7 +371,7 @@ private:
         copy_input_face(face++, f, first_part(ij), first_part(jk), first_part(ki));
         continue;
       }
-      const Triangle_crossings crossings = coordinates_.triangle_crossings(intrinsic_, ij);
+      const Triangle_crossings crossings = tracer_.triangle_crossings(ij);
       link_corner(ij, crossings.e_k);
       link_corner(jk, crossings.e_i);
       link_corner(ki, crossings.e_j);
@@ -378,16 +399,18 @@ private:
     overlay_.faces[face] = {ij, f.idx(), input_face(overlay_.input_halfedge(ij))};
   }
 
-  // The corner opposite to ij, where n input halfedges leave.
+  // The corner opposite to ij, where n input halfedges leave; one alone has been linked.
   void link_corner(Halfedge_index ij, std::int64_t n)
   {
-    size_type out = first_part(intrinsic_.prev(ij));
+    if (n == 1)
+      return;
+    size_type out = corner_begin(ij);
     tracer_.for_each_start(ij, n, [&](Halfedge_index input_halfedge, std::int64_t) {
       const size_type next_out = first_part_in_input(input_halfedge);
       link(out, next_out);
       out = next_out;
     });
-    link(out, first_part(intrinsic_.opposite(intrinsic_.next(ij))));
+    link(out, corner_end(ij));
   }
 
   size_type input_face(size_type input_halfedge) const
@@ -404,19 +427,19 @@ private:
       function(2 * s + direction);
   }
 
-  // Each face has a side on an intrinsic edge, and one on an input edge. (A face bounded by
-  // input edges alone would be an input triangle with its corners at those of an intrinsic
-  // one: the same triangle, with sides of label oc.)
+  // A face within an intrinsic one that is cut has a side on an intrinsic edge, and one on an input
+  // edge that cuts. (A face bounded by input edges alone would be an input triangle with its corners
+  // at those of an intrinsic one: the same triangle, which nothing cuts.)
   void make_face(size_type face, size_type first, Face_index intrinsic_face)
   {
-    size_type input_halfedge = Overlay_arrays::null, h = first;
+    size_type on_input_edge = first, h = first;
     do {
-      record(h).face = face;
-      if (input_halfedge == Overlay_arrays::null)
-        input_halfedge = overlay_.input_halfedge(h);
-      h = record(h).next;
+      Overlay_arrays::Halfedge& side = record(h);
+      side.face = face;
+      on_input_edge = (std::max)(on_input_edge, h); // segments of input edges come last
+      h = side.next;
     } while (h != first);
-    overlay_.faces[face] = {first, intrinsic_face.idx(), input_face(input_halfedge)};
+    overlay_.faces[face] = {first, intrinsic_face.idx(), input_face(overlay_.input_halfedge(on_input_edge))};
   }
 
   void name_vertex_halfedges()

@@ -7,14 +7,17 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/Split_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/Split_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/Strip_layout.h>
+#include <CGAL/Intrinsic_triangulations/internal/Two_doubles.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -29,28 +32,20 @@ public:
   // \param points of the input, none further from another than 4, or none at all
   Plane_strip(const Delta_complex& input, const Points& points) : input_(input), points_(points) {}
 
-  // Starts the strip of an edge with the first input edge that it crosses, as the halfedge from
-  // the left end to the right end.
-  void start(Halfedge_index crossed)
-  {
-    source_ = apex(input_.opposite(crossed));
-    choose_projection(input_.source(crossed), input_.target(crossed));
-    layout_.start(projected(input_.source(crossed)), projected(input_.target(crossed)));
-    last_ = crossed;
-  }
-
-  // Adds the next input edge that is crossed.
-  void add(Halfedge_index crossed)
-  {
-    layout_.add(projected(apex(last_)), crossed == input_.opposite(input_.prev(last_)));
-    last_ = crossed;
-  }
-
-  // As `Strip_layout::finish()`.
+  // \param crossed the input edges that an edge crosses, in order, as halfedges from the left end
+  //   to the right end
+  // \param visit as `Strip_layout::finish()`, and so is the result
   template <class Visit>
-  bool finish(const Visit& visit)
+  bool operator()(const std::vector<Halfedge_index>& crossed, const Visit& visit)
   {
-    const Split_complex target = projected(apex(last_));
+    const Halfedge_index first = crossed.front();
+    source_ = apex(input_.opposite(first));
+    choose_projection(input_.source(first), input_.target(first));
+    layout_.start(projected(input_.source(first)), projected(input_.target(first)));
+    for (std::size_t i = 1; i < crossed.size(); ++i)
+      layout_.add(projected(apex(crossed[i - 1])),
+                  crossed[i] == input_.opposite(input_.prev(crossed[i - 1])));
+    const Split_complex target = projected(apex(crossed.back()));
     const double distance = (std::max)(layout_.distance(), modulus(target));
     // A cross product is good to 2^-102 of the sum of the absolute values of two products. (It
     // is far from underflow where it is large enough to be used.)
@@ -81,13 +76,11 @@ private:
   Split_complex projected(Vertex_index v) const
   {
     const std::array<double, 3>&p = points_[source_.idx()], &q = points_[v.idx()];
-    return {Split_double_double::difference(q[first_], p[first_]),
-            Split_double_double::difference(q[second_], p[second_])};
+    return Split_double_double<Two_doubles>::difference({q[first_], q[second_]}, {p[first_], p[second_]});
   }
 
   const Delta_complex& input_;
   const Points& points_;
-  Halfedge_index last_; // crossed edge
   Vertex_index source_;
   std::size_t first_ = 0, second_ = 1; // the coordinates that are kept
   Strip_layout layout_;

@@ -7,11 +7,15 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/Split_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/Split_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/Strip_layout.h>
+#include <CGAL/Intrinsic_triangulations/internal/Two_doubles.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -26,110 +30,121 @@ namespace internal {
 // triangles, and good to m 2^-96; so a position, a sum of directions of total length X, is good
 // to m 2^-95 X, and a cross product of two positions, at most Y from the source, to m 2^-93 X Y.
 // Positions on the edges are quotients of such cross products.
+//
+// A ratio does not depend on those before: they are computed two at a time.
 class Point_strip
 {
-  using Number = Split_double_double;
-  using Vector = std::array<Number, 3>; // exact: a difference of two points
-  using Complex = Split_complex;
+  using Pair = Split_double_double<Two_doubles>;
+  using Two_vectors = std::array<Pair, 3>; // exact: differences of two points
 
 public:
   // \param points of the input, none further from another than 4, or none at all
   Point_strip(const Delta_complex& input, const Points& points) : input_(input), points_(points) {}
 
-  // Starts the strip of an edge with the first input edge that it crosses, as the halfedge from
-  // the left end to the right end.
-  void start(Halfedge_index crossed)
-  {
-    const Halfedge_index right_to_left = input_.opposite(crossed);
-    const Vector v = vector(input_.prev(right_to_left)), // from the source to the right end
-      left = vector(input_.opposite(input_.next(right_to_left)));
-    is_good_ = true;
-    vector_ = vector(crossed);
-    const Triangle triangle = lay_out(v, left);
-    layout_.start(corner_ratio(triangle, v, left, 1), {{1, 0}, {0, 0}});
-    direction_ = corner_ratio(triangle, v, vector_, -1);
-    extent_ = 1 + modulus(layout_.left()) + modulus(direction_);
-    last_ = crossed;
-  }
-
-  // Adds the next input edge that is crossed.
-  void add(Halfedge_index crossed)
-  {
-    const bool keeps_left = crossed == input_.opposite(input_.prev(last_));
-    const Vector w = vector(crossed);
-    direction_ = direction_ * corner_ratio(lay_out(vector_, w), vector_, w, keeps_left ? 1 : -1);
-    layout_.add(keeps_left ? layout_.left() + direction_ : layout_.right() - direction_, keeps_left);
-    extent_ += modulus(direction_);
-    vector_ = w;
-    last_ = crossed;
-  }
-
-  // As `Strip_layout::finish()`.
+  // \param crossed the input edges that an edge crosses, in order, as halfedges from the left end
+  //   to the right end
+  // \param visit as `Strip_layout::finish()`, and so is the result
   template <class Visit>
-  bool finish(const Visit& visit)
+  bool operator()(const std::vector<Halfedge_index>& crossed, const Visit& visit)
   {
-    const Vector w = vector(input_.opposite(input_.prev(last_)));
-    direction_ = direction_ * corner_ratio(lay_out(vector_, w), vector_, w, 1);
-    const Complex target = layout_.left() + direction_;
-    extent_ += modulus(direction_);
-    const double error = 0x1p-93 * double(layout_.number_of_edges() + 1) * extent_ *
-                         (std::max)(layout_.distance(), modulus(target));
-    return is_good_ && layout_.finish(target, error, visit);
+    if (!compute_ratios(crossed))
+      return false;
+    // The first edge is the unit.
+    const std::size_t n = crossed.size();
+    const Split_complex left = -ratios_[0], one(1, 0);
+    layout_.start(left, left + one);
+    double extent = 1 + modulus(left);
+    Split_complex direction = ratios_[1];
+    for (std::size_t i = 1; i < n; ++i) {
+      const bool turns_left = keeps_left(crossed, i);
+      layout_.add(turns_left ? layout_.left() + direction : layout_.right() - direction, turns_left);
+      extent += modulus(direction);
+      direction = direction * ratios_[i + 1];
+    }
+    const Split_complex target = layout_.left() + direction;
+    extent += modulus(direction);
+    const double error =
+      0x1p-93 * double(n + 1) * extent * (std::max)(layout_.distance(), modulus(target));
+    return layout_.finish(target, error, visit);
   }
 
 private:
-  // What two sides v and w of a triangle have in common.
-  struct Triangle
+  // Two sides of a triangle, and on which side of the first the second is: 1 for left, -1 for right.
+  struct Corner
   {
-    Number squared_length; // of v
-    double reciprocal;
-    Number height; // four times the area over two times the squared length
+    Halfedge_index base, other;
+    double side;
   };
 
-  Vector vector(Halfedge_index h) const
+  bool keeps_left(const std::vector<Halfedge_index>& crossed, std::size_t i) const
   {
-    const std::array<double, 3>&p = points_[input_.source(h).idx()], &q = points_[input_.target(h).idx()];
-    return {Number::difference(q[0], p[0]), Number::difference(q[1], p[1]),
-            Number::difference(q[2], p[2])};
+    return crossed[i] == input_.opposite(input_.prev(crossed[i - 1]));
   }
 
-  Triangle lay_out(const Vector& v, const Vector& w)
+  // In triangle i of the strip, between an edge that is crossed and what comes next: the direction
+  // of the edge that is crossed then, or from its left end to the target. In the first one, the
+  // direction from there back to the source.
+  Corner corner(const std::vector<Halfedge_index>& crossed, std::size_t i) const
   {
+    if (i == 0)
+      return {crossed[0], input_.next(input_.opposite(crossed[0])), -1};
+    const Halfedge_index base = crossed[i - 1];
+    if (i == crossed.size())
+      return {base, input_.opposite(input_.prev(base)), 1};
+    return {base, crossed[i], keeps_left(crossed, i) ? 1. : -1.};
+  }
+
+  // One for each triangle. Returns whether the error bound holds.
+  bool compute_ratios(const std::vector<Halfedge_index>& crossed)
+  {
+    const std::size_t n = crossed.size();
+    ratios_.resize(n + 2);
+    Two_doubles shortest(1.);
+    for (std::size_t i = 0; i <= n; i += 2) {
+      const Corner a = corner(crossed, i), b = corner(crossed, (std::min)(i + 1, n));
+      const Two_vectors v = vectors(a.base, b.base), w = vectors(a.other, b.other);
+      shortest = min_of(shortest, min_of(rough_square(v), rough_square(w)));
+
+      const Pair n0 = sum(v[1] * w[2], -(v[2] * w[1])), n1 = sum(v[2] * w[0], -(v[0] * w[2])),
+                 n2 = sum(v[0] * w[1], -(v[1] * w[0]));
+      Pair square = sum(n0 * n0, n1 * n1, n2 * n2);
+      // A root of zero would be divided by; this one is far below the error.
+      square.hi = max_of(square.hi, Two_doubles(1e-300));
+      const Pair s = scalar_product(v, v);
+      const Two_doubles reciprocal = Two_doubles(1.) / s.hi;
+      const Pair x = quotient(scalar_product(v, w), s, reciprocal),
+                 height = quotient(square_root(square), s, reciprocal);
+      const Two_doubles side(a.side, b.side);
+      const auto ratios = Split_complex::two_points(x, Pair(side * height.hi, side * height.lo));
+      ratios_[i] = ratios[0];
+      ratios_[i + 1] = ratios[1];
+    }
     // Far from underflow; it has to be far for the error bound to hold.
-    is_good_ = is_good_ && rough_square(v) > 1e-100 && rough_square(w) > 1e-100;
-    const Number s = scalar_product(v, v), n0 = sum(v[1] * w[2], -(v[2] * w[1])),
-                 n1 = sum(v[2] * w[0], -(v[0] * w[2])), n2 = sum(v[0] * w[1], -(v[1] * w[0]));
-    const double reciprocal = 1 / s.hi;
-    return {s, reciprocal,
-            quotient(square_root(sum(n0 * n0, n1 * n1, n2 * n2)), s, reciprocal)};
+    return (std::min)(shortest.first(), shortest.second()) > 1e-100;
   }
 
-  // w / v as vectors in the plane, where v and w are sides of the triangle; w is to the left of
-  // v if the side is 1, else to its right.
-  static Complex corner_ratio(const Triangle& t, const Vector& v, const Vector& w, double side)
+  Two_vectors vectors(Halfedge_index g, Halfedge_index h) const
   {
-    return {quotient(scalar_product(v, w), t.squared_length, t.reciprocal),
-            {side * t.height.hi, side * t.height.lo}};
+    const std::array<double, 3>&p = points_[input_.source(g).idx()], &q = points_[input_.target(g).idx()],
+                             &r = points_[input_.source(h).idx()], &s = points_[input_.target(h).idx()];
+    return {Pair::difference({q[0], s[0]}, {p[0], r[0]}), Pair::difference({q[1], s[1]}, {p[1], r[1]}),
+            Pair::difference({q[2], s[2]}, {p[2], r[2]})};
   }
 
-  static Number scalar_product(const Vector& v, const Vector& w)
+  static Pair scalar_product(const Two_vectors& v, const Two_vectors& w)
   {
     return sum(v[0] * w[0], v[1] * w[1], v[2] * w[2]);
   }
 
-  static double rough_square(const Vector& v)
+  static Two_doubles rough_square(const Two_vectors& v)
   {
     return v[0].hi * v[0].hi + v[1].hi * v[1].hi + v[2].hi * v[2].hi;
   }
 
   const Delta_complex& input_;
   const Points& points_;
-  bool is_good_ = false;
-  Halfedge_index last_; // crossed edge, ...
-  Vector vector_;       // ... in space, ...
-  Complex direction_;   // ... and in the plane
+  std::vector<Split_complex> ratios_;
   Strip_layout layout_;
-  double extent_ = 0; // at least X
 };
 
 } // namespace internal

@@ -6,47 +6,22 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRIP_LAYOUT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRIP_LAYOUT_H
 
+#include <CGAL/Intrinsic_triangulations/internal/Split_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/Split_double_double.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// A point or a vector in the plane.
-struct Split_complex
-{
-  Split_double_double x, y;
-
-  friend Split_complex operator+(const Split_complex& a, const Split_complex& b)
-  {
-    return {a.x + b.x, a.y + b.y};
-  }
-  friend Split_complex operator-(const Split_complex& a, const Split_complex& b)
-  {
-    return {a.x - b.x, a.y - b.y};
-  }
-  friend Split_complex operator*(const Split_complex& a, const Split_complex& b)
-  {
-    return {sum(a.x * b.x, -(a.y * b.y)), sum(a.x * b.y, a.y * b.x)};
-  }
-  // Positive if b is to the left of a.
-  friend Split_double_double cross_product(const Split_complex& a, const Split_complex& b)
-  {
-    return sum(a.x * b.y, -(a.y * b.x));
-  }
-  // An upper bound.
-  friend double modulus(const Split_complex& z) { return 1.5 * (std::abs(z.x.hi) + std::abs(z.y.hi)); }
-};
-
 // The line begins at 0, and the first triangle is there. Each edge that is crossed keeps one end
 // of the edge before.
 class Strip_layout
 {
-  using Number = Split_double_double;
+  using Number = Split_double_double<double>;
   using Complex = Split_complex;
 
 public:

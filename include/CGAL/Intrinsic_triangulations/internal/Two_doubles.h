@@ -41,11 +41,16 @@ public:
   friend Two_doubles operator-(Two_doubles a, Two_doubles b) { return _mm_sub_pd(a.v_, b.v_); }
   friend Two_doubles operator*(Two_doubles a, Two_doubles b) { return _mm_mul_pd(a.v_, b.v_); }
   friend Two_doubles operator/(Two_doubles a, Two_doubles b) { return _mm_div_pd(a.v_, b.v_); }
+  friend Two_doubles operator-(Two_doubles a) { return _mm_xor_pd(_mm_set1_pd(-0.), a.v_); }
   friend Two_doubles sqrt(Two_doubles a) { return _mm_sqrt_pd(a.v_); }
   friend Two_doubles abs(Two_doubles a) { return _mm_andnot_pd(_mm_set1_pd(-0.), a.v_); }
   // the larger, or smaller, of each two; b where one of them is no number
   friend Two_doubles max_of(Two_doubles a, Two_doubles b) { return _mm_max_pd(a.v_, b.v_); }
   friend Two_doubles min_of(Two_doubles a, Two_doubles b) { return _mm_min_pd(a.v_, b.v_); }
+  // the first numbers of both, the second ones, and the two numbers of one the other way round
+  friend Two_doubles firsts(Two_doubles a, Two_doubles b) { return _mm_unpacklo_pd(a.v_, b.v_); }
+  friend Two_doubles seconds(Two_doubles a, Two_doubles b) { return _mm_unpackhi_pd(a.v_, b.v_); }
+  friend Two_doubles swapped(Two_doubles a) { return _mm_shuffle_pd(a.v_, a.v_, 1); }
   // x where a > b, else y
   friend Two_doubles if_greater(Two_doubles a, Two_doubles b, Two_doubles x, Two_doubles y)
   {
@@ -69,10 +74,14 @@ private:
   friend Two_doubles operator-(Two_doubles a, Two_doubles b) { return {a.v_[0] - b.v_[0], a.v_[1] - b.v_[1]}; }
   friend Two_doubles operator*(Two_doubles a, Two_doubles b) { return {a.v_[0] * b.v_[0], a.v_[1] * b.v_[1]}; }
   friend Two_doubles operator/(Two_doubles a, Two_doubles b) { return {a.v_[0] / b.v_[0], a.v_[1] / b.v_[1]}; }
+  friend Two_doubles operator-(Two_doubles a) { return {-a.v_[0], -a.v_[1]}; }
   friend Two_doubles sqrt(Two_doubles a) { return {std::sqrt(a.v_[0]), std::sqrt(a.v_[1])}; }
   friend Two_doubles abs(Two_doubles a) { return {std::abs(a.v_[0]), std::abs(a.v_[1])}; }
   friend Two_doubles max_of(Two_doubles a, Two_doubles b) { return if_greater(a, b, a, b); }
   friend Two_doubles min_of(Two_doubles a, Two_doubles b) { return if_greater(b, a, a, b); }
+  friend Two_doubles firsts(Two_doubles a, Two_doubles b) { return {a.v_[0], b.v_[0]}; }
+  friend Two_doubles seconds(Two_doubles a, Two_doubles b) { return {a.v_[1], b.v_[1]}; }
+  friend Two_doubles swapped(Two_doubles a) { return {a.v_[1], a.v_[0]}; }
   friend Two_doubles if_greater(Two_doubles a, Two_doubles b, Two_doubles x, Two_doubles y)
   {
     return {a.v_[0] > b.v_[0] ? x.v_[0] : y.v_[0], a.v_[1] > b.v_[1] ? x.v_[1] : y.v_[1]};
