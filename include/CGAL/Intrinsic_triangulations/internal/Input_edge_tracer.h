@@ -56,14 +56,13 @@ public:
                               number_of_crossings(intrinsic_.prev(ij)));
   }
 
-  // The n input halfedges that leave the corner opposite to ij. Those that leave a vertex within
-  // an intrinsic triangle are consecutive around it.
+  // The n input halfedges that leave the corner to the left of ki at its source, counterclockwise.
+  // Those that leave a vertex within an intrinsic triangle are consecutive around it.
   template <class Function>
-  void for_each_start(Halfedge_index ij, std::int64_t n, const Function& function) const
+  void for_each_start(Halfedge_index ki, std::int64_t n, const Function& function) const
   {
     if (n == 0)
       return;
-    const Halfedge_index ki = intrinsic_.prev(ij);
     Halfedge_index start = correspondence_.input_halfedge(ki);
     if (correspondence_.coordinates().is_original(intrinsic_.edge(ki)))
       start = input_.next_around_source(start);
@@ -81,7 +80,7 @@ public:
       return;
     for (Halfedge_index ij : {first, intrinsic_.opposite(first)}) {
       const Triangle_crossings t = triangle_crossings(ij);
-      for_each_start(ij, t.e_k, [&](Halfedge_index h, std::int64_t i) {
+      for_each_start(intrinsic_.prev(ij), t.e_k, [&](Halfedge_index h, std::int64_t i) {
         if (h == input_.halfedge(input_.edge(h)))
           function(h, End{ij, i, t.e_k}, t.c_i + i);
       });

@@ -42,7 +42,7 @@ struct Overlay_arrays
 
   size_type intrinsic_segments_end(size_type e) const
   {
-    return e + 1 < first_segments.size() ? first_segments[e + 1] : first_input_segment;
+    return first_segments[e + 1];
   }
 
   // The input halfedge that h is part of, or null.
@@ -60,7 +60,7 @@ struct Overlay_arrays
   Large_vector<size_type> parents; // of each segment, its edge
   Large_vector<size_type> vertex_halfedges;
   Large_vector<Face> faces;
-  Large_vector<size_type> first_segments;       // of each intrinsic edge
+  Large_vector<size_type> first_segments;       // of each intrinsic edge, and where they end
   Large_vector<size_type> coinciding_halfedges; // for each intrinsic edge, what 2e is in the input
   Large_vector<Input_edge> input_edges;
 };

@@ -93,7 +93,7 @@ private:
   {
     const std::size_t n = intrinsic_.number_of_edges();
     overlay_.number_of_original_vertices = intrinsic_.number_of_vertices();
-    overlay_.first_segments.resize(n, default_init);
+    overlay_.first_segments.resize(n + 1, default_init);
     auto crossings = make_counts<std::uint64_t>(n), coinciding = crossings;
     for_each_block(n, [&](std::size_t first, std::size_t last) {
       std::uint64_t sum = 0, number_of_coinciding = 0;
@@ -128,6 +128,7 @@ private:
     const std::uint64_t number_of_segments = 2 * (intrinsic_.number_of_edges() + crossings) - coinciding;
     check_size(number_of_segments);
     overlay_.first_input_segment = size_type(intrinsic_.number_of_edges() + crossings);
+    overlay_.first_segments.back() = overlay_.first_input_segment;
 
     overlay_.halfedges.resize(2 * number_of_segments, default_init);
     overlay_.parents.resize(number_of_segments, default_init);
@@ -146,7 +147,9 @@ private:
       progress.at(i);
       const Halfedge_index h = intrinsic_.halfedge(e);
       size_type from = intrinsic_.source(h).idx();
-      for (std::int64_t left = coordinates_.number_of_crossings(e); left > 0; --left) {
+      const size_type last = overlay_.first_segments[i + 1] - 1;
+      const bool is_crossed = segment < last;
+      while (segment < last) {
         overlay_.parents[segment] = e.idx();
         overlay_.vertex_halfedges[crossing] = 2 * segment;
         set_intrinsic_segment(segment++, from, crossing);
@@ -155,7 +158,7 @@ private:
       overlay_.parents[segment] = e.idx();
       set_intrinsic_segment(segment, from, intrinsic_.target(h).idx());
       overlay_.coinciding_halfedges[e.idx()] = Overlay_arrays::null;
-      if (coordinates_.is_original(e))
+      if (!is_crossed && coordinates_.is_original(e))
         note_coinciding(h, segment);
       for (Halfedge_index side : {h, intrinsic_.opposite(h)})
         if (intrinsic_.is_border(side)) // a border edge is one segment
@@ -365,29 +368,38 @@ private:
     for (std::size_t i = first; i < last; ++i) {
       const Face_index f{size_type(i)};
       progress.at(i);
-      const Halfedge_index ij = intrinsic_.halfedge(f), jk = intrinsic_.next(ij),
-                           ki = intrinsic_.prev(ij);
-      if (is_one_segment(ij) && is_one_segment(jk) && is_one_segment(ki)) {
-        copy_input_face(face++, f, first_part(ij), first_part(jk), first_part(ki));
+      const Halfedge_index h = intrinsic_.halfedge(f);
+      const Side ij = side(h), jk = side(intrinsic_.next(h)), ki = side(intrinsic_.prev(h));
+      if (ij.first == ij.last && jk.first == jk.last && ki.first == ki.last) {
+        copy_input_face(face++, f, ij.first, jk.first, ki.first);
         continue;
       }
-      const Triangle_crossings crossings = tracer_.triangle_crossings(ij);
-      link_corner(ij, crossings.e_k);
-      link_corner(jk, crossings.e_i);
-      link_corner(ki, crossings.e_j);
-      for (Halfedge_index h : {ij, jk, ki})
-        for_each_part(h, [&](size_type part) {
+      const Triangle_crossings crossings(ij.number_of_crossings(), jk.number_of_crossings(),
+                                         ki.number_of_crossings());
+      link_corner(jk, ki, crossings.e_k);
+      link_corner(ki, ij, crossings.e_i);
+      link_corner(ij, jk, crossings.e_j);
+      for (const Side& side : {ij, jk, ki})
+        for (size_type part = (std::min)(side.first, side.last); part <= (std::max)(side.first, side.last); part += 2)
           if (record(part).face == Overlay_arrays::null)
             make_face(face++, part, f);
-        });
     }
     CGAL_postcondition(last < intrinsic_.number_of_faces() || face == overlay_.faces.size());
   }
 
-  bool is_one_segment(Halfedge_index h) const
+  // A side of an intrinsic face, with its parts from the source to the target.
+  struct Side
+  {
+    Halfedge_index halfedge;
+    size_type first, last;
+
+    std::int64_t number_of_crossings() const { return (std::int64_t((std::max)(first, last)) - (std::min)(first, last)) / 2; }
+  };
+  Side side(Halfedge_index h) const
   {
     const size_type e = intrinsic_.edge(h).idx();
-    return overlay_.intrinsic_segments_end(e) - overlay_.first_segments[e] == 1;
+    const size_type first = 2 * overlay_.first_segments[e], last = 2 * (overlay_.first_segments[e + 1] - 1);
+    return h == intrinsic_.halfedge(Edge_index(e)) ? Side{h, first, last} : Side{h, last + 1, first + 1};
   }
 
   void copy_input_face(size_type face, Face_index f, size_type ij, size_type jk, size_type ki)
@@ -399,32 +411,25 @@ private:
     overlay_.faces[face] = {ij, f.idx(), input_face(overlay_.input_halfedge(ij))};
   }
 
-  // The corner opposite to ij, where n input halfedges leave; one alone has been linked.
-  void link_corner(Halfedge_index ij, std::int64_t n)
+  // The corner between two sides, where n input halfedges leave; one alone has been linked.
+  void link_corner(const Side& in, const Side& out, std::int64_t n)
   {
-    if (n == 1)
+    if (n == 0)
+      record(in.last).next = out.first;
+    if (n < 2)
       return;
-    size_type out = corner_begin(ij);
-    tracer_.for_each_start(ij, n, [&](Halfedge_index input_halfedge, std::int64_t) {
-      const size_type next_out = first_part_in_input(input_halfedge);
-      link(out, next_out);
-      out = next_out;
+    size_type before = out.first;
+    tracer_.for_each_start(out.halfedge, n, [&](Halfedge_index input_halfedge, std::int64_t) {
+      const size_type next = first_part_in_input(input_halfedge);
+      link(before, next);
+      before = next;
     });
-    link(out, corner_end(ij));
+    link(before, in.last ^ 1);
   }
 
   size_type input_face(size_type input_halfedge) const
   {
     return input_.face(Halfedge_index(input_halfedge)).idx();
-  }
-
-  template <class Function>
-  void for_each_part(Halfedge_index h, const Function& function)
-  {
-    const size_type e = intrinsic_.edge(h).idx();
-    const size_type direction = h == intrinsic_.halfedge(Edge_index(e)) ? 0 : 1;
-    for (size_type s = overlay_.first_segments[e]; s < overlay_.intrinsic_segments_end(e); ++s)
-      function(2 * s + direction);
   }
 
   // A face within an intrinsic one that is cut has a side on an intrinsic edge, and one on an input
