@@ -56,6 +56,10 @@ TEST(Two_doubles, compute_as_two)
       expect(x - y, a - b, c - d);
       expect(x * y, a * b, c * d);
       expect(x / y, a / b, c / d);
+      expect(-x, -a, -c);
+      expect(firsts(x, y), a, b);
+      expect(seconds(x, y), c, d);
+      expect(swapped(x), c, a);
       expect(abs(y), std::abs(b), std::abs(d));
       expect(sqrt(abs(y)), std::sqrt(std::abs(b)), std::sqrt(std::abs(d)));
       expect(max_of(x, y), a > b ? a : b, c > d ? c : d);
