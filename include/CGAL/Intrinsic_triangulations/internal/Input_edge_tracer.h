@@ -29,11 +29,10 @@ public:
     std::int64_t position;
   };
 
-  // An end of an input edge in the corner opposite to ij, as a number of a count of such ends there.
+  // An end of an input edge in the corner opposite to ij, where so many end within the triangle.
   struct End
   {
     Halfedge_index ij;
-    std::int64_t number;
     std::int64_t count;
   };
 
@@ -82,7 +81,7 @@ public:
       const Triangle_crossings t = triangle_crossings(ij);
       for_each_start(intrinsic_.prev(ij), t.e_k, [&](Halfedge_index h, std::int64_t i) {
         if (h == input_.halfedge(input_.edge(h)))
-          function(h, End{ij, i, t.e_k}, t.c_i + i);
+          function(h, End{ij, t.e_k}, t.c_i + i);
       });
     }
   }
@@ -104,7 +103,7 @@ public:
         ij = intrinsic_.prev(ji);
         position = number_of_crossings(ij) - 1 - position;
       } else if (position < t.c_i + t.e_k) {
-        return {ji, position - t.c_i, t.e_k};
+        return {ji, t.e_k};
       } else { // around its target
         ij = intrinsic_.next(ji);
         position = n - 1 - position;
