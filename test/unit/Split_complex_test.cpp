@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <random>
 
 namespace {
@@ -64,10 +65,10 @@ TEST(Split_complex, computes_both_coordinates_as_numbers)
 {
   std::mt19937 generator(2);
   for (int round = 0; round < 2000; ++round) {
-    std::array<Number, 4> x, y;
-    for (int i = 0; i < 4; ++i) {
-      x[i] = random_number(generator);
-      y[i] = random_number(generator);
+    std::array<Number, 2> x, y;
+    for (std::size_t k : {0, 1}) {
+      x[k] = random_number(generator);
+      y[k] = random_number(generator);
     }
     const auto pair = [](const Number& a, const Number& b) {
       return Pair(Two_doubles(a.hi, b.hi), Two_doubles(a.lo, b.lo));

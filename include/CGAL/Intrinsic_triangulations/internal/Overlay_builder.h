@@ -291,17 +291,14 @@ private:
     link_end(target, 2 * (segment - 1) + 1);
   }
 
-  // The segment that leaves a corner, if it is alone there.
+  // The segment that leaves a corner, if it is alone there: between the sides out of the corner.
   void link_end(const End& end, size_type out)
   {
     if (end.count == 1) {
-      link(corner_begin(end.ij), out);
-      link(out, corner_end(end.ij));
+      link(first_part(intrinsic_.prev(end.ij)), out);
+      link(out, first_part(intrinsic_.opposite(intrinsic_.next(end.ij))));
     }
   }
-  // The sides of the corner opposite to ij, out of it, counterclockwise.
-  size_type corner_begin(Halfedge_index ij) const { return first_part(intrinsic_.prev(ij)); }
-  size_type corner_end(Halfedge_index ij) const { return first_part(intrinsic_.opposite(intrinsic_.next(ij))); }
 
   // Links the four segments that meet at a crossing, at which an input segment ends; returns the
   // crossing.
