@@ -155,7 +155,7 @@ private:
     wanted.crossings = wanted.tessellation = wanted.exact_lengths = true;
     const auto goes_on = [](std::uint64_t, std::uint64_t) { return !is_interrupted(); };
     const Outcome exact =
-      idt::run({surface_, kernel_options({Number_type::FILTERED, {}}, wanted), goes_on, {}});
+      idt::run({surface_, kernel_options({Number_type::FILTERED, {}}, wanted), goes_on, has_time_to_decide, {}});
     if (!exact.failure.empty())
       throw IT::Undecided_error(surface_.path + ": " + exact.failure);
     if (exact.report.status != IT::Flip_status::DELAUNAY)
@@ -173,7 +173,7 @@ private:
     const auto goes_on = [&](std::uint64_t, std::uint64_t) {
       return !is_interrupted() && stopwatch.seconds() < options_.time_limit;
     };
-    return idt::run({surface_, kernel_options(type, wanted), goes_on, {}});
+    return idt::run({surface_, kernel_options(type, wanted), goes_on, has_time_to_decide, {}});
   }
 
   // In a process of its own, for a decision can take for ever with some number types, and

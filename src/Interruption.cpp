@@ -2,6 +2,8 @@
 
 #include "Interruption.h"
 
+#include "Stopwatch.h"
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -53,6 +55,14 @@ void occupy_standard_descriptors()
 bool is_interrupted()
 {
   return interrupted != 0;
+}
+
+bool has_time_to_decide()
+{
+  if (!is_interrupted())
+    return true;
+  static const Stopwatch since_interruption;
+  return since_interruption.seconds() < 0.5;
 }
 
 } // namespace idt

@@ -36,7 +36,7 @@ Exit_status exit_status(const Outcome& outcome)
 
 const char* status_word(const Outcome& outcome)
 {
-  if (outcome.is_overlay_cancelled)
+  if (outcome.is_interrupted)
     return "interrupted";
   switch (outcome.report.status) {
   case IT::Flip_status::DELAUNAY:

@@ -41,7 +41,9 @@ Json stages(const Outcome& outcome)
           {"unfolding", counts[Stage::UNFOLDING]},
           {"rational", counts[Stage::RATIONAL]},
           {"multiprecision", counts[Stage::MULTIPRECISION]},
-          {"algebraic", counts[Stage::ALGEBRAIC]}};
+          {"algebraic", counts[Stage::ALGEBRAIC]},
+          {"congruence", counts[Stage::CONGRUENCE]},
+          {"modular", counts[Stage::MODULAR]}};
 }
 
 Json ties(const Outcome& outcome)

@@ -32,6 +32,7 @@ struct Triangulate_options
   std::string number_type = name(default_number_type);
   int precision = 128;
   std::optional<std::uint64_t> maximum_number_of_flips;
+  bool are_ties_proven = false;
   std::optional<double> mollification;
   bool is_mollification_local = false;
   bool is_repaired = false;
@@ -59,6 +60,8 @@ Kernel_options kernel_options(const Triangulate_options& options)
   result.number_type = *number_type;
   result.precision = options.precision;
   result.maximum_number_of_flips = options.maximum_number_of_flips;
+  if (options.are_ties_proven)
+    result.tie_proof = CGAL::Intrinsic_triangulations::Tie_proof::PROVEN;
   result.wanted.lengths = !options.edges_path.empty();
   result.wanted.numbers = !options.edges_path.empty() || !options.laplacian_path.empty() ||
                           !options.mass_path.empty();
@@ -225,7 +228,7 @@ Triangulation_result triangulate(Surface surface, const Kernel_options& options)
         was_interrupted = is_interrupted();
       return *was_interrupted || !is_interrupted();
     };
-    result.outcome = run({result.surface, options, show_flips, show_overlay});
+    result.outcome = run({result.surface, options, show_flips, has_time_to_decide, show_overlay});
   }
   result.counts = count_elements(result.outcome.connectivity);
   return result;
@@ -239,8 +242,8 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
   command.footer(number_type_help() +
                  "\nSeveral inputs are worked on one after the other; the status is that of the\n"
                  "first that failed. An output file appears when it is complete. Ctrl-C ends the\n"
-                 "flips before the next decision and writes what there is; a second one, which ends\n"
-                 "everything, may be needed where a single decision takes long, as with core.\n");
+                 "flips within a second and writes what there is; a second one, which ends\n"
+                 "everything, may be needed where a single decision of core takes long.\n");
   command
     .add_option("INPUT", options->inputs,
                 "meshes of triangles (OFF, OBJ, PLY, STL, TS), or .gluing files of triangles "
@@ -260,6 +263,13 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
                 "else the larger of 10,000,000 and 100 times the number of edges)")
     ->type_name("N")
     ->transform(whole_number());
+  command.add_option_function<std::string>(
+           "--tie-proof", [options](const std::string& word) { options->are_ties_proven = word == "proven"; },
+           "what the exact decisions of filtered and of --verify accept as a tie: probable (an error below 2^-128 where "
+           "a proof would be costly), or proven (then a tie without a proof ends the run)")
+    ->type_name("probable|proven")
+    ->check(CLI::IsMember({"probable", "proven"}))
+    ->default_str("probable");
   CLI::Option* const mollify =
     command
       .add_option("--mollify", options->mollification,

@@ -24,6 +24,9 @@ public:
   /// is called before each Delaunay test and before each flip, with their numbers so far.
   /// If it returns `false` the algorithm stops and reports `Flip_status::CANCELLED`; the
   /// triangulation is valid then. A further run goes on from it, but begins all tests again.
+  ///
+  /// During an exact test that takes long, it is called again with the same numbers, up to a hundred times a second, and
+  /// can end the test. So it must not ask the triangulation for lengths, angles or areas.
   bool go_further(std::uint64_t tests, std::uint64_t flips);
 
   /// is called after each flip, when connectivity and metric have changed; the edge has the

@@ -12,6 +12,8 @@
 #include <CGAL/enum.h>
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 
 namespace idt {
 
@@ -38,6 +40,11 @@ public:
   Flip_outcome flip_not_Delaunay(const CGAL::Intrinsic_triangulations::Hinge_halfedges& around)
   {
     return triangulation_.flip_not_Delaunay(around);
+  }
+
+  std::function<bool()> set_interruption(std::function<bool()> go_further)
+  {
+    return triangulation_.set_interruption(std::move(go_further));
   }
 
   // Each edge is to come to the test.

@@ -58,6 +58,8 @@ struct Kernel_options
   Number_type number_type = default_number_type;
   int precision = 128; // bits at least, for MPFR alone
   std::optional<std::uint64_t> maximum_number_of_flips;
+  CGAL::Intrinsic_triangulations::Tie_proof tie_proof =
+    CGAL::Intrinsic_triangulations::Tie_proof::PROBABLE_IF_COSTLY;
   Wanted wanted;
 };
 
@@ -70,6 +72,9 @@ struct Job
   const Surface& surface;
   Kernel_options options;
   Continue_function go_further;
+  // Is asked during exact decisions that take long, which end if it says no: what they were for is not
+  // found out then, or taken from the stored numbers.
+  std::function<bool()> go_on_deciding;
   // Is asked during the construction of the overlay, which is left out if it says no.
   CGAL::Intrinsic_triangulations::Progress_function overlay_progress;
 };
@@ -125,8 +130,8 @@ struct Outcome
   std::vector<double> exact_lengths;   // for each edge, correctly rounded but for one unit
   std::vector<std::uint8_t> is_tie;    // for each edge
   CGAL::Intrinsic_triangulations::Flip_report report;
-  std::string failure; // what ended the flips, or kept something from being found out
-  bool is_overlay_cancelled = false;
+  std::string failure;         // what ended the flips, or kept something from being found out
+  bool is_interrupted = false; // something was left out because the caller said no, beside flips
   // How many tests each stage decided, for the number type that has stages.
   std::optional<CGAL::Intrinsic_triangulations::Stage_counts> stages;
   std::optional<Weight_summary> weights_before;

@@ -8,6 +8,7 @@
 #include "Kernel.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 
 #include <CGAL/enum.h>
@@ -25,6 +26,17 @@ namespace idt {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
+// What an exact decision finds out, or something else if it is cancelled.
+template <class Decide, class Otherwise>
+auto unless_cancelled(const Decide& decide, const Otherwise& otherwise)
+{
+  try {
+    return decide();
+  } catch (const IT::Cancelled_error&) {
+    return otherwise();
+  }
+}
+
 // Cotangent weights as doubles, none of them NaN, from the triangulation's own accessors,
 // with the sign that its number type decides.
 template <class Triangulation>
@@ -38,7 +50,24 @@ public:
       has_area_(complex_.number_of_faces(), unknown)
   {}
 
+  // After an interruption, from the stored numbers where a decision would take long.
   double operator()(IT::Edge_index e)
+  {
+    return unless_cancelled([&] { return decided_weight(e); }, [&] { return stored_weight(e); });
+  }
+
+  // Only then can the weight be infinite, but for overflow.
+  bool is_beside_flat_face(IT::Edge_index e)
+  {
+    const IT::Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+    return (!complex_.is_border(h) && !has_positive_area(complex_.face(h))) ||
+           (!complex_.is_border(g) && !has_positive_area(complex_.face(g)));
+  }
+
+private:
+  static constexpr std::int8_t unknown = -1;
+
+  double decided_weight(IT::Edge_index e)
   {
     const IT::Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
     double result = std::numeric_limits<double>::quiet_NaN();
@@ -59,16 +88,17 @@ public:
     return result;
   }
 
-  // Only then can the weight be infinite, but for overflow.
-  bool is_beside_flat_face(IT::Edge_index e)
+  double stored_weight(IT::Edge_index e) const
   {
-    const IT::Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
-    return (!complex_.is_border(h) && !has_positive_area(complex_.face(h))) ||
-           (!complex_.is_border(g) && !has_positive_area(complex_.face(g)));
+    double sum = 0;
+    for (IT::Halfedge_index h : {complex_.halfedge(e), complex_.opposite(complex_.halfedge(e))})
+      if (!complex_.is_border(h))
+        sum += CGAL::to_double(triangulation_.traits().compute_cotangent_object()(
+          triangulation_.face_data(complex_.face(h)), triangulation_.edge_data(complex_.edge(h)),
+          triangulation_.edge_data(complex_.edge(complex_.next(h))),
+          triangulation_.edge_data(complex_.edge(complex_.prev(h)))));
+    return std::isnan(sum) ? 0 : sum;
   }
-
-private:
-  static constexpr std::int8_t unknown = -1;
 
   bool has_positive_area(IT::Face_index f)
   {
@@ -83,7 +113,8 @@ private:
     if constexpr (Triangulation::uses_exact_geometry)
       // The stored bound mostly knows; a rounded area can be tiny though the exact one is zero.
       return triangulation_.traits().has_positive_area_object()(triangulation_.face_data(f)) ||
-             triangulation_.exact_geometry().sign_of_area(complex_, f) == CGAL::POSITIVE;
+             unless_cancelled([&] { return triangulation_.exact_geometry().sign_of_area(complex_, f) == CGAL::POSITIVE; },
+                              [] { return true; });
     else
       return CGAL::certainly(triangulation_.area(f) > FT(0));
   }
@@ -162,7 +193,8 @@ Weight_summary summarize_weights(const Triangulation& triangulation)
         summary.infinite += weight.is_beside_flat_face(e);
         continue;
       }
-      summary.negative += !CGAL::certainly(triangulation.is_locally_Delaunay(e));
+      summary.negative += !unless_cancelled(
+        [&] { return CGAL::certainly(triangulation.is_locally_Delaunay(e)); }, [&] { return weight(e) >= 0; });
       if (weight.is_beside_flat_face(e)) {
         add(summary, weight(e));
         continue;
@@ -186,7 +218,22 @@ void collect_lengths(const Triangulation& triangulation, Numbers& numbers)
 {
   numbers.lengths.reserve(triangulation.connectivity().number_of_edges());
   for (IT::Edge_index e : triangulation.connectivity().edges())
-    numbers.lengths.push_back(CGAL::to_double(triangulation.length(e)));
+    numbers.lengths.push_back(
+      unless_cancelled([&] { return CGAL::to_double(triangulation.length(e)); },
+                       [&] { return std::sqrt(CGAL::to_double(triangulation.squared_length(e))); }));
+}
+
+template <class Triangulation>
+double area(const Triangulation& triangulation, IT::Face_index f)
+{
+  return unless_cancelled([&] { return CGAL::to_double(triangulation.area(f)); }, [&] {
+    const IT::Delta_complex& complex = triangulation.connectivity();
+    const IT::Halfedge_index h = complex.halfedge(f);
+    const double stored = CGAL::to_double(triangulation.traits().compute_area_object()(
+      triangulation.face_data(f), triangulation.edge_data(complex.edge(h)),
+      triangulation.edge_data(complex.edge(complex.next(h))),
+      triangulation.edge_data(complex.edge(complex.prev(h)))));
+    return std::ldexp(stored, 2 * triangulation.unit_exponent()); });
 }
 
 template <class Triangulation>
@@ -199,7 +246,7 @@ void collect_weights_and_areas(const Triangulation& triangulation, Numbers& numb
     numbers.weights.push_back(weight(e));
   numbers.areas.reserve(complex.number_of_faces());
   for (IT::Face_index f : complex.faces())
-    numbers.areas.push_back(CGAL::to_double(triangulation.area(f)));
+    numbers.areas.push_back(area(triangulation, f));
 }
 
 } // namespace idt

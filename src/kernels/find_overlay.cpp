@@ -27,7 +27,7 @@ void find_overlay(const CGAL::Intrinsic_triangulations::Delta_complex& complex,
     IT::Overlay_positions positions(complex, geometry, graph, part(0.3, 0.7));
     outcome.overlay.emplace(Overlay_result{std::move(graph), std::move(positions)});
   } catch (const IT::Cancelled_error& error) {
-    outcome.is_overlay_cancelled = true;
+    outcome.is_interrupted = true;
     if (outcome.failure.empty())
       outcome.failure = std::string("there is no overlay: ") + error.what();
   } catch (const IT::Error& error) {

@@ -139,6 +139,12 @@ void flip(Triangulation& triangulation, const Job& job, Outcome& outcome)
   // With built-in numbers a test is faster than the question.
   Asking_visitor visitor(job.go_further,
                          std::is_floating_point<typename Traits::FT>::value ? 64 : 1);
+  // A single decision can take long, and the visitor does not pass each question on.
+  std::function<bool()> afterwards;
+  if constexpr (Traits::Uses_exact_geometry::value)
+    if (job.go_further)
+      afterwards = triangulation.set_interruption(
+        [&] { return job.go_further(visitor.tests(), visitor.flips()); });
   const Stopwatch stopwatch;
   try {
     outcome.report = IT::flip_to_Delaunay(
@@ -153,6 +159,9 @@ void flip(Triangulation& triangulation, const Job& job, Outcome& outcome)
     outcome.report.flips = visitor.flips();
   }
   outcome.flip_seconds = stopwatch.seconds();
+  if constexpr (Traits::Uses_exact_geometry::value)
+    if (job.go_further)
+      triangulation.set_interruption(std::move(afterwards));
 }
 
 template <class Triangulation>
@@ -195,9 +204,9 @@ inline void find_stages(const IT::Exact_geometry& geometry, Outcome& outcome)
   IT::Stage_counts counts = geometry.stage_counts();
   std::uint64_t& filter = counts.decided[static_cast<std::size_t>(IT::Stage::FILTER)];
   filter = outcome.report.tests;
-  for (IT::Stage stage : {IT::Stage::COPLANAR, IT::Stage::UNFOLDING, IT::Stage::RATIONAL,
-                          IT::Stage::MULTIPRECISION, IT::Stage::ALGEBRAIC})
-    filter -= counts[stage];
+  for (std::size_t stage = 0; stage < IT::number_of_stages; ++stage)
+    if (stage != static_cast<std::size_t>(IT::Stage::FILTER))
+      filter -= counts.decided[stage];
   outcome.stages = counts;
 }
 
@@ -233,6 +242,7 @@ void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome
   } catch (const IT::Invalid_surface_error&) {
     throw;
   } catch (const IT::Error& error) {
+    outcome.is_interrupted = outcome.is_interrupted || dynamic_cast<const IT::Cancelled_error*>(&error) != nullptr;
     if (outcome.failure.empty())
       outcome.failure = error.what();
   }
@@ -251,6 +261,10 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
 
   if (wanted.needs_input() && !triangulation.keeps_input())
     triangulation.keep_input(input_metric(job.surface));
+  if (triangulation.keeps_input()) {
+    triangulation.set_tie_proof(job.options.tie_proof);
+    triangulation.set_interruption(job.go_on_deciding);
+  }
   if (wanted.weights || wanted.input_numbers) {
     const auto ask = [&](const Triangulation& input) {
       if (wanted.weights)
@@ -261,9 +275,11 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
       }
     };
     // Questions to the exact geometry change how it follows the flips, so a copy is asked.
-    if constexpr (Triangulation::uses_exact_geometry)
-      ask(Triangulation(triangulation));
-    else
+    if constexpr (Triangulation::uses_exact_geometry) {
+      Triangulation copy(triangulation);
+      copy.set_interruption(job.go_on_deciding);
+      ask(copy);
+    } else
       ask(triangulation);
   }
 

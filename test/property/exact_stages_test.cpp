@@ -132,8 +132,8 @@ TEST(Exact_stages, the_rationals_decide_where_no_area_has_a_root)
   std::array<int, 3> number_of_signs{};
   for (const Triangulation& t : {input, make_Delaunay(surface)}) {
     IT::Exact_geometry& geometry = t.exact_geometry();
-    const IT::internal::Late_stages late_stages(t.connectivity(), geometry.correspondence(),
-                                                geometry.input_surface());
+    IT::internal::Late_stages late_stages(t.connectivity(), geometry.correspondence(),
+                                          geometry.input_surface());
     for (IT::Edge_index e : t.connectivity().edges()) {
       if (!t.connectivity().is_flippable(e))
         continue;
@@ -179,8 +179,8 @@ TEST(Exact_stages, a_length_that_is_a_double_is_found_by_multiple_precision)
   const Triangulation t(IT::make_Delta_complex_from_triangles(grid.points.size(), grid.triangles),
                         grid.points);
   IT::Exact_geometry& geometry = t.exact_geometry();
-  const IT::internal::Late_stages late_stages(t.connectivity(), geometry.correspondence(),
-                                              geometry.input_surface());
+  IT::internal::Late_stages late_stages(t.connectivity(), geometry.correspondence(),
+                                        geometry.input_surface());
   for (IT::Edge_index e : t.connectivity().edges())
     EXPECT_NEAR(std::ldexp(late_stages.length(e), t.unit_exponent()), t.length(e),
                 0x1p-52 * t.length(e));

@@ -206,7 +206,8 @@ private:
   void check_sequences() const
   {
     for (Edge_index e : intrinsic_.edges()) {
-      const IT::internal::Crossing_sequence sequence(intrinsic_, coordinates_, intrinsic_.halfedge(e));
+      IT::internal::Interruption none;
+      const IT::internal::Crossing_sequence sequence(intrinsic_, coordinates_, intrinsic_.halfedge(e), none);
       const auto crossings = overlay_.intrinsic_crossings(e);
       for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
         // From left to right; one of the other two sides of the triangle ahead is next.

@@ -3,11 +3,12 @@
 // Square roots reduced to independent ones, of integers that the primes which prove the
 // independence divide, too.
 
-#include <CGAL/Intrinsic_triangulations/internal/Multiquadratic.h>
+#include <CGAL/Intrinsic_triangulations/internal/Square_root_basis.h>
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace {
@@ -20,16 +21,16 @@ using IT::internal::Square_root_basis;
 Rational square(const Square_root_basis& basis, const Square_root_basis::Root& root)
 {
   Rational result = root.coefficient * root.coefficient;
-  for (std::size_t i = 0; i < basis.size(); ++i)
-    if (root.mask[i])
-      result *= Rational(basis.generator(i));
+  for (std::uint32_t i : root.generators)
+    result *= Rational(basis.generator(i));
   return result;
 }
 
 // Reduces all of them, and expects so many independent ones.
 void expect_basis(const std::vector<Rational>& numbers, std::size_t size)
 {
-  Square_root_basis basis;
+  IT::internal::Interruption none;
+  Square_root_basis basis(none);
   for (const Rational& q : numbers)
     EXPECT_EQ(square(basis, basis.root(q)), q) << q;
   EXPECT_EQ(basis.size(), size);

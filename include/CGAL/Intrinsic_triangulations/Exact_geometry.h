@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Stage_counts.h>
+#include <CGAL/Intrinsic_triangulations/Tie_proof.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/Coplanar_hinge.h>
 #include <CGAL/Intrinsic_triangulations/internal/Developed_faces.h>
@@ -24,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -62,12 +64,16 @@ public:
   Exact_geometry(const Exact_geometry& other)
     : correspondence_(other.correspondence_), metric_(other.metric_), counts_(other.counts_),
       journal_(other.journal_), straight_faces_(other.straight_faces_)
-  {}
+  {
+    set_tie_proof(other.tie_proof());
+  }
   Exact_geometry(Exact_geometry&& other)
     : correspondence_(std::move(other.correspondence_)), metric_(std::move(other.metric_)),
       counts_(other.counts_), journal_(std::move(other.journal_)),
       straight_faces_(std::move(other.straight_faces_))
-  {}
+  {
+    set_tie_proof(other.tie_proof());
+  }
   Exact_geometry& operator=(Exact_geometry other)
   {
     correspondence_ = std::move(other.correspondence_);
@@ -75,6 +81,7 @@ public:
     counts_ = other.counts_;
     journal_ = std::move(other.journal_);
     straight_faces_ = std::move(other.straight_faces_);
+    set_tie_proof(other.tie_proof());
     developed_faces_ = {};
     is_close_call_.clear();
     surface_.reset();
@@ -124,7 +131,22 @@ public:
       if (!straight_faces_)
         journal_ = std::move(journal);
     }
-    surface_ = std::make_unique<internal::Input_surface>(correspondence_.input(), metric_);
+    surface_ = std::make_unique<internal::Input_surface>(correspondence_.input(), metric_, settings_);
+  }
+
+  /// \brief sets what decisions accept as a tie from now on.
+  void set_tie_proof(Tie_proof tie_proof) { settings_.tie_proof = tie_proof; }
+  /// returns what decisions accept as a tie.
+  Tie_proof tie_proof() const { return settings_.tie_proof; }
+
+  /// \brief sets a function that is called from time to time during a single decision that takes
+  /// long: if it returns `false`, the decision ends with a `Cancelled_error`, and nothing is changed.
+  ///
+  /// An empty function, as at the beginning, never ends one. Copies do not take it over.
+  /// \return the function that was set before
+  std::function<bool()> set_interruption(std::function<bool()> go_further)
+  {
+    return settings_.interruption.exchange(std::move(go_further));
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -140,8 +162,8 @@ public:
   /// \param complex the triangulation
   /// \param e the edge
   /// \param corners receives the two corners
-  /// \exception Undecided_error where a zero is too entangled to be proven: more than 192
-  ///   independent square roots, or more than four million products of their sums
+  /// \exception Undecided_error if a proof is demanded of each tie, and takes too long
+  /// \exception Cancelled_error if the function that was given to `set_interruption()` says so
   Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e,
                           std::optional<Opposite_corners>& corners)
   {
@@ -174,8 +196,8 @@ public:
   {
     internal::Double_double_metric metric(*surface_);
     const internal::Two_corners beside = internal::corners_beside(complex, e);
-    const Opposite_corners corners =
-      internal::unfolded_corners(complex, correspondence_, beside, metric);
+    const Opposite_corners corners = internal::unfolded_corners(
+      Unfolding<internal::Double_double_metric>(complex, correspondence_, metric), beside);
     const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
     return is_certain(sign) ? get_certain(sign)
                             : late_stages(complex).sign_of_cotangents(beside).sign;
@@ -434,6 +456,7 @@ private:
     developed_faces_;
   // A test took more than double since the last flip of the edge.
   std::vector<bool> is_close_call_;
+  mutable internal::Decision_settings settings_;
   std::unique_ptr<internal::Input_surface> surface_; // refers to the members above
 };
 

@@ -9,12 +9,15 @@
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/Prime_field.h>
 #include <CGAL/Intrinsic_triangulations/internal/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_construction.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -149,6 +152,28 @@ public:
     m.exponent_ = exponent;
     m.lengths_ = std::move(lengths);
     return m;
+  }
+
+  // A number that looks random and depends on what was given, as far as it is needed for a seed.
+  std::uint64_t hash() const
+  {
+    std::uint64_t result = 0;
+    const auto add = [&result](std::uint64_t bits) { result = internal::Random_bits(result ^ bits)(); };
+    const auto add_number = [&add](double x) {
+      std::uint64_t bits;
+      std::memcpy(&bits, &x, sizeof bits);
+      add(bits);
+    };
+    for (const auto& p : points_)
+      for (int i = 0; i < 3; ++i)
+        add_number(p[i]);
+    for (double l : lengths_)
+      add_number(l);
+    for (const Rational& s : squared_lengths_) {
+      add(mpz_get_ui(mpq_numref(internal::data(s))));
+      add(mpz_get_ui(mpq_denref(internal::data(s))));
+    }
+    return result;
   }
 
   using Double_double = internal::Bounded_double_double;

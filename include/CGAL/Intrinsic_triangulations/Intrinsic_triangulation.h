@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -161,6 +162,20 @@ public:
   void keep_input(Input_metric metric)
   {
     geometry_.emplace(std::move(metric));
+  }
+
+  /// \brief sets what exact decisions accept as a tie from now on. \pre `keeps_input()`
+  void set_tie_proof(Tie_proof tie_proof)
+  {
+    CGAL_precondition(keeps_input());
+    geometry_->set_tie_proof(tie_proof);
+  }
+  /// \brief as `set_interruption()` of `Exact_geometry`: lets a function end exact decisions that take long.
+  /// \pre `keeps_input()`
+  std::function<bool()> set_interruption(std::function<bool()> go_further)
+  {
+    CGAL_precondition(keeps_input());
+    return geometry_->set_interruption(std::move(go_further));
   }
 
   /// returns whether the input was kept.
@@ -332,6 +347,8 @@ public:
   /// Numbers are computed from the old hinge first, then the connectivity is changed and
   /// they are stored.
   /// \pre `connectivity().is_flippable(e)` and not `is_locally_Delaunay(e)`
+  /// \exception Cancelled_error as `set_interruption()` says: the flip is made then, and it is not known whether
+  ///   the new edge has a positive length
   Flip_outcome flip_not_Delaunay(Edge_index e)
   {
     CGAL_precondition(connectivity_.is_flippable(e));

@@ -78,7 +78,8 @@ public:
       // Each block needs a memory of its own, of a byte an edge.
       const std::size_t size = (std::max)(internal::elements_of_block, n / 16);
       internal::for_each_block<ConcurrencyTag>(n, size, [&](std::size_t first, std::size_t last) {
-        internal::Input_surface surface(correspondence.input(), geometry.metric());
+        internal::Decision_settings settings;
+        internal::Input_surface surface(correspondence.input(), geometry.metric(), settings);
         internal::Crossing_locator locate(intrinsic, correspondence, surface, overlay);
         for (std::size_t e = first; e < last; ++e)
           find_crossings(locate, overlay, Edge_index(size_type(e)));

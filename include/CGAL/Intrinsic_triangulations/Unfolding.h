@@ -53,7 +53,7 @@ struct Corner_ratios
 ///   `is_flat(Halfedge_index)`, whether the two faces of an input edge are known to lie in
 ///   one plane in space, and if so, `ratio_in_plane(Halfedge_index, Vertex_index,
 ///   Vertex_index)`, the ratio of the vector between two vertices in the plane of the face
-///   of a halfedge, to the halfedge.
+///   of a halfedge, to the halfedge; `interruption()`, which can end a long computation.
 ///
 /// Lengths are in the unit of the metric. Cost: proportional to the number of crossings,
 /// plus that of finding their order.
@@ -89,6 +89,16 @@ public:
       metric_(metric)
   {}
 
+  /// \cond SKIP_IN_MANUAL
+  // As above; the orders of crossings that are found are remembered.
+  Unfolding(const Delta_complex& complex, const Correspondence& correspondence, Metric& metric,
+            internal::Crossing_sequences& sequences)
+    : Unfolding(complex, correspondence, metric)
+  {
+    sequences_ = &sequences;
+  }
+  /// \endcond
+
   /// returns `h` as a vector.
   Edge_vector edge_vector(Halfedge_index h) const
   {
@@ -102,10 +112,14 @@ public:
     const Halfedge_index reference = input_.next(input_.opposite(roundabout));
     Run run{reference, zero, one, 1};
     Halfedge_index crossed = input_.opposite(input_.next(run.base)); // from left to right
-    const internal::Crossing_sequence sequence(complex_, correspondence_.coordinates(), h);
+    internal::Crossing_sequences own;
+    const internal::Crossing_sequence& sequence = (sequences_ ? *sequences_ : own)(
+      complex_, correspondence_.coordinates(), h, metric_.interruption());
     const std::int64_t n = correspondence_.coordinates().number_of_crossings(complex_.edge(h));
     bool turns_left = false;
     for (std::int64_t crossing = 0;; ++crossing) {
+      if (crossing % 1024 == 1023)
+        metric_.interruption().check();
       if (metric_.is_flat(crossed))
         ++run.length;
       else
@@ -249,6 +263,7 @@ private:
   const Correspondence& correspondence_;
   const Delta_complex& input_;
   Metric& metric_;
+  internal::Crossing_sequences* sequences_ = nullptr;
 };
 
 } // namespace Intrinsic_triangulations

@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Flip_report.h>
+#include <CGAL/Intrinsic_triangulations/Tie_proof.h>
 #include <CGAL/Intrinsic_triangulations/internal/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/Block_flipper.h>
 
@@ -23,7 +24,9 @@
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -74,6 +77,27 @@ T& unwrapped(boost::reference_wrapper<T>& visitor)
   return visitor.get();
 }
 
+// As long as it lives, exact decisions that take long ask a function whether to go on, after the one that
+// they asked before.
+template <class Triangulation>
+class Interruption_scope
+{
+public:
+  Interruption_scope(Triangulation& triangulation, const std::function<bool()>& go_further)
+    : triangulation_(triangulation), before_(triangulation.set_interruption({}))
+  {
+    triangulation.set_interruption(
+      [this, go_further] { return (!before_ || before_()) && go_further(); });
+  }
+  Interruption_scope(const Interruption_scope&) = delete;
+  Interruption_scope& operator=(const Interruption_scope&) = delete;
+  ~Interruption_scope() { triangulation_.set_interruption(std::move(before_)); }
+
+private:
+  Triangulation& triangulation_;
+  std::function<bool()> before_;
+};
+
 template <class ConcurrencyTag, class Triangulation, class ConstraintMap, class Visitor>
 Flip_report flip_all(Triangulation& triangulation, const ConstraintMap& is_constrained,
                      Visitor& visitor, std::uint64_t budget)
@@ -84,6 +108,9 @@ Flip_report flip_all(Triangulation& triangulation, const ConstraintMap& is_const
     std::memset(marks.data(), int(Edge_mark::CANDIDATE), n);
   Delaunay_flipper<Triangulation, ConstraintMap, Visitor> flipper(triangulation, is_constrained,
                                                                   visitor, budget, marks);
+  std::optional<Interruption_scope<Triangulation>> scope;
+  if constexpr (Triangulation::Traits::Uses_exact_geometry::value && !Is_silent<Visitor>::value)
+    scope.emplace(triangulation, [&flipper] { return flipper.goes_further(); });
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
     using Parallel = Block_flipper<Triangulation, ConstraintMap, Visitor>;
     if (Parallel::is_useful(triangulation))
@@ -131,6 +158,12 @@ Flip_report flip_all(Triangulation& triangulation, const ConstraintMap& is_const
 ///     \cgalParamType{a model of `IntrinsicFlipVisitor`}
 ///     \cgalParamDefault{`Default_flip_visitor`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{tie_proof}
+///     \cgalParamDescription{what exact decisions accept as a tie, in this run and later ones; has to be the first
+///       parameter of the sequence. Without exact geometry it changes nothing}
+///     \cgalParamType{`Tie_proof`}
+///     \cgalParamDefault{what was set before, `Tie_proof::PROBABLE_IF_COSTLY` at the beginning}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number}
 ///     \cgalParamDescription{the flip budget: the number of flips after which the algorithm gives up}
 ///     \cgalParamType{`std::uint64_t`}
@@ -139,6 +172,7 @@ Flip_report flip_all(Triangulation& triangulation, const ConstraintMap& is_const
 /// \cgalNamedParamsEnd
 ///
 /// \return what happened. The triangulation is valid whatever the status.
+/// \exception Undecided_error if `Tie_proof::PROVEN` was asked for, and the proof of a tie takes too long
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.2.
 template <class ConcurrencyTag = Sequential_tag, class Triangulation,
@@ -160,6 +194,9 @@ Flip_report flip_to_Delaunay(Triangulation& triangulation,
     choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                      Static_boolean_property_map<Edge_index, false>());
   auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_flip_visitor());
+  if constexpr (Triangulation::Traits::Uses_exact_geometry::value &&
+                !parameters::is_default_parameter<NamedParameters, internal::tie_proof_t>::value)
+    triangulation.set_tie_proof(get_parameter(np, internal::tie_proof));
   return internal::flip_all<ConcurrencyTag>(triangulation, is_constrained,
                                             internal::unwrapped(visitor), budget);
 }

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/Interruption.h>
 
 #include <CGAL/assertions.h>
 
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -36,7 +38,7 @@ class Crossing_sequence
 public:
   // The pairs of neighbouring crossings of h, in order from its source.
   Crossing_sequence(const Delta_complex& complex, const Normal_coordinates& coordinates,
-                    Halfedge_index h)
+                    Halfedge_index h, Interruption& interruption)
     : complex_(complex), coordinates_(coordinates), start_(h)
   {
     const std::int64_t n = coordinates.number_of_crossings(complex.edge(h));
@@ -49,7 +51,9 @@ public:
     number_of_unknown_ = n - 1;
     std::deque<Block> left{{h, 0, 0, n - 1}},
       right{{complex.opposite(h), 0, 0, n - 1}};
-    while (number_of_unknown_ > 0) {
+    for (std::size_t step = 0; number_of_unknown_ > 0; ++step) {
+      if (step % 1024 == 1023)
+        interruption.check();
       follow(left, LEFT, [](std::int64_t pair) { return pair; });
       follow(right, RIGHT, [n](std::int64_t pair) { return n - 2 - pair; });
     }
@@ -214,6 +218,24 @@ private:
   std::vector<std::array<Link, 2>> links_; // to the left and to the right; empty until needed
   std::vector<std::int64_t> to_pass_on_;
   std::int64_t number_of_unknown_ = 0;
+};
+
+// The sequences of the halfedges that one decision asks for, stage after stage.
+class Crossing_sequences
+{
+public:
+  const Crossing_sequence& operator()(const Delta_complex& complex,
+                                      const Normal_coordinates& coordinates, Halfedge_index h,
+                                      Interruption& interruption)
+  {
+    const auto position = sequences_.find(h);
+    return position != sequences_.end()
+             ? position->second
+             : sequences_.emplace(h, Crossing_sequence(complex, coordinates, h, interruption)).first->second;
+  }
+
+private:
+  std::unordered_map<Halfedge_index, Crossing_sequence> sequences_;
 };
 
 } // namespace internal

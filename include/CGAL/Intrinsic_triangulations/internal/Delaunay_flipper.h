@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Flip_report.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/Triangulation_block.h>
@@ -106,6 +107,9 @@ public:
 
   const Flip_report& report() const { return report_; }
 
+  // Asks the visitor once more during a test.
+  bool goes_further() { return visitor_.go_further(report_.tests, report_.flips); }
+
   // The edges, some of them more than once, that were left to others.
   std::vector<Edge_index>& postponed() { return postponed_; }
 
@@ -154,6 +158,17 @@ public:
 private:
   template <class Iterator>
   bool settle_groups(Iterator begin, Iterator end)
+  {
+    try {
+      return settle_groups_unless_cancelled(begin, end);
+    } catch (const Cancelled_error&) { // within a test
+      report_.status = Flip_status::CANCELLED;
+      return false;
+    }
+  }
+
+  template <class Iterator>
+  bool settle_groups_unless_cancelled(Iterator begin, Iterator end)
   {
     while (begin != end) {
       const Iterator middle = begin + (std::min)(end - begin, std::ptrdiff_t(group_size));
@@ -276,7 +291,7 @@ private:
       }
       marks_[e.idx()] = Edge_mark::SETTLED;
       const Hinge_halfedges around = triangulation_.connectivity().hinge(e);
-      switch (triangulation_.flip_not_Delaunay(around)) {
+      switch (flip(around)) {
       case Flip_outcome::FLIPPED:
         ++report_.flips;
         if constexpr (!Triangulation::Traits::Has_exact_decisions::value)
@@ -295,6 +310,17 @@ private:
       }
     }
     return true;
+  }
+
+  Flip_outcome flip(const Hinge_halfedges& around)
+  {
+    try {
+      return triangulation_.flip_not_Delaunay(around);
+    } catch (const Cancelled_error&) { // the flip was made, and looked at no further
+      ++report_.flips;
+      visitor_.after_flip(triangulation_.connectivity().edge(around.ij));
+      throw;
+    }
   }
 
   bool contains_hinge(Edge_index e) const

@@ -8,19 +8,25 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Planar_vector.h>
+#include <CGAL/Intrinsic_triangulations/Tie_proof.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/Double_double_disk.h>
 #include <CGAL/Intrinsic_triangulations/internal/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/Mpfr_disk.h>
 #include <CGAL/Intrinsic_triangulations/internal/Mpfr_interval.h>
 #include <CGAL/Intrinsic_triangulations/internal/Multiquadratic.h>
 #include <CGAL/Intrinsic_triangulations/internal/Rational.h>
+#include <CGAL/Intrinsic_triangulations/internal/Residues.h>
+#include <CGAL/Intrinsic_triangulations/internal/Square_root_basis.h>
 
 #include <CGAL/enum.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -28,18 +34,37 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// How exact decisions are made.
+struct Decision_settings
+{
+  Interruption interruption;
+  Tie_proof tie_proof = Tie_proof::PROBABLE_IF_COSTLY;
+};
+
 // The input as all images of its metric see it, with what they remember between calls.
 class Input_surface
 {
 public:
-  Input_surface(const Delta_complex& connectivity, const Input_metric& metric)
-    : connectivity_(connectivity), metric_(metric),
+  Input_surface(const Delta_complex& connectivity, const Input_metric& metric,
+                Decision_settings& settings)
+    : connectivity_(connectivity), metric_(metric), settings_(settings),
       flatness_(metric.points().empty() ? 0 : connectivity.number_of_edges(), UNKNOWN),
       ratios_(number_of_ratios)
   {}
 
   const Delta_complex& connectivity() const { return connectivity_; }
   const Input_metric& metric() const { return metric_; }
+
+  Interruption& interruption() { return settings_.interruption; }
+  bool accepts_probable_ties() const { return settings_.tie_proof == Tie_proof::PROBABLE_IF_COSTLY; }
+
+  // The number of `number` of a sequence of fields that are random, but the same in each run.
+  const Prime_fields& prime_fields(std::size_t number)
+  {
+    while (prime_fields_.size() <= number)
+      prime_fields_.push_back(random_prime_fields(metric_.hash() + prime_fields_.size()));
+    return prime_fields_[number];
+  }
 
   // Whether the faces of an edge lie in one plane; found when first asked for.
   bool is_flat(Halfedge_index h)
@@ -91,6 +116,8 @@ private:
 
   const Delta_complex& connectivity_;
   const Input_metric& metric_;
+  Decision_settings& settings_;
+  std::deque<Prime_fields> prime_fields_;
   Large_vector<std::uint8_t> flatness_;
   std::vector<Entry> ratios_;
 };
@@ -119,6 +146,7 @@ public:
     return surface_.remembered(h, compute);
   }
   bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
+  Interruption& interruption() { return surface_.interruption(); }
   Vector ratio_in_plane(Halfedge_index h, Vertex_index from, Vertex_index to) const
   {
     const Delta_complex& c = surface_.connectivity();
@@ -136,7 +164,8 @@ private:
 };
 
 // In a ring that is given by the images of the rationals and of their square roots. What
-// is computed is remembered as long as the image lives, which is for one decision.
+// is computed is remembered as long as the metric lives, which is for one decision. Each quantity that is
+// asked for is counted.
 template <class Image>
 class Rational_metric
 {
@@ -144,26 +173,42 @@ public:
   using Real = typename Image::Real;
   using Vector = typename Image::Vector;
 
-  Rational_metric(Input_surface& surface, Image image) : surface_(surface), image_(image) {}
+  static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
 
-  Real constant(double x) { return image_.rational(Rational(x)); }
+  // \param largest_count the number of quantities from which on Too_costly is thrown
+  Rational_metric(Input_surface& surface, Image image, std::size_t largest_count = unlimited)
+    : surface_(surface), image_(image), largest_count_(largest_count)
+  {}
+
+  std::size_t number_of_quantities() const { return count_; }
+
+  Real constant(double x)
+  {
+    count();
+    return image_.rational(Rational(x));
+  }
   Real squared_length(Edge_index e)
   {
+    count();
     return image_.rational(surface_.metric().squared_length(surface_.connectivity(), e));
   }
   Real four_areas(Face_index f)
   {
+    count();
     return image_.root(surface_.metric().squared_four_areas(surface_.connectivity(), f));
   }
   template <class Compute>
   const Corner_ratios<Vector>& remembered(Halfedge_index h, const Compute& compute)
   {
+    count();
     const auto position = ratios_.find(h);
     return position != ratios_.end() ? position->second : ratios_.emplace(h, compute()).first->second;
   }
   bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
+  Interruption& interruption() { return surface_.interruption(); }
   Vector ratio_in_plane(Halfedge_index h, Vertex_index from, Vertex_index to)
   {
+    count();
     const Delta_complex& c = surface_.connectivity();
     const Points& points = surface_.metric().points();
     const auto u = difference<Rational>(points, c.source(h), c.target(h)),
@@ -176,8 +221,17 @@ public:
   }
 
 private:
+  void count()
+  {
+    surface_.interruption().check();
+    if (++count_ > largest_count_)
+      throw Too_costly();
+  }
+
   Input_surface& surface_;
   Image image_;
+  std::size_t largest_count_;
+  std::size_t count_ = 0;
   std::unordered_map<Halfedge_index, Corner_ratios<Vector>> ratios_;
 };
 
@@ -196,13 +250,26 @@ struct Multiquadratic_image
 {
   using Real = Multiquadratic;
   using Vector = Planar_vector<Real>;
-  Real rational(const Rational& x) const { return Real(&basis, Root_mask(), x); }
+  Real rational(const Rational& x) const { return Real(&field, 0, x); }
   Real root(const Rational& x) const
   {
-    const Square_root_basis::Root root = basis.root(x);
-    return Real(&basis, root.mask, root.coefficient);
+    const Square_root_basis::Root root = field.basis().root(x);
+    Multiquadratic_field::Mask mask = 0;
+    for (std::uint32_t i : root.generators)
+      mask |= Multiquadratic_field::Mask(1) << i;
+    return Real(&field, mask, root.coefficient);
   }
-  Square_root_basis& basis;
+  Multiquadratic_field& field;
+};
+
+// Finite fields.
+struct Residue_image
+{
+  using Real = Residues;
+  using Vector = Planar_vector<Real>;
+  Real rational(const Rational& x) const { return rings.rational(x); }
+  Real root(const Rational& x) const { return rings.root(x); }
+  Residue_rings& rings;
 };
 
 // The rationals themselves: wherever the roots that are asked for are rational, as on a surface
@@ -217,13 +284,14 @@ struct Rational_image
     const Integer denominator = boost::multiprecision::denominator(x),
                   n = boost::multiprecision::numerator(x) * denominator;
     if (!mpz_perfect_square_p(data(n)))
-      throw Too_many_roots();
+      throw Too_costly();
     return Rational(Integer(boost::multiprecision::sqrt(n)), denominator);
   }
 };
 
 using Mpfr_metric = Rational_metric<Mpfr_image>;
 using Multiquadratic_metric = Rational_metric<Multiquadratic_image>;
+using Residue_metric = Rational_metric<Residue_image>;
 
 } // namespace internal
 } // namespace Intrinsic_triangulations
