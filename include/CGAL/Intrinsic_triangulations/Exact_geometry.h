@@ -83,6 +83,7 @@ public:
     straight_faces_ = std::move(other.straight_faces_);
     set_tie_proof(other.tie_proof());
     developed_faces_ = {};
+    images_.reset();
     is_close_call_.clear();
     surface_.reset();
     return *this;
@@ -185,8 +186,12 @@ public:
       return decided(Stage::RATIONAL, internal::sign_of_cotangents(
                                         internal::rational_corner(complex, metric_.points(), h),
                                         internal::rational_corner(complex, metric_.points(), g)));
+    if (is_tie_by_images(complex, e, *corners))
+      return decided(Stage::MODULAR, ZERO);
     const auto decision =
       late_stages(complex).sign_of_cotangents(internal::corners_beside(complex, e));
+    if (decision.sign == ZERO && !images_)
+      carry_images();
     return decided(decision.stage, decision.sign);
   }
 
@@ -365,6 +370,10 @@ public:
   }
 
 private:
+  using Image_corner = Unfolding<internal::Residue_metric>::Corner;
+  using Developed_faces =
+    internal::Developed_faces<internal::Bounded_double_double, internal::Double_double_disk, Corner, Image_corner>;
+
   // In flips for each edge. A journal is not to become much larger than the triangulation.
   static constexpr std::size_t longest_journal = 8;
 
@@ -398,9 +407,12 @@ private:
   BOOST_NOINLINE bool follow(const Delta_complex& complex, Edge_index e)
   {
     const bool is_close_call = !is_close_call_.empty() && is_close_call_[e.idx()];
-    developed_faces_.flip(complex, e, is_close_call, [&](Halfedge_index h) {
-      return is_straight(complex.face(h)) ? std::make_optional(straight_corner(complex, h))
-                                          : std::nullopt;
+    using Known_corner = Developed_faces::Known_corner;
+    developed_faces_.flip(complex, e, is_close_call, [&](Halfedge_index h, bool needs_image) -> std::optional<Known_corner> {
+      if (!is_straight(complex.face(h)))
+        return std::nullopt;
+      return Known_corner{straight_corner(complex, h),
+                          needs_image ? image_of_straight_corner(complex, h) : std::nullopt};
     });
     if (is_close_call)
       is_close_call_[e.idx()] = false;
@@ -417,8 +429,15 @@ private:
       return straight_corner(complex, h);
     if (developed_faces_.contains(f))
       return developed_faces_.corner(complex, h);
-    const Corner c = unfolded_corner(complex, h);
-    developed_faces_.insert(complex, h, c);
+    internal::Crossing_sequences sequences;
+    internal::Double_double_metric metric(*surface_);
+    const Corner c = Unfolding<internal::Double_double_metric>(complex, correspondence_, metric, sequences)
+                       .opposite_corner(h);
+    developed_faces_.insert(complex, h, {c, image([&] {
+                                           internal::Residue_metric residues(*surface_, {*images_});
+                                           return Unfolding<internal::Residue_metric>(complex, correspondence_, residues, sequences)
+                                             .opposite_corner(h);
+                                         })});
     return c;
   }
 
@@ -427,6 +446,63 @@ private:
     internal::Double_double_metric metric(*surface_);
     return Unfolding<internal::Double_double_metric>(complex, correspondence_, metric)
       .opposite_corner(h);
+  }
+
+  // A tie seldom comes alone. From the first one on, images of corners in finite fields are carried along by the
+  // flips, where all areas are rational: this saves laying out strips of thousands of triangles for each tie.
+  void carry_images()
+  {
+    images_ = std::make_unique<internal::Residue_rings>(surface_->prime_fields(0), settings_.interruption, 0);
+    largest_size_ = metric_.largest_size();
+    developed_faces_ = {};
+  }
+
+  template <class Compute>
+  std::optional<Image_corner> image(const Compute& compute) const
+  {
+    if (!images_)
+      return std::nullopt;
+    try {
+      const Image_corner result = compute();
+      return images_->is_defined() ? std::make_optional(result) : std::nullopt;
+    } catch (const internal::Too_costly&) {
+      return std::nullopt;
+    }
+  }
+
+  std::optional<Image_corner> image_of_straight_corner(const Delta_complex& complex, Halfedge_index h) const
+  {
+    return image([&] { return internal::image_of_straight_corner(complex, metric_.points(), h, *images_); });
+  }
+
+  // Whether images that were carried along tell that the edge is a tie: `false` says nothing.
+  bool is_tie_by_images(const Delta_complex& complex, Edge_index e, const Opposite_corners& corners) const
+  {
+    if (!images_ || !surface_->accepts_probable_ties() || !is_positive(corners.k.four_areas) ||
+        !is_positive(corners.l.four_areas))
+      return false;
+    const auto find = [&](Halfedge_index h) {
+      const Face_index f = complex.face(h);
+      return is_straight(f)                 ? image_of_straight_corner(complex, h)
+             : developed_faces_.contains(f) ? developed_faces_.image_of_corner(complex, h)
+                                            : std::nullopt;
+    };
+    const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+    const std::optional<Image_corner> k = find(h), l = k ? find(g) : std::nullopt;
+    return k && l && (k->p * l->four_areas + l->p * k->four_areas).is_zero() && images_->is_defined() &&
+           internal::Residue_rings::certainty(number_of_quantities(complex, h) + number_of_quantities(complex, g),
+                                              largest_size_) >= 128;
+  }
+
+  static bool is_positive(const Double_double& x) { return certainly(x.sign() == POSITIVE); }
+
+  // A bound on the number of input quantities that the corner opposite to h is a function of.
+  double number_of_quantities(const Delta_complex& complex, Halfedge_index h) const
+  {
+    const Normal_coordinates& coordinates = correspondence_.coordinates();
+    return double(coordinates.number_of_crossings(complex.edge(complex.next(h)))) +
+           double(coordinates.number_of_crossings(complex.edge(complex.prev(h)))) +
+           double(coordinates.triangle_crossings(complex, h).e_k) + 16;
   }
 
   Corner straight_corner(const Delta_complex& complex, Halfedge_index h) const
@@ -452,11 +528,12 @@ private:
   Stage_counts counts_;
   std::vector<Edge_index> journal_; // the flips until it was asked which faces are straight
   std::optional<internal::Straight_faces> straight_faces_;
-  internal::Developed_faces<internal::Bounded_double_double, internal::Double_double_disk, Corner>
-    developed_faces_;
+  Developed_faces developed_faces_;
   // A test took more than double since the last flip of the edge.
   std::vector<bool> is_close_call_;
   mutable internal::Decision_settings settings_;
+  std::unique_ptr<internal::Residue_rings> images_; // of the developed faces, from the first tie on
+  double largest_size_ = 0;
   std::unique_ptr<internal::Input_surface> surface_; // refers to the members above
 };
 

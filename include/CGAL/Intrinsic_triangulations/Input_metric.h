@@ -176,6 +176,33 @@ public:
     return result;
   }
 
+  // A bound on the number of bits that numerators and denominators of squared lengths, and of the squares of four
+  // times the areas, have.
+  double largest_size() const
+  {
+    // Of the doubles as integers, and of their common denominator.
+    int above = 0, below = 0;
+    const auto look_at = [&](double x) {
+      if (x == 0)
+        return;
+      int exponent = 0;
+      std::frexp(x, &exponent);
+      above = (std::max)(above, exponent);
+      below = (std::max)(below, 53 - exponent);
+    };
+    for (const auto& p : points_)
+      for (int i = 0; i < 3; ++i)
+        look_at(p[i]);
+    for (double l : lengths_)
+      look_at(l);
+    double of_rationals = 0;
+    for (const Rational& s : squared_lengths_)
+      of_rationals = (std::max)({of_rationals, double(mpz_sizeinbase(mpq_numref(internal::data(s)), 2)),
+                                 double(mpz_sizeinbase(mpq_denref(internal::data(s)), 2))});
+    // q = 4 s s' − (s + s' − s'')² has the denominators of three squared lengths, squared.
+    return (std::max)(4. * (above + below) + 16, 12 * of_rationals + 16);
+  }
+
   using Double_double = internal::Bounded_double_double;
 
   Double_double squared_length_double_double(const Delta_complex& input, Edge_index e) const

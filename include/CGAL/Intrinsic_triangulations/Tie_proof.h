@@ -26,9 +26,8 @@ enum class Tie_proof {
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-enum tie_proof_t {
-  tie_proof
-};
+struct Tie_proof_tag
+{};
 } // namespace internal
 /// \endcond
 
@@ -41,11 +40,11 @@ namespace parameters {
 ///
 /// It has to be the first of a sequence: `parameters::tie_proof(…).visitor(…)`.
 inline Named_function_parameters<Intrinsic_triangulations::Tie_proof,
-                                 Intrinsic_triangulations::internal::tie_proof_t>
+                                 Intrinsic_triangulations::internal::Tie_proof_tag>
 tie_proof(Intrinsic_triangulations::Tie_proof value)
 {
   return Named_function_parameters<Intrinsic_triangulations::Tie_proof,
-                                   Intrinsic_triangulations::internal::tie_proof_t>(value);
+                                   Intrinsic_triangulations::internal::Tie_proof_tag>(value);
 }
 
 } // namespace parameters

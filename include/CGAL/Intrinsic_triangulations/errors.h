@@ -77,7 +77,8 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
-/// \brief says that an inexact number type could not decide a predicate.
+/// \brief says that a sign could not be decided: by an inexact number type; for lack of a proof that it is zero,
+/// where `Tie_proof::PROVEN` demands one; or along an edge that crosses too many input edges to be laid out.
 class Undecided_error : public Error
 {
 public:

@@ -172,7 +172,7 @@ Flip_report flip_all(Triangulation& triangulation, const ConstraintMap& is_const
 /// \cgalNamedParamsEnd
 ///
 /// \return what happened. The triangulation is valid whatever the status.
-/// \exception Undecided_error if `Tie_proof::PROVEN` was asked for, and the proof of a tie takes too long
+/// \exception Undecided_error if proofs of ties are demanded (`tie_proof`), and one takes too long
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.2.
 template <class ConcurrencyTag = Sequential_tag, class Triangulation,
@@ -195,8 +195,8 @@ Flip_report flip_to_Delaunay(Triangulation& triangulation,
                      Static_boolean_property_map<Edge_index, false>());
   auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_flip_visitor());
   if constexpr (Triangulation::Traits::Uses_exact_geometry::value &&
-                !parameters::is_default_parameter<NamedParameters, internal::tie_proof_t>::value)
-    triangulation.set_tie_proof(get_parameter(np, internal::tie_proof));
+                !parameters::is_default_parameter<NamedParameters, internal::Tie_proof_tag>::value)
+    triangulation.set_tie_proof(get_parameter(np, internal::Tie_proof_tag()));
   return internal::flip_all<ConcurrencyTag>(triangulation, is_constrained,
                                             internal::unwrapped(visitor), budget);
 }

@@ -64,8 +64,9 @@ public:
   bool turns_left(std::size_t pair) const { return turns_[pair] == LEFT; }
 
 private:
-  // Far more than meshes need. With so many a decision takes seconds in multiprecision.
-  static constexpr std::int64_t largest_number = std::int64_t(1) << 18;
+  // Far more than meshes need. With so many a decision can take a minute, and what is kept for each
+  // pair takes 33 bytes.
+  static constexpr std::int64_t largest_number = std::int64_t(1) << 20;
 
   enum Turn : std::uint8_t {
     UNKNOWN,

@@ -6,9 +6,13 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DEVELOPED_FACES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/Residues.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -26,37 +30,53 @@ namespace internal {
 // compute: a flip moves no vertex. Thus errors add up with the number of planes that a corner
 // is carried through, while errors of lengths would be multiplied by each flip.
 //
-// Only faces of close calls, and those that flips make of them, are kept.
+// Only faces of close calls, and those that flips make of them, are kept. Beside the positions, their images
+// in finite fields can be carried along: these have no errors at all, and tell ties at once.
 //
 // \tparam Real, Vector numbers with error bounds, and complex ones
-// \tparam Corner as `Unfolding::Corner`
-template <class Real, class Vector, class Corner>
+// \tparam Corner, Image_corner as `Unfolding::Corner`, of `Real` and of `Residues`
+template <class Real, class Vector, class Corner, class Image_corner>
 class Developed_faces
 {
+  using Image = Planar_vector<Residues>;
+
 public:
+  // A corner in both forms, one of which is not always known.
+  struct Known_corner
+  {
+    Corner corner;
+    std::optional<Image_corner> image;
+  };
+
   bool contains(Face_index f) const { return !layout_of_.empty() && layout_of_[f.idx()] != none; }
 
   // The corner opposite to h. \pre contains(complex.face(h))
   Corner corner(const Delta_complex& complex, Halfedge_index h) const
   {
     const Layout layout = seen_from(complex, h);
-    const Vector &i = layout.corners[0].position, &j = layout.corners[1].position,
-                 &k = layout.corners[2].position;
-    const Vector u = i - k, w = j - k, z = times_conjugate(w, u);
-    const Real& s = layout.unit;
-    return {s.scaled(2) * z.x(), s.scaled(2) * z.y(), s * squared_norm(u), s * squared_norm(w),
-            s * squared_norm(j - i)};
+    return corner<Corner>(planes_[layout.plane].unit, point(layout, 0).position, point(layout, 1).position,
+                          point(layout, 2).position);
+  }
+
+  // The image of that corner, if it is known. \pre contains(complex.face(h))
+  std::optional<Image_corner> image_of_corner(const Delta_complex& complex, Halfedge_index h) const
+  {
+    const Layout layout = seen_from(complex, h);
+    if (!has_images(layout))
+      return std::nullopt;
+    return corner<Image_corner>(*planes_[layout.plane].image_of_unit, *point(layout, 0).image,
+                                *point(layout, 1).image, *point(layout, 2).image);
   }
 
   // Keeps the face of h, of which the corner opposite to h is known.
-  void insert(const Delta_complex& complex, Halfedge_index h, const Corner& c)
+  void insert(const Delta_complex& complex, Halfedge_index h, const Known_corner& c)
   {
     const std::optional<Layout> layout = laid_out(h, c);
     if (layout)
       keep(complex, complex.face(h), *layout);
   }
 
-  // To be called before the flip of the connectivity. known_corner(h) gives the corner
+  // To be called before the flip of the connectivity. known_corner(h, needs_image) gives the corner
   // opposite to h if it costs little.
   template <class KnownCorner>
   void flip(const Delta_complex& complex, Edge_index e, bool is_close_call,
@@ -66,10 +86,13 @@ public:
     const Face_index ijk = complex.face(ij), jil = complex.face(ji);
     if (!is_close_call && !contains(ijk) && !contains(jil))
       return;
+    const auto has_face_images = [&](Face_index f) {
+      return contains(f) && has_images(layouts_[layout_of_[f.idx()]]);
+    };
     const auto find = [&](Halfedge_index h) -> std::optional<Layout> {
       if (contains(complex.face(h)))
         return seen_from(complex, h);
-      const std::optional<Corner> c = known_corner(h);
+      const std::optional<Known_corner> c = known_corner(h, has_face_images(complex.face(complex.opposite(h))));
       return c ? laid_out(h, *c) : std::nullopt;
     };
     std::optional<Layout> above = find(ij), below = find(ji);
@@ -78,11 +101,13 @@ public:
       erase(jil);
       return;
     }
-    const auto& [i, j, k] = above->corners;
-    const Placement& l = below->corners[2];
+    const auto [i, j, k] = above->corners;
+    const std::uint32_t l = below->corners[2];
     // After the flip ij leads from l to k (see Delta_complex::flip()).
-    keep(complex, ijk, Layout{ij, above->plane, above->unit, {l, k, i}});
-    keep(complex, jil, Layout{ji, above->plane, above->unit, {k, l, j}});
+    keep(complex, ijk, Layout{ij, above->plane, {l, k, i}});
+    keep(complex, jil, Layout{ji, above->plane, {k, l, j}});
+    if (points_.size() > 2 * most_points_)
+      compact();
   }
 
 private:
@@ -90,69 +115,110 @@ private:
   // Beyond, it is better to lay the face out anew. Relative to the edges.
   static constexpr double largest_radius = 0x1p-75;
 
-  // A corner that was laid out. Corners with the same number are the same point of the same
-  // plane: two faces that share the numbers of an edge need not be brought together.
-  struct Placement
+  // A corner that was laid out. Two faces that share both points of an edge need not be brought together.
+  struct Point
   {
-    std::uint64_t number;
     Vector position;
+    std::optional<Image> image;
   };
-  // The source, the target and the opposite corner of a halfedge.
+  struct Plane
+  {
+    Real unit; // squared length
+    std::optional<Residues> image_of_unit;
+  };
+  // The plane, and the points at the source, the target and opposite to a halfedge.
   struct Layout
   {
     Halfedge_index first;
-    std::uint64_t plane; // counts the planes
-    Real unit;           // squared length of the unit
-    std::array<Placement, 3> corners;
+    std::uint32_t plane;
+    std::array<std::uint32_t, 3> corners;
   };
 
-  Placement place(const Vector& position) { return {number_of_placements_++, position}; }
+  template <class Result, class Number, class Complex>
+  static Result corner(const Number& unit, const Complex& i, const Complex& j, const Complex& k)
+  {
+    const Complex u = i - k, w = j - k, z = times_conjugate(w, u);
+    const Number two_units = unit + unit;
+    return {two_units * z.x(), two_units * z.y(), unit * squared_norm(u), unit * squared_norm(w),
+            unit * squared_norm(j - i)};
+  }
+
+  // A point of the current plane of a layout.
+  const Point& point(const Layout& layout, int i) const { return points_[layout.corners[std::size_t(i)]]; }
+  bool has_images(const Layout& layout) const
+  {
+    return planes_[layout.plane].image_of_unit && point(layout, 0).image && point(layout, 1).image &&
+           point(layout, 2).image;
+  }
+
+  std::uint32_t add_point(const Vector& position, const std::optional<Image>& image)
+  {
+    points_.push_back({position, image});
+    return std::uint32_t(points_.size() - 1);
+  }
 
   // The origin is the corner k opposite to h = ij, and the unit is ki.
-  std::optional<Layout> laid_out(Halfedge_index h, const Corner& c)
+  std::optional<Layout> laid_out(Halfedge_index h, const Known_corner& known)
   {
+    const Corner& c = known.corner;
     const Real two_s = c.s_first.scaled(2);
     const Vector j(c.p / two_s, c.four_areas / two_s);
     if (!(j.radius() < largest_radius * j.modulus()))
       return std::nullopt;
+    std::optional<Image> image_of_i, image_of_j, image_of_k;
+    std::optional<Residues> image_of_unit;
+    if (known.image) {
+      const Image_corner& x = *known.image;
+      const Residues zero = x.p - x.p, two_s_image = x.s_first + x.s_first;
+      image_of_unit = x.s_first;
+      image_of_i = Image(x.s_first / x.s_first, zero);
+      image_of_j = Image(x.p / two_s_image, x.four_areas / two_s_image);
+      image_of_k = Image(zero, zero);
+    }
+    planes_.push_back({c.s_first, image_of_unit});
     return Layout{h,
-                  number_of_planes_++,
-                  c.s_first,
-                  {place(Vector(Real(1), Real(0))), place(j), place(Vector(Real(0), Real(0)))}};
+                  std::uint32_t(planes_.size() - 1),
+                  {add_point(Vector(Real(1), Real(0)), image_of_i), add_point(j, image_of_j),
+                   add_point(Vector(Real(0), Real(0)), image_of_k)}};
   }
 
   Layout seen_from(const Delta_complex& complex, Halfedge_index h) const
   {
     const Layout& kept = layouts_[layout_of_[complex.face(h).idx()]];
-    const int turn = h == kept.first ? 0 : h == complex.next(kept.first) ? 1
-                                                                         : 2;
-    return {h,
-            kept.plane,
-            kept.unit,
-            {kept.corners[turn], kept.corners[(turn + 1) % 3], kept.corners[(turn + 2) % 3]}};
+    const std::size_t turn = h == kept.first ? 0 : h == complex.next(kept.first) ? 1
+                                                                                 : 2;
+    return {h, kept.plane, {kept.corners[turn], kept.corners[(turn + 1) % 3], kept.corners[(turn + 2) % 3]}};
   }
 
   // Brings two faces (i, j, k) and (j, i, l) into the older of their planes.
   bool unite(Layout& above, Layout& below)
   {
-    if (above.corners[0].number == below.corners[1].number &&
-        above.corners[1].number == below.corners[0].number)
+    if (above.corners[0] == below.corners[1] && above.corners[1] == below.corners[0])
       return true;
     Layout &stays = above.plane < below.plane ? above : below,
            &moves = above.plane < below.plane ? below : above;
-    const Vector &from = moves.corners[0].position, &to = moves.corners[1].position,
-                 &new_from = stays.corners[1].position, &new_to = stays.corners[0].position;
-    const Vector edge = to - from,
-                 product = times_conjugate(moves.corners[2].position - from, edge);
-    const Real norm = squared_norm(edge);
-    const Vector side = (new_to - new_from) * Vector(product.x() / norm, product.y() / norm);
-    const Vector apex = new_from + side;
+    const Vector side = moved_side(point(moves, 0).position, point(moves, 1).position, point(moves, 2).position,
+                                   point(stays, 1).position, point(stays, 0).position);
+    const Vector apex = point(stays, 1).position + side;
     if (!(apex.radius() < largest_radius * side.modulus()))
       return false;
-    moves.corners = {stays.corners[1], stays.corners[0], place(apex)};
+    std::optional<Image> image;
+    if (has_images(stays) && has_images(moves))
+      image = *point(stays, 1).image + moved_side(*point(moves, 0).image, *point(moves, 1).image, *point(moves, 2).image,
+                                                  *point(stays, 1).image, *point(stays, 0).image);
+    moves.corners = {stays.corners[1], stays.corners[0], add_point(apex, image)};
     moves.plane = stays.plane;
-    moves.unit = stays.unit;
     return true;
+  }
+
+  // The side to the apex of a triangle over from-to, if that is moved to new_from-new_to.
+  template <class Complex>
+  static Complex moved_side(const Complex& from, const Complex& to, const Complex& apex, const Complex& new_from,
+                            const Complex& new_to)
+  {
+    const Complex edge = to - from, product = times_conjugate(apex - from, edge);
+    const auto norm = squared_norm(edge);
+    return (new_to - new_from) * Complex(product.x() / norm, product.y() / norm);
   }
 
   void erase(Face_index f)
@@ -178,11 +244,50 @@ private:
     layouts_[position] = layout;
   }
 
+  // Forgets the points and planes that no face lies in any more. What stays keeps its order.
+  void compact()
+  {
+    std::vector<bool> is_free(layouts_.size(), false);
+    for (std::uint32_t i : free_)
+      is_free[i] = true;
+    std::vector<std::uint32_t> new_point(points_.size(), none), new_plane(planes_.size(), none);
+    for (std::size_t i = 0; i < layouts_.size(); ++i)
+      if (!is_free[i]) {
+        new_plane[layouts_[i].plane] = 0;
+        for (std::uint32_t corner : layouts_[i].corners)
+          new_point[corner] = 0;
+      }
+    move_up(points_, new_point);
+    move_up(planes_, new_plane);
+    for (std::size_t i = 0; i < layouts_.size(); ++i)
+      if (!is_free[i]) {
+        layouts_[i].plane = new_plane[layouts_[i].plane];
+        for (std::uint32_t& corner : layouts_[i].corners)
+          corner = new_point[corner];
+      }
+    most_points_ = (std::max)(points_.size(), most_points_at_first);
+  }
+
+  template <class Element>
+  static void move_up(std::vector<Element>& elements, std::vector<std::uint32_t>& new_number)
+  {
+    std::uint32_t n = 0;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      if (new_number[i] != none) {
+        elements[n] = elements[i];
+        new_number[i] = n++;
+      }
+    elements.erase(elements.begin() + n, elements.end());
+  }
+
+  static constexpr std::size_t most_points_at_first = 4096;
+
   Large_vector<std::uint32_t> layout_of_; // for each face its position in layouts_, or none
   std::vector<Layout> layouts_;
   std::vector<std::uint32_t> free_; // positions in layouts_ that are not in use
-  std::uint64_t number_of_placements_ = 0;
-  std::uint64_t number_of_planes_ = 0;
+  std::vector<Point> points_;
+  std::vector<Plane> planes_;                      // those that are older come first
+  std::size_t most_points_ = most_points_at_first; // after the last compaction
 };
 
 } // namespace internal

@@ -109,7 +109,7 @@ private:
         continue;
       if (!is_zero)
         return false;
-      certainty += rings.certainty(metric.number_of_quantities());
+      certainty += rings.certainty(double(metric.number_of_quantities()));
     }
     return true;
   }

@@ -81,8 +81,10 @@ private:
 class Residue_rings
 {
 public:
-  Residue_rings(const Prime_fields& fields, Interruption& interruption)
-    : fields_(fields), basis_(interruption)
+  // \param maximum_number_of_roots the number of independent roots from which on Too_costly is thrown
+  Residue_rings(const Prime_fields& fields, Interruption& interruption,
+                std::size_t maximum_number_of_roots = Square_root_basis::unlimited)
+    : fields_(fields), basis_(interruption, maximum_number_of_roots)
   {
     last_divisor_.rings_ = inverse_.rings_ = this;
   }
@@ -118,9 +120,11 @@ public:
   // With 2^B above all numerators and denominators, each quantity and its conjugates are below 3 · 2^(2 B)
   // and have a denominator below 2^(2 B); V has at most 2^(24 (n + 1)) terms.
   // So h <= 8 n · 4 B + 24 (n + 1).
-  double certainty(std::size_t n) const
+  double certainty(double n) const { return certainty(n, double(largest_size_)); }
+  // As above, with B given.
+  static double certainty(double n, double largest_size)
   {
-    const double h = 32. * double(n) * double(largest_size_) + 24 * (double(n) + 1);
+    const double h = 32 * n * largest_size + 24 * (n + 1);
     return double(std::tuple_size<Prime_fields>::value) * (std::max)(0., 54 + 5.9 - std::log2(h));
   }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -79,6 +80,20 @@ Corner straight_corner(const Delta_complex& complex, const Points& points, Halfe
   const auto normal = cross_product(ki, kj);
   return {scalar_product(ki, kj).scaled(2), sqrt(scalar_product(normal, normal)).scaled(2),
           scalar_product(ki, ki), scalar_product(kj, kj), scalar_product(side, side)};
+}
+
+// The same in finite fields.
+inline Unfolding<Residue_metric>::Corner image_of_straight_corner(const Delta_complex& complex, const Points& points,
+                                                                  Halfedge_index ij, Residue_rings& rings)
+{
+  const Vertex_index i = complex.source(ij), j = complex.target(ij),
+                     k = complex.target(complex.next(ij));
+  const auto ki = difference<Rational>(points, k, i), kj = difference<Rational>(points, k, j),
+             side = difference<Rational>(points, i, j);
+  const auto normal = cross_product(ki, kj);
+  const auto square = [](const auto& v) { return scalar_product(v, v); };
+  return {rings.rational(2 * scalar_product(ki, kj)), rings.root(4 * square(normal)), rings.rational(square(ki)),
+          rings.rational(square(kj)), rings.rational(square(side))};
 }
 
 } // namespace internal

@@ -65,7 +65,7 @@ public:
                           Vector(b[2], zero) * unfolding.corner_ratios(last.halfedge).at_source);
       return times_conjugate(p, layout.target()).y();
     };
-    const Sign side = exact_sign(geometry_.input_surface(), left_of_edge, description(e));
+    const Sign side = exact_sign(geometry_.input_surface(), left_of_edge, [e] { return description(e); });
     if (side == ZERO && geometry_.metric().squared_four_areas(input, input.face(point.halfedge)) == 0)
       return std::nullopt;
     return (chord.idx() & 1) ? -side : side;
@@ -99,7 +99,7 @@ public:
       return times_conjugate(crossed.direction, p - crossed.left * scale).y();
     };
     const Sign result =
-      exact_sign(geometry_.input_surface(), right_of_crossed_edge, description(e));
+      exact_sign(geometry_.input_surface(), right_of_crossed_edge, [e] { return description(e); });
     if (result == ZERO && geometry_.sign_of_area(intrinsic_, intrinsic_.face(side)) == ZERO)
       return std::nullopt;
     return is_left ? result : -result;
@@ -117,11 +117,9 @@ private:
     return {metric.constant(b[i]), metric.constant(b[(i + 1) % 3]), metric.constant(b[(i + 2) % 3])};
   }
 
-  static auto description(Edge_index e)
+  static std::string description(Edge_index e)
   {
-    return [e] {
-      return "that the distance of a point from an edge that meets edge " + std::to_string(e.idx()) + " is zero";
-    };
+    return "that the distance of a point from an edge that meets edge " + std::to_string(e.idx()) + " is zero";
   }
 
   const Delta_complex& intrinsic_;
