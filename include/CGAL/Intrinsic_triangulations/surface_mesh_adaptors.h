@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Intrinsic triangulations as CGAL::Surface_mesh. This header and overlay_surface_mesh.h are
-// the only ones of the package that include Surface_mesh, which is under the GPL.
+// Intrinsic triangulations as CGAL::Surface_mesh, which is under the GPL; so is this header.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_ADAPTORS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_ADAPTORS_H
