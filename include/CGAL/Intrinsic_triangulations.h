@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Everything in the package that needs neither Eigen nor a GPL part of CGAL. The GPL headers, for
 // Surface_mesh and for the repair of polygons, are named in LICENSE.

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Text files for what OFF and PLY cannot hold: gluings with loops, several edges between
 // the same vertices and faces that meet themselves.

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Cotangent weights and areas of a whole triangulation as doubles, at the speed of the stored
 // numbers where these are good enough, and exactly where they are not.

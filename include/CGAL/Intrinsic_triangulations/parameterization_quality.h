@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // What a map of a triangulation to the plane is worth: triangles that are flipped or
 // collapsed, and how far the others are from similar.

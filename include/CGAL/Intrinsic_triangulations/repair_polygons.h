@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Polygons that are no surface become one, where that is a matter of connectivity: what is done
 // to them, to which elements, and where each element of the result comes from.

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Sample surfaces that no indexed triangles can express: lengths and gluings
 // alone, with loops, multiple edges and faces that are glued to themselves.

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The two plain forms in which the sample surfaces are handed out: triangles
 // in space, and triangles that are glued side by side and have lengths alone.

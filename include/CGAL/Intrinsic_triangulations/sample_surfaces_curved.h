@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Sample surfaces that bend in space: spheres, tori, disks, a tube, a
 // lantern. All are smooth shapes; what is bad is the triangulation.

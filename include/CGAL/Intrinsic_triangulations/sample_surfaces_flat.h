@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Sample surfaces made of flat pieces: grids, strips and pillows whose flips
 // can be counted by hand, and families that floating point gets wrong.

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Intrinsic triangulations as CGAL::Surface_mesh, which is under the GPL; so is this header.
 
