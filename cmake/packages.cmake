@@ -1,3 +1,4 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
 # What `cpack` makes of an installation: an archive, and a Debian package of headers and command.

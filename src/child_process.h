@@ -1,3 +1,4 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Work that may take for ever without asking whether to go on, or end the process that does it.

@@ -1,3 +1,4 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Mistakes in a command line that CLI11 takes for something else, or reports as something else.

@@ -1,3 +1,4 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # A test is one line in the CMakeLists.txt of its folder. The name of the folder

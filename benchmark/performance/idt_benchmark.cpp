@@ -1,3 +1,4 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // From a CGAL::Surface_mesh to its finished intrinsic Delaunay triangulation: the traits of

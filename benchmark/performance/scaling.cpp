@@ -1,3 +1,4 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Time and memory for each edge, from small surfaces to large ones.

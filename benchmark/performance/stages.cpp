@@ -1,3 +1,4 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What each stage costs, from plain arrays or a Surface_mesh to overlay and matrix, with one thread and

@@ -1,3 +1,4 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Editing with the bi-Laplacian: some vertices are fixed or moved, and the displacement u of the

@@ -1,3 +1,4 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Geodesic distance by heat (K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in heat", 2013) on

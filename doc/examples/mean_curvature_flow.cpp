@@ -1,3 +1,4 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Denoising by implicit mean-curvature flow: one step of length h solves (M + h L) x = M x_0 for

@@ -1,3 +1,4 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The same surface as a Polyhedron_3 and as a Surface_mesh: any model of CGAL's graph concepts is

@@ -1,3 +1,4 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A disk with a tall spike is mapped to the unit disk by the harmonic map of its intrinsic Delaunay

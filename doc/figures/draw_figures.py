@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the pictures of the manual: those of the paper redone, and number types compared.
 

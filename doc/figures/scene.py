@@ -1,3 +1,4 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures of surfaces in space, drawn by VTK into arrays of pixels."""
 

@@ -1,7 +1,10 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Everything in the package that depends on the LGPL parts of CGAL alone. The adaptors for
-// Surface_mesh are in surface_mesh_adaptors.h and overlay_surface_mesh.h (GPL).
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Everything in the package that needs neither Eigen nor a GPL part of CGAL. The GPL headers, for
+// Surface_mesh and for the repair of polygons, are named in LICENSE.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_H

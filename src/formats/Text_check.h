@@ -1,3 +1,4 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A look at a text on its way to CGAL's reader, piece by piece: the file is gone through once, and never

@@ -1,3 +1,4 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A file that tells how much of it was read, and ends early if nobody wants to go on or what is in it is no good.

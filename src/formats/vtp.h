@@ -1,3 +1,4 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // VTP, the polygons of VTK and ParaView in XML: VTK reads them, if the command is built with it, as

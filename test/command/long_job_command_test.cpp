@@ -1,3 +1,4 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A long job shows how far it is where somebody looks, and ends in good order when it is told to.

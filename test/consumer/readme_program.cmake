@@ -1,3 +1,4 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # The program in README.md, compiled against the installed package with the flags of pkg-config,

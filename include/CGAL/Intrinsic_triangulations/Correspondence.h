@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The input triangulation beside the current one.
 
@@ -25,11 +28,11 @@ namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 ///
-/// \brief relates a triangulation to the input triangulation that it was flipped from.
+/// \brief relates a triangulation to the input triangulation from which flips have produced it.
 ///
-/// What a flip does to the integers depends on the halfedges around the edge alone. So flips are noted
-/// in a journal until somebody asks: then the integers are computed, and the input connectivity is
-/// recovered from it. From then on each flip updates the integers at once.
+/// How a flip changes the integers depends only on the halfedges around the edge. So flips are logged
+/// in a journal. When the integers are needed, they are computed from it, and the input connectivity
+/// is recovered. From then on each flip updates the integers at once.
 class Correspondence
 {
 public:
@@ -51,9 +54,9 @@ public:
   /// \brief computes the integers and recovers the input. O(size + number of flips) the first time,
   /// and O(1) afterwards.
   /// \param complex the current connectivity
-  /// \return the edges that were flipped before, in order, which are forgotten
-  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`. Nothing is changed then, and
-  ///   there is no way to the integers any more, even if the flips are undone
+  /// \return the edges that were flipped before, in order; the journal is then cleared
+  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`. Nothing is changed then, but
+  ///   the integers can no longer be computed, even if the flips are undone
   std::vector<Edge_index> prepare(const Delta_complex& complex)
   {
     if (is_prepared_)
@@ -72,7 +75,7 @@ public:
     return flipped_edges;
   }
 
-  /// \brief follows the flip of `e`, before the flip of the connectivity. O(1).
+  /// \brief records the flip of `e`; to be called before the connectivity is flipped. O(1).
   /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`, if `is_prepared()`
   void flip(const Delta_complex& complex, Edge_index e)
   {
@@ -89,7 +92,7 @@ public:
     coordinates_.flip(around);
     shorten_walks(around.ij);
   }
-  /// \brief follows flips that others have noted, each as the halfedges around the edge before it.
+  /// \brief records flips from other journals, each given by the halfedges around the edge before it.
   /// \pre not `is_prepared()`
   void append(std::vector<Hinge_halfedges> flips)
   {
@@ -101,7 +104,7 @@ public:
   const Normal_coordinates& coordinates() const { return coordinates_; }
 
   /// returns the input connectivity: the same vertices, edges, halfedges and faces as at
-  /// the beginning; `halfedge(v)` and `halfedge(f)` may name another incident halfedge.
+  /// the beginning; `halfedge(v)` and `halfedge(f)` may be different incident halfedges.
   /// \pre `is_prepared()`
   const Delta_complex& input() const { return input_; }
 

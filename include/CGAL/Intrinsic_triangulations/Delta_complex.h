@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The connectivity of a triangulated surface that need not be a simplicial
 // complex: the paper's triangulations (Fisher, Springborn, Schroeder, Bobenko
@@ -80,11 +83,11 @@ struct Hinge_halfedges
 ///
 /// Faces are triangles; any gluing of their sides that gives an oriented surface is
 /// allowed: loops, several edges between the same two vertices, a face glued to itself,
-/// a surface with one vertex. Therefore nothing is ever looked up by its end vertices.
-/// Vertices without a face are allowed, too.
+/// a surface with one vertex. So nothing is ever looked up by its end vertices.
+/// Isolated vertices are allowed, too.
 ///
-/// Descriptors of vertices, halfedges, edges and faces are the integers from zero, and
-/// a flip moves none of them. Halfedges `2e` and `2e + 1` are the two of edge `e`.
+/// Descriptors of vertices, halfedges, edges and faces are integers counted from zero, and
+/// a flip changes none of them. Halfedges `2e` and `2e + 1` belong to edge `e`.
 /// A halfedge without a face is a border halfedge; `next()` and `prev()` of a border
 /// halfedge run along the border.
 ///
@@ -98,8 +101,8 @@ public:
   /// the type of indices and counts
   using size_type = std::uint32_t;
 
-  /// what is stored for a halfedge: the positions of other elements. (A descriptor would
-  /// initialize itself, which costs a pass over memory for each new array.)
+  /// the record of a halfedge: the positions of other elements. (Descriptors would
+  /// initialize themselves, which costs a pass over memory for each new array.)
   struct Halfedge
   {
     size_type next;   ///< the next halfedge around the face, or along the border
@@ -108,14 +111,14 @@ public:
     size_type face;   ///< `Face_index::null_index()` for a border halfedge
   };
 
-  /// the records of all halfedges, in a vector that can be filled without being initialized first
+  /// the records of all halfedges, in a vector that need not be initialized before it is filled
   using Halfedge_vector = internal::Large_vector<Halfedge>;
   /// a halfedge for each vertex or for each face
   using Descriptor_vector = internal::Large_vector<Halfedge_index>;
   /// \name Iterators
   /// @{
 
-  /// an iterator over descriptors, of random access
+  /// a random access iterator over descriptors
   using Vertex_iterator = internal::Descriptor_iterator<Vertex_index>;
   using Halfedge_iterator = internal::Descriptor_iterator<Halfedge_index>;
   using Edge_iterator = internal::Descriptor_iterator<Edge_index>;
@@ -131,7 +134,7 @@ public:
   /// \param vertex_halfedges for each vertex a halfedge that points to it, a border
   ///   halfedge if there is one, the null descriptor for an isolated vertex
   /// \param face_halfedges for each face one of its halfedges
-  /// \pre `is_valid()` of the result. It is checked only if `CGAL_CHECK_EXPENSIVE` is defined.
+  /// \pre the result `is_valid()`. This is checked only if `CGAL_CHECK_EXPENSIVE` is defined.
   Delta_complex(Halfedge_vector halfedges, Descriptor_vector vertex_halfedges,
                 Descriptor_vector face_halfedges)
     : halfedges_(std::move(halfedges)), vertex_halfedges_(std::move(vertex_halfedges)),
@@ -199,10 +202,10 @@ public:
   {
     return face(halfedge(e)) == face(opposite(halfedge(e)));
   }
-  /// returns whether `e` joins a vertex with itself.
+  /// returns whether `e` joins a vertex to itself.
   bool is_loop(Edge_index e) const { return target(halfedge(e)) == source(halfedge(e)); }
-  /// returns whether `e` lies between two different faces, so that `flip()` makes sense
-  /// for the connectivity. Whether the flipped edge is a straight line is up to the metric.
+  /// returns whether `e` lies between two different faces, so that the connectivity can be
+  /// flipped. Whether the flipped edge is a straight line depends on the metric.
   bool is_flippable(Edge_index e) const { return !is_border(e) && !is_self_glued(e); }
   /// returns the halfedges around `e`. \pre `e` is not on the border
   Hinge_halfedges hinge(Edge_index e) const
@@ -215,9 +218,9 @@ public:
   /// \brief replaces edge `e` by the other diagonal of the quadrilateral formed by its two faces.
   ///
   /// With `h = halfedge(e)` from i to j, k the third corner to its left and l to its
-  /// right, `h` leads from l to k afterwards: it turns counterclockwise. The face of
-  /// `h` becomes (i, l, k), that of its opposite (j, k, l). All descriptors keep their
-  /// meaning; four flips of the same edge are the identity, but for
+  /// right, `h` runs from l to k afterwards: it turns counterclockwise. The face of
+  /// `h` becomes (i, l, k), that of its opposite (j, k, l). All descriptors remain
+  /// valid. Four flips of the same edge are the identity, except for
   /// the choice of `halfedge(v)` and `halfedge(f)`. O(1).
   ///
   /// \pre `is_flippable(e)`
@@ -251,7 +254,7 @@ public:
   }
   /// \endcond
 
-  /// \brief undoes `flip(e)`, but for the choice of `halfedge(v)` and `halfedge(f)`. O(1).
+  /// \brief undoes `flip(e)`, except for the choice of `halfedge(v)` and `halfedge(f)`. O(1).
   /// \pre `is_flippable(e)`
   void flip_back(Edge_index e)
   {
@@ -287,9 +290,9 @@ public:
 
   /// \brief returns whether both complexes have the same elements, glued in the same way.
   ///
-  /// Numbers, orientation and `halfedge(Face_index)` count. `halfedge(Vertex_index)` does
-  /// not: of the halfedges that point to an inner vertex it is any one, which depends on
-  /// the flips that were made. O(size).
+  /// Descriptors, orientation and `halfedge(Face_index)` are compared. `halfedge(Vertex_index)` is
+  /// not: for an interior vertex it may be any halfedge that points to it, depending on
+  /// earlier flips. O(size).
   friend bool operator==(const Delta_complex& a, const Delta_complex& b)
   {
     return a.number_of_vertices() == b.number_of_vertices() &&
@@ -425,11 +428,11 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
-/// \brief returns whether the complex is simplicial: whether each edge and each face is
-/// known by its vertices.
+/// \brief returns whether the complex is simplicial: whether its vertices identify each edge
+/// and each face.
 ///
-/// There is no loop, no two edges have the same end vertices, and no two faces the same
-/// corners. Only then is it safe to look an element up by its vertices, as generic mesh
+/// This means that there is no loop, no two edges have the same end vertices, and no two faces have
+/// the same corners. Only then is it safe to look an element up by its vertices, as generic mesh
 /// algorithms and most file formats do. O(size).
 inline bool is_simplicial(const Delta_complex& complex)
 {

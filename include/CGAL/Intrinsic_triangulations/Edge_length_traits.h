@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The metric as squared lengths and areas: one square root per input face.
 
@@ -58,10 +61,10 @@ struct Cotangent_bounds_of_edge_length_traits<double>
 ///
 /// \brief the metric of a triangulation as squared edge lengths and face areas.
 ///
-/// Each edge carries its squared length s, each face four times its area a. There is
-/// one square root per input face and none afterwards; a Delaunay test costs neither
+/// Each edge stores its squared length s, each face four times its area a. There is
+/// one square root per input face and none afterwards. A Delaunay test needs neither
 /// division nor root, a flip one division. The decisions are those of `FT_`: exact for
-/// an exact number type, rounded for a floating-point type; an interval that cannot
+/// an exact number type, rounded for a floating-point type. An interval that cannot
 /// decide gives an uncertain answer, never a guess.
 ///
 /// \tparam FT_ a model of `FieldWithSqrt` and `RealEmbeddable`, for instance `float`,

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Squared lengths and areas in double, with a bound on their errors for each face.
 
@@ -28,11 +31,11 @@ namespace Intrinsic_triangulations {
 struct Bounded_double
 {
   double value; ///< the number
-  double error; ///< more than its absolute error
+  double error; ///< an upper bound on its absolute error
 };
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
-/// \brief what `Filtered_edge_length_traits` keep for a face.
+/// \brief what `Filtered_edge_length_traits` stores for a face.
 struct Bounded_area
 {
   double value; ///< four times the area
@@ -60,23 +63,23 @@ struct Two_bounded_areas
 ///
 /// Every Delaunay test gives the answer of exact real arithmetic on the piecewise-flat
 /// surface that the input defines, however many flips came before. The functors below
-/// are the first stage: they keep a running error bound for each face and answer where it
-/// suffices. Where it does not, `Intrinsic_triangulation` asks its `Exact_geometry`, whose
-/// result replaces what is stored.
+/// are the first stage: they keep a running error bound for each face and answer if it
+/// suffices. If it does not, `Intrinsic_triangulation` asks its `Exact_geometry`, whose
+/// result replaces the stored numbers.
 ///
-/// Invariants: let s be the squared lengths of the three sides of a face as they are stored, a
-/// four times its area, E its error bound, and s*, a* the true numbers. With u = 2^-53,
+/// Invariants: let s be the stored squared lengths of the three sides of a face, a the stored
+/// value of four times its area, E its error bound, and s*, a* the true numbers. With u = 2^-53,
 ///
 ///     (1)  E >= 1.5 (sum of max(|s - s*|, 6 u s))
 ///     (2)  E >= 1.5 |a - a*|
 ///     (3)  E >= 12 u (sum of s).
 ///
-/// One bound for a face does for its sides as well, because what is computed with them,
-/// p = s + s' - s'', takes the errors of all three. Factor and (3) let it cover rounding, too:
-/// since a* <= (sum of s*) / √3, u |a| is less than E / 20, and a computed p is wrong by less
-/// than E / 1.5 + 2 u (sum of s) <= 0.84 E. Because of the maximum in (1), a side may be replaced
-/// by a number that is right up to 6 u, as it is at the beginning, without a look at the face
-/// beyond it.
+/// One bound for a face suffices for its sides as well, because what is computed from them,
+/// p = s + s' - s'', collects the errors of all three. The factor 1.5 and (3) let the bound cover
+/// rounding, too: since a* <= (sum of s*) / √3, u |a| is less than E / 20, and the error of a
+/// computed p is less than E / 1.5 + 2 u (sum of s) <= 0.84 E. Because of the maximum in (1), a side
+/// may be replaced by a number with a relative error of 6 u, as it has initially, without
+/// looking at the face beyond it.
 ///
 /// \cgalModels `IntrinsicTriangulationTraits`
 class Filtered_edge_length_traits
@@ -97,7 +100,7 @@ public:
   using Edge_data = double;
   /// four times the area, with the error bound
   using Face_data = Bounded_area;
-  /// uncertain where the error bounds do not decide
+  /// uncertain if the error bounds do not decide
   using Boolean = Uncertain<bool>;
   /// the data around an edge
   using Hinge_data = Hinge<Edge_data, Face_data>;
@@ -110,7 +113,7 @@ public:
   /// undecided tests are passed on to the `Exact_geometry` of the triangulation
   using Uses_exact_geometry = Tag_true;
 
-  /// makes the squared length of an edge, right up to 6 u.
+  /// makes the squared length of an edge, with a relative error of at most 6 u.
   struct Construct_edge_data
   {
     // Each difference, square and sum adds at most u, and nothing cancels: right up to 6 u.
@@ -170,7 +173,7 @@ public:
     }
   };
 
-  /// decides whether the edge of a hinge is Delaunay where the error bounds suffice.
+  /// decides whether the edge of a hinge is Delaunay if the error bounds suffice.
   struct Is_locally_Delaunay
   {
     /// decides, or returns an uncertain value.
@@ -191,8 +194,8 @@ public:
     }
   };
 
-  /// computes the flipped hinge. A flipped edge is not Delaunay by an exact decision, so
-  /// that the other diagonal exists.
+  /// computes the flipped hinge. The edge is not Delaunay by an exact decision, so
+  /// the other diagonal exists.
   struct Construct_flipped_hinge
   {
     /// computes `flipped` with its error bounds, which may be infinite; returns `true`.
@@ -244,7 +247,7 @@ public:
   /// Delaunay.
   struct Compute_cotangent_bounds
   {
-    /// returns the bounds, −∞ where the area is not known well enough.
+    /// returns the bounds; −∞ if the area is not known well enough.
     std::array<float, 3> operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
                                     const Edge_data& ki) const
     {
@@ -286,8 +289,8 @@ public:
     Edge_data operator()(const Number& s) const { return s.hi(); }
     /// \brief makes a face from four times its area and the squared lengths of its sides.
     ///
-    /// The bound is infinite unless the squared lengths are right up to 6 u; as they are
-    /// shared with other faces, they are not to be replaced then.
+    /// The bound is infinite unless the squared lengths have relative errors of at most 6 u;
+    /// they are shared with other faces, so they must not be replaced otherwise.
     Face_data operator()(const Number& four_areas, const Number& ij, const Number& jk,
                          const Number& ki) const
     {
@@ -302,19 +305,19 @@ public:
     // What is cut off at hi() is at most u hi().
     static bool is_tight(const Number& s) { return s.error() <= 4.9 * u * s.hi(); }
   };
-  /// tells whether what is kept for a face is so good that it need not be replaced.
+  /// decides whether the stored numbers of a face are so accurate that they need not be replaced.
   struct Is_accurate
   {
     /// returns whether the error bound is below 2⁻³⁴ of the area.
     bool operator()(const Face_data& f) const { return f.error <= 0x1p-34 * f.value; }
   };
-  /// tells whether a face is known to have positive area.
+  /// decides whether a face is known to have positive area.
   struct Has_positive_area
   {
     /// returns whether the area is larger than its error bound.
     bool operator()(const Face_data& f) const { return f.value > f.error; }
   };
-  /// gives the stored squared length of an edge, good to the stored bound.
+  /// gives the stored squared length of an edge, accurate to the stored bound.
   struct Compute_squared_length
   {
     /// returns the squared length.
@@ -336,7 +339,7 @@ public:
       return f.value / 4;
     }
   };
-  /// gives the cotangent opposite to ij in the face ijk from what is stored.
+  /// gives the cotangent opposite ij in the face ijk from the stored numbers.
   struct Compute_cotangent
   {
     /// returns the cotangent.
@@ -347,7 +350,7 @@ public:
     }
   };
 
-  /// gives the same cotangent with a bound on its error, which is infinite where the area is
+  /// gives the same cotangent with a bound on its error, which is infinite if the area is
   /// not known well enough. O(1), one division.
   struct Compute_bounded_cotangent
   {

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The metric as the paper has it: lengths, and tangents of half angles.
 
@@ -18,13 +21,13 @@ namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
 ///
-/// \brief the metric of a triangulation as edge lengths alone, with the formulas of the
-/// paper to the letter.
+/// \brief the metric of a triangulation as edge lengths alone, with exactly the formulas of
+/// the paper.
 ///
-/// Each edge carries its length; every test computes two tangents of half angles, every
-/// flip two more: six square roots for a test and a flip. With an exact number type each
-/// flip nests its square roots in those of the flips before. This class is here to
-/// compare with; `Edge_length_traits` is faster and more accurate.
+/// Each edge stores its length. Every test computes two tangents of half angles, every
+/// flip two more: six square roots for a test and a flip. With an exact number type, the
+/// square roots of each flip contain those of earlier flips. This class is meant for
+/// comparison; `Edge_length_traits` is faster and more accurate.
 ///
 /// \tparam FT_ as for `Edge_length_traits`
 ///
@@ -78,7 +81,7 @@ public:
     Edge_data from_length(const FT& length) const { return length; }
   };
 
-  /// makes the data of a face, which are none.
+  /// makes the data of a face, which are empty.
   struct Construct_face_data
   {
     /// makes the face with these corners.
@@ -90,8 +93,8 @@ public:
     Face_data from_lengths(const FT&, const FT&, const FT&) const { return {}; }
   };
 
-  /// decides `cot k + cot l >= 0` from the two cotangents. A face of zero area makes the
-  /// result that of the number type's division by zero.
+  /// decides `cot k + cot l >= 0` from the two cotangents. For a face of zero area, the result
+  /// is that of the number type's division by zero.
   struct Is_locally_Delaunay
   {
     /// decides by the sum of the cotangents.

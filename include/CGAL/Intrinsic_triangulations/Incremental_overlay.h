@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The overlay graph updated with each flip, by the order along the quadrilateral's sides alone.
 
@@ -24,12 +27,12 @@ namespace Intrinsic_triangulations {
 ///
 /// \brief the overlay of an input triangulation and an intrinsic one, updated flip by flip.
 ///
-/// It is the graph that `Overlay` is, kept in the way of the paper: a flip takes the edge out,
-/// joins the input segments at its crossings, and decides by the cyclic order along the sides of
-/// the quadrilateral alone which segments the other diagonal crosses. Neither lengths nor
-/// `Normal_coordinates` are used: the two ways to the overlay are independent of each other.
-/// `Overlay` is cheaper, since most crossings on the way are not there in the end; this
-/// class is for those who need the overlay after every flip.
+/// It is the same graph as `Overlay`, updated as in the paper: a flip removes the edge,
+/// merges the input segments at its crossings, and decides from the cyclic order along the sides of
+/// the quadrilateral alone which segments the other diagonal crosses. It uses neither lengths nor
+/// `Normal_coordinates`, so the two methods are independent of each other.
+/// `Overlay` is cheaper, since most intermediate crossings later disappear. Use this class
+/// if you need the overlay after every flip.
 ///
 /// Memory: 32 bytes a segment, and that of two `Delta_complex`.
 ///
@@ -55,11 +58,11 @@ public:
 
   /// \brief flips intrinsic edge `e`, as `Delta_complex::flip()` does.
   ///
-  /// O(number of crossings that go and come, plus number of input segments that the flip
-  /// changes). Segments and crossings that are not touched keep their descriptors; those of
-  /// removed ones are used again.
+  /// O(number of crossings removed and inserted, plus number of input segments that the flip
+  /// changes). Segments and crossings that are not affected keep their descriptors; those of
+  /// removed ones are reused.
   /// \pre `intrinsic().is_flippable(e)`
-  /// \exception Integer_overflow_error if there are 2^31 segments or more; the overlay is lost then
+  /// \exception Integer_overflow_error if there are 2^31 segments or more; the overlay is then unusable
   void flip(Edge_index e)
   {
     CGAL_precondition(intrinsic_.is_flippable(e));
@@ -72,13 +75,13 @@ public:
   /// @{
   /// never stops the flips.
   bool go_further(std::uint64_t /* tests */, std::uint64_t /* flips */) const { return true; }
-  /// does the same flip in the overlay.
+  /// performs the same flip in the overlay.
   void after_flip(Edge_index e) { flip(e); }
   /// @}
 
   /// returns the input triangulation.
   const Delta_complex& input() const { return input_; }
-  /// returns the intrinsic triangulation as it is now.
+  /// returns the current intrinsic triangulation.
   const Delta_complex& intrinsic() const { return intrinsic_; }
   /// returns the number of crossings.
   size_type number_of_crossings() const { return graph_.number_of_crossings(); }
@@ -94,12 +97,12 @@ public:
   Halfedge first_part_in_input(Halfedge_index h) const { return graph_.first_part_in_input(h); }
   /// returns the other halfedge of the segment of `h`.
   Halfedge opposite(Halfedge h) const { return graph_.opposite(h); }
-  /// returns the halfedge after `h` around its face; at a crossing it leads to the left.
+  /// returns the halfedge after `h` around its face; at a crossing it turns left.
   Halfedge next(Halfedge h) const { return graph_.next(h); }
   /// returns the vertex or crossing that `h` points to; the vertices of the surface come before
   /// the crossings.
   Vertex target(Halfedge h) const { return graph_.target(h); }
-  /// returns whether `v` is a crossing and no vertex of the surface.
+  /// returns whether `v` is a crossing, not a vertex of the surface.
   bool is_crossing(Vertex v) const { return graph_.is_crossing(v); }
   /// returns the part that follows `h` in the same edge. \pre `is_crossing(target(h))`
   Halfedge straight_on(Halfedge h) const { return graph_.straight_on(h); }
@@ -110,10 +113,10 @@ public:
       return Segment_label::INPUT;
     return input_halfedge(h).is_valid() ? Segment_label::BOTH : Segment_label::INTRINSIC;
   }
-  /// returns the halfedge of the intrinsic triangulation that `h` is part of and whose direction
-  /// it has; the null descriptor if the label is `INPUT`.
+  /// returns the halfedge of the intrinsic triangulation that contains `h`, with the same direction;
+  /// the null descriptor if the label is `INPUT`.
   Halfedge_index intrinsic_halfedge(Halfedge h) const { return graph_.intrinsic_halfedge(h); }
-  /// returns the halfedge of the input that `h` is part of and whose direction it has; the null
+  /// returns the halfedge of the input that contains `h`, with the same direction; the null
   /// descriptor if the label is `INTRINSIC`.
   Halfedge_index input_halfedge(Halfedge h) const { return graph_.input_halfedge(h); }
 
@@ -137,9 +140,9 @@ public:
 
   /// \brief returns whether the graph is an overlay of `input()` and `intrinsic()`.
   ///
-  /// Segments join up to the edges of both, cross each other alternately, leave each vertex in the
-  /// right order, and bound faces that each lie in one input and one intrinsic face and have three
-  /// sides or more: straight lines meet once. O(size).
+  /// That is: the segments form the edges of both, alternate at crossings, leave each vertex in the
+  /// right order, and bound faces that each lie in one input and one intrinsic face and have at
+  /// least three sides, since straight lines meet once. O(size).
   /// \param verbose whether the first defect is described on `std::cerr`
   bool is_valid(bool verbose = false) const
   {

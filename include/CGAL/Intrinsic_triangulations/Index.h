@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Typed descriptors: a vertex cannot be passed where an edge is expected.
 
@@ -15,9 +18,9 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
-/// \brief a descriptor: a 32-bit index that knows what it is an index of.
+/// \brief a descriptor: a 32-bit index whose type says what it is an index of.
 ///
-/// A default constructed descriptor is the null descriptor.
+/// A default-constructed descriptor is the null descriptor.
 /// \tparam Tag distinguishes the kinds of elements; it supplies the letter that `operator<<` writes.
 template <class Tag>
 class Index
@@ -35,7 +38,7 @@ public:
   constexpr size_type idx() const { return index_; }
   /// returns whether this is not the null descriptor.
   constexpr bool is_valid() const { return index_ != null_index(); }
-  /// returns the position that stands for no element.
+  /// returns the position that denotes no element.
   static constexpr size_type null_index() { return (std::numeric_limits<size_type>::max)(); }
 
   /// \name Comparison

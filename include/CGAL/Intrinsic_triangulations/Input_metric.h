@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The metric of the input triangulation, exactly as it was given.
 
@@ -26,7 +29,7 @@ namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 ///
-/// \brief the squared lengths of the input edges, as exact functions of what was given:
+/// \brief the squared lengths of the input edges, as exact functions of the given
 /// points with `double` coordinates, lengths, or rational squared lengths.
 ///
 /// Coordinates and lengths are multiplied by a power of two, which is exact, if they are
@@ -39,7 +42,7 @@ public:
   /// the points of the vertices, three doubles each
   using Point_vector = internal::Points;
 
-  /// constructs the metric of no surface.
+  /// constructs the metric of an empty surface.
   Input_metric() = default;
 
   /// constructs the metric of a surface in space, from the points of its vertices.
@@ -49,7 +52,7 @@ public:
     const int exponent = internal::normalize_points(points);
     return from_normalized_points(std::move(points), exponent);
   }
-  /// \brief as above, without a look at where the isolated vertices of `input` are: in the unit that
+  /// \brief as above, but ignores the positions of isolated vertices of `input`: in the unit that
   /// `Intrinsic_triangulation` chooses.
   /// \exception Invalid_surface_error if a coordinate is not finite
   static Input_metric from_points(const Delta_complex& input, Point_vector points)
@@ -81,7 +84,7 @@ public:
     return m;
   }
 
-  /// checks that lengths are positive and obey the triangle inequality, exactly.
+  /// checks exactly that lengths are positive and satisfy the triangle inequality.
   /// \exception Invalid_surface_error if not
   void check(const Delta_complex& input) const
   {
@@ -106,7 +109,7 @@ public:
 
   /// returns k such that one unit of this metric is `2^k` units of the input.
   int unit_exponent() const { return exponent_; }
-  /// returns the points, empty unless they were given.
+  /// returns the points; empty unless the metric was constructed from points.
   const Point_vector& points() const { return points_; }
 
   /// returns the squared length of an input edge exactly.

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Where the input triangulation lies in the current one, by integers alone.
 
@@ -31,11 +34,11 @@ struct Triangle_crossings
   std::int64_t e_i; ///< number of segments from corner i to the opposite edge
   std::int64_t e_j; ///< the same for corner j
   std::int64_t e_k; ///< the same for corner k
-  std::int64_t c_i; ///< number of segments that cut corner i off
+  std::int64_t c_i; ///< number of segments that cut off corner i
   std::int64_t c_j; ///< the same for corner j
   std::int64_t c_k; ///< the same for corner k
 
-  /// computes the numbers from how often the edges are crossed.
+  /// computes the numbers from the number of crossings of each edge.
   BOOST_FORCEINLINE Triangle_crossings(std::int64_t n_ij, std::int64_t n_jk, std::int64_t n_ki)
     : c_i(cut_off(n_ij, n_ki, n_jk)), c_j(cut_off(n_jk, n_ij, n_ki)), c_k(cut_off(n_ki, n_jk, n_ij))
   {
@@ -61,31 +64,31 @@ private:
 struct Roundabout
 {
   Halfedge_index base; ///< an input halfedge
-  std::uint64_t steps; ///< may exceed the degree of the source: then it is meant modulo that
+  std::uint64_t steps; ///< may exceed the degree of the source: it counts modulo the degree
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 ///
-/// \brief normal coordinates and roundabouts: integers that say, up to nothing, how the
+/// \brief normal coordinates and roundabouts: integers that determine exactly how the
 /// edges of the input triangulation run through the current one.
 ///
 /// The normal coordinate of an edge is the number of times that input edges cross it, or
 /// −1 if it coincides with an input edge. The roundabout of a halfedge is the first input
 /// halfedge at or after it, counterclockwise around its source. A flip updates both in O(1),
-/// whatever the edge crosses and whatever the degrees are, and does not need to know the
-/// input; no rounding can reach them.
+/// whatever the edge crosses and whatever the degrees are, without access to the
+/// input. Rounding never affects them.
 ///
 /// Memory: 4 bytes an edge, and 32 for each edge that was flipped.
 ///
 /// Source: the idea is that of M. Gillespie, N. Sharp, K. Crane, "Integer coordinates
-/// for intrinsic geometry processing" (2021). They count roundabouts by numbers
-/// from zero to the degree; from an input halfedge, nothing has to be numbered at first.
+/// for intrinsic geometry processing" (2021). There, roundabouts are numbers
+/// from zero to the degree; counted from an input halfedge, they need no initial numbering.
 class Normal_coordinates
 {
 public:
-  /// constructs the coordinates in an empty triangulation.
+  /// constructs the coordinates of an empty triangulation.
   Normal_coordinates() = default;
-  /// constructs the coordinates of an input triangulation in itself. O(edges), to clear memory.
+  /// constructs the coordinates of an input triangulation in itself. O(edges), as memory is cleared.
   explicit Normal_coordinates(const Delta_complex& input)
     : record_of_(input.number_of_edges(), 0)
   {
@@ -93,11 +96,11 @@ public:
     records_.push_back(Record{-1, {0, 0}, {0, 0}});
   }
 
-  /// returns how often input edges cross `e`, or −1 if `e` coincides with one.
+  /// returns the number of times that input edges cross `e`, or −1 if `e` coincides with one.
   std::int64_t crossings(Edge_index e) const { return record(e).crossings; }
   /// returns whether `e` coincides with an input edge.
   bool is_original(Edge_index e) const { return crossings(e) < 0; }
-  /// returns how often input edges cross `e`.
+  /// returns the number of times that input edges cross `e`.
   std::int64_t number_of_crossings(Edge_index e) const
   {
     return (std::max)(std::int64_t(0), crossings(e));
@@ -133,7 +136,7 @@ public:
   /// connectivity. O(1).
   ///
   /// \exception Integer_overflow_error if the count would leave the range of 64 bits;
-  ///   nothing is changed then
+  ///   then nothing is changed
   void flip(const Delta_complex& complex, Edge_index e)
   {
     CGAL_precondition(complex.is_flippable(e));

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The overlay of the input triangulation and the intrinsic one: the graph of section 2.3
 // of the paper.
@@ -46,7 +49,7 @@ struct Overlay_face_tag
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 /// \brief which of the two triangulations a segment of the overlay is part of: the labels o,
-/// c and oc of the paper. The values are those of the files that are written.
+/// c and oc of the paper. Output files contain the same values.
 enum class Segment_label : std::uint8_t {
   INPUT = 0,     ///< part of an input edge (o)
   INTRINSIC = 1, ///< part of an intrinsic edge (c)
@@ -57,17 +60,17 @@ enum class Segment_label : std::uint8_t {
 ///
 /// \brief the overlay of the input triangulation and the intrinsic triangulation.
 ///
-/// Its vertices are those of the surface and, after them, the crossings of input and
-/// intrinsic edges; its edges are the segments into which crossings cut the edges; each of
+/// Its vertices are those of the surface, followed by the crossings of input and
+/// intrinsic edges. Its edges are the segments into which crossings cut the edges. Each of
 /// its faces is the convex intersection of one input face and one intrinsic face. At a
-/// crossing four segments meet, alternately of an input and of an intrinsic edge. There are
-/// no coordinates and no lengths in it; see `Overlay_positions`.
+/// crossing four segments meet, alternately of an input and of an intrinsic edge. The overlay
+/// has neither coordinates nor lengths; see `Overlay_positions`.
 ///
-/// The overlay is built from the integers of `Normal_coordinates` and does not change with
-/// later flips. It is a halfedge graph like `Delta_complex`, with faces of any degree:
+/// The overlay is built from the integers of `Normal_coordinates`; later flips do not change
+/// it. It is a halfedge graph like `Delta_complex`, with faces of any degree:
 /// halfedges `2s` and `2s + 1` belong to segment `s`. Halfedge `2s` runs in the direction of
-/// halfedge `2e` of the intrinsic edge that `s` is part of, or of the input edge where the
-/// label is `INPUT`. The segments of an edge have consecutive numbers, and so have the
+/// halfedge `2e` of the intrinsic edge that contains `s`, or of the input edge if the
+/// label is `INPUT`. The segments of an edge are numbered consecutively, and so are the
 /// crossings along an intrinsic edge and the faces within an intrinsic face.
 ///
 /// Memory: 28 bytes a segment, 4 a vertex, 12 a face, 8 an intrinsic and 8 an input edge.
@@ -90,11 +93,11 @@ public:
   template <class Descriptor>
   using Range = Iterator_range<internal::Descriptor_iterator<Descriptor>>;
 
-  /// \brief builds the overlay of a triangulation and the input that it was flipped from.
+  /// \brief builds the overlay of a triangulation and its input.
   ///
   /// O(size of the overlay), which is that of the surface plus the number of crossings.
   /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: the overlay
-  ///   is the same, and `progress` is asked only a few times
+  ///   is the same, and `progress` is called only a few times
   /// \pre `triangulation.keeps_input()`
   /// \exception Integer_overflow_error if there are 2^31 segments or more
   /// \exception Cancelled_error if `progress` returns `false`
@@ -105,7 +108,7 @@ public:
               ConcurrencyTag())
   {}
 
-  /// \brief builds the overlay from the current connectivity and where the input lies in it.
+  /// \brief builds the overlay from the current connectivity and its correspondence to the input.
   /// \tparam ConcurrencyTag as above
   /// \pre `correspondence.is_prepared()`
   /// \exception Integer_overflow_error as above
@@ -177,7 +180,7 @@ public:
 
   /// \name Where things come from
   /// @{
-  /// returns whether `v` is a crossing and no vertex of the surface.
+  /// returns whether `v` is a crossing, not a vertex of the surface.
   bool is_crossing(Vertex v) const { return v.idx() >= arrays_.number_of_original_vertices; }
   /// returns the vertex of the surface that `v` is. \pre `!is_crossing(v)`
   Vertex_index original_vertex(Vertex v) const
@@ -185,7 +188,7 @@ public:
     CGAL_precondition(!is_crossing(v));
     return Vertex_index(v.idx());
   }
-  /// returns of which of the two triangulations `s` is part.
+  /// returns which of the two triangulations `s` is part of.
   Segment_label label(Segment s) const
   {
     if (s.idx() >= arrays_.first_input_segment)
@@ -193,15 +196,15 @@ public:
     return arrays_.coinciding_halfedges[arrays_.parents[s.idx()]] == arrays_.null ? Segment_label::INTRINSIC
                                                                                   : Segment_label::BOTH;
   }
-  /// returns the halfedge of the intrinsic triangulation that `h` is part of and whose
-  /// direction it has; the null descriptor if the label is `INPUT`.
+  /// returns the halfedge of the intrinsic triangulation that contains `h`, with the same
+  /// direction; the null descriptor if the label is `INPUT`.
   Halfedge_index intrinsic_halfedge(Halfedge h) const
   {
     if (segment(h).idx() >= arrays_.first_input_segment)
       return Halfedge_index();
     return Halfedge_index((arrays_.parents[segment(h).idx()] << 1) | (h.idx() & 1));
   }
-  /// returns the halfedge of the input that `h` is part of and whose direction it has; the
+  /// returns the halfedge of the input that contains `h`, with the same direction; the
   /// null descriptor if the label is `INTRINSIC`.
   Halfedge_index input_halfedge(Halfedge h) const
   {
@@ -209,9 +212,9 @@ public:
   }
   /// \brief returns a side of the input face that contains `face(h)`, on which `target(h)` lies.
   ///
-  /// Where `target(h)` is a vertex of the surface, the side is the one that begins there,
-  /// in the corner to the left of `h`, and the search for it takes as many steps as intrinsic
-  /// edges lie in that corner; else O(1). \pre `!is_border(h)`
+  /// If `target(h)` is a vertex of the surface, this is the side that begins there,
+  /// in the corner to the left of `h`. Finding it takes as many steps as intrinsic
+  /// edges lie in that corner; otherwise O(1). \pre `!is_border(h)`
   Halfedge_index input_side(Halfedge h) const
   {
     return side(h, [this](Halfedge g) { return input_halfedge(g); });
@@ -273,8 +276,8 @@ public:
   {
     return segment(halfedge(x)).idx() - arrays_.first_segments[intrinsic_edge(x).idx()];
   }
-  /// returns the input halfedge that crosses, at `x`, halfedge `2e` of the intrinsic edge from
-  /// its right to its left.
+  /// returns the input halfedge that crosses halfedge `2e` of the intrinsic edge at `x`, from
+  /// right to left.
   Halfedge_index crossing_input_halfedge(Vertex x) const { return input_halfedge(next(halfedge(x))); }
   /// returns the input edge that crosses at `x`.
   Edge_index input_edge(Vertex x) const { return Edge_index(crossing_input_halfedge(x).idx() >> 1); }

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Where on their edges the crossings of an overlay lie.
 
@@ -31,10 +34,10 @@ namespace Intrinsic_triangulations {
 /// \brief the positions of the crossings of an overlay along both of their edges.
 ///
 /// A position is the fraction of the edge that lies before the crossing, in the direction of
-/// halfedge `2e`. It comes from the unfolding over the input triangles, by edge and never by
-/// end vertices, and its relative error is at most 2^-52 unless it is below 2^-400. Along each
-/// edge positions never decrease. 0 and 1 occur beside faces of zero area, and where a position
-/// is rounded to 1.
+/// halfedge `2e`. It is computed from the unfolding over the input triangles, by edge and never by
+/// end vertices. Its relative error is at most 2^-52 unless it is below 2^-400. Along each
+/// edge positions never decrease. 0 and 1 occur beside faces of zero area, and 1 where a position
+/// is rounded to it.
 ///
 /// Memory: 16 bytes a crossing.
 class Overlay_positions
@@ -43,10 +46,10 @@ public:
   /// \brief computes all positions.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: the positions
-  ///   are the same, and `progress` is asked only at the beginning
+  ///   are the same, and `progress` is called only at the beginning
   /// \param triangulation a triangulation that keeps its input
   /// \param overlay its overlay
-  /// \param progress is asked during the computation
+  /// \param progress is called during the computation
   /// \exception Undecided_error if an edge is not a straight line over the input triangles: an
   ///   inexact number type has flipped a hinge that is not convex
   /// \exception Cancelled_error if `progress` returns `false`
@@ -100,19 +103,19 @@ public:
       });
   }
 
-  /// returns where on `overlay.intrinsic_edge(x)` the crossing `x` lies, from 0 to 1.
+  /// returns the position of the crossing `x` on `overlay.intrinsic_edge(x)`, from 0 to 1.
   double on_intrinsic_edge(Overlay::Vertex x) const { return on_intrinsic_edge_[index(x)]; }
-  /// returns where on `overlay.input_edge(x)` the crossing `x` lies, from 0 to 1.
+  /// returns the position of the crossing `x` on `overlay.input_edge(x)`, from 0 to 1.
   double on_input_edge(Overlay::Vertex x) const { return on_input_edge_[index(x)]; }
 
-  /// returns where on the halfedge `overlay.intrinsic_side(h)` the target of `h` lies, from 0 to 1.
+  /// returns the position of the target of `h` on the halfedge `overlay.intrinsic_side(h)`, from 0 to 1.
   double on_intrinsic_side(const Overlay& overlay, Overlay::Halfedge h) const
   {
     return overlay.is_crossing(overlay.target(h))
              ? along(overlay.intrinsic_side(h), on_intrinsic_edge(overlay.target(h)))
              : 0;
   }
-  /// returns where on the halfedge `overlay.input_side(h)` the target of `h` lies, from 0 to 1.
+  /// returns the position of the target of `h` on the halfedge `overlay.input_side(h)`, from 0 to 1.
   double on_input_side(const Overlay& overlay, Overlay::Halfedge h) const
   {
     return overlay.is_crossing(overlay.target(h))
@@ -120,10 +123,10 @@ public:
              : 0;
   }
 
-  /// \brief returns the fraction of its edge that a segment takes: of its intrinsic edge, or of
-  /// its input edge where the label is `INPUT`.
+  /// \brief returns the fraction of its edge that a segment covers: of its intrinsic edge, or of
+  /// its input edge if the label is `INPUT`.
   ///
-  /// Times the length of the edge, this is the length of the segment, with an error of a few
+  /// Multiplied by the length of the edge, it gives the length of the segment, with an error of a few
   /// units in the last place of the length of the edge.
   double fraction(const Overlay& overlay, Overlay::Segment s) const
   {
@@ -139,7 +142,7 @@ public:
   /// \brief returns the point in space of a vertex of the overlay, on an input edge.
   ///
   /// \param overlay the overlay
-  /// \param input the input, as `Correspondence::input()` gives it
+  /// \param input the input, as returned by `Correspondence::input()`
   /// \param points a random access range of the points of the vertices of the surface, each with
   ///   three coordinates
   /// \param v a vertex of the overlay

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // How a long computation tells how far it is, and how it is stopped.
 
@@ -17,10 +20,10 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief is asked from time to time during a long computation, with the fraction that is done, from 0
-/// to 1; if it returns `false`, the computation ends with a `Cancelled_error`.
+/// \brief a function that is called from time to time during a long computation, with the fraction that is
+/// done, from 0 to 1; if it returns `false`, the computation throws `Cancelled_error`.
 ///
-/// An empty function stands for one that always returns `true`. The flips have a richer interface,
+/// An empty function acts like one that always returns `true`. The flips have a richer interface,
 /// `IntrinsicFlipVisitor`.
 using Progress_function = std::function<bool(double fraction)>;
 

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // A point of a triangulated surface, and the value that vertex data take there.
 
@@ -19,12 +22,11 @@ namespace Intrinsic_triangulations {
 /// \brief a point of a triangulated surface: three barycentric coordinates in a face.
 ///
 /// The coordinates belong, in this order, to the source of `halfedge`, to its target and to the
-/// third corner of the face to its left. A halfedge says which corner is which even where corners
-/// are the same vertex, and it does not depend on which halfedge a face names. Coordinates are
-/// not negative; they need not sum to 1, but those that the package returns do, up to rounding.
+/// third corner of the face to its left. A halfedge tells the corners apart even if they
+/// are the same vertex, and it does not depend on the choice of `halfedge(f)`. Coordinates are
+/// not negative. They need not sum to 1, but those that the package returns do, up to rounding.
 ///
-/// What a point lies on shows in its coordinates: a point with one zero lies on an edge, one
-/// with two zeros at a vertex.
+/// A point with one zero coordinate lies on an edge, a point with two zeros at a vertex.
 struct Surface_point
 {
   Halfedge_index halfedge;           ///< a halfedge of the face; not a border halfedge
@@ -44,7 +46,7 @@ struct Surface_point
 /// \brief returns the value at a point of the piecewise linear function with given values at the
 /// vertices.
 ///
-/// \param complex the triangulation that the point is a point of
+/// \param complex the triangulation that contains the point
 /// \param values a random access range with a value for each vertex; values can be added and
 ///   multiplied by a `double` from the left
 /// \param point the point; its coordinates sum to 1

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // What is found when a list of polygons is examined, and how it is said: kinds of findings,
 // the report, its messages and the exception.
@@ -18,15 +21,15 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief what `examine_polygons()` found: the fatal kinds first, in the order
-/// in which they should be mended, then those that a surface may have.
+/// \brief a kind of finding of `examine_polygons()`: the fatal kinds first, in the order
+/// in which they should be fixed, then those that a surface may have.
 enum class Finding_kind {
   EMPTY,                    ///< there is no face
-  TOO_MANY_ELEMENTS,        ///< vertices or corners do not fit 32-bit indices
-  BAD_INDEX,                ///< a face names a vertex that does not exist
+  TOO_MANY_ELEMENTS,        ///< too many vertices or corners for 32-bit indices
+  BAD_INDEX,                ///< a face refers to a vertex that does not exist
   NOT_FINITE,               ///< a coordinate is NaN or infinite
   NOT_A_TRIANGLE,           ///< a face has fewer or more than three corners
-  REPEATED_CORNER,          ///< a face names a vertex twice
+  REPEATED_CORNER,          ///< a face has the same vertex twice
   DUPLICATE_FACE,           ///< a face has the three corners of an earlier one
   NON_MANIFOLD_EDGE,        ///< an edge has more than two faces
   INCONSISTENT_ORIENTATION, ///< the two faces of an edge traverse it in the same direction
@@ -35,47 +38,47 @@ enum class Finding_kind {
   COORDINATE_RANGE,         ///< a coordinate is lost when the surface is scaled into the range of `double`
   LENGTH_RANGE,             ///< no power of two scales all squared lengths, and their products, into the range of `double`
   ZERO_AREA_FACE,           ///< not fatal: the three distinct corners of a face are collinear
-  UNREFERENCED_VERTEX,      ///< not fatal: no face names a vertex
+  UNREFERENCED_VERTEX,      ///< not fatal: a vertex belongs to no face
   SEVERAL_COMPONENTS        ///< not fatal: the surface is in several pieces
 };
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief one kind of thing found by `examine_polygons()`, with the first elements that show it.
+/// \brief a finding of `examine_polygons()`, with the first elements that it concerns.
 struct Finding
 {
-  /// what was found.
+  /// the kind of finding.
   Finding_kind kind;
-  /// the same as an exception says it; without meaning unless `is_fatal`.
+  /// the corresponding defect of an exception; meaningless unless `is_fatal`.
   Invalid_surface_error::Defect defect;
   /// the smallest indices, at most ten, increasing where they are vertices or
   /// faces; for a finding about edges, the first face of each of `edges`.
   std::vector<std::size_t> elements;
   /// the end vertices of the first edges, smaller first; empty for other findings.
   std::vector<std::array<std::size_t, 2>> edges;
-  /// how many elements show it (for `SEVERAL_COMPONENTS`: how many components).
+  /// the number of elements concerned (for `SEVERAL_COMPONENTS`: of components).
   std::size_t count;
   /// whether the package cannot work on the surface.
   bool is_fatal;
-  /// names the first element with its vertices, e.g. "edge 3-17 has 4 faces (faces 5, 8, 9, 11)".
+  /// a description of the first element with its vertices, e.g. "edge 3-17 has 4 faces (faces 5, 8, 9, 11)".
   std::string description;
 };
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief everything that `examine_polygons()` found, and the sizes that it counted on the way.
+/// \brief everything that `examine_polygons()` found, and the numbers of elements.
 struct Surface_report
 {
   /// one entry per kind that occurs, in the order of `Finding_kind`.
   std::vector<Finding> findings;
   std::size_t number_of_vertices = 0;     ///< points, referenced or not
-  std::size_t number_of_faces = 0;        ///< polygons, good or bad
-  std::size_t number_of_edges = 0;        ///< edges of the faces whose indices are good
+  std::size_t number_of_faces = 0;        ///< polygons, valid or not
+  std::size_t number_of_edges = 0;        ///< edges of the faces with valid indices
   std::size_t number_of_border_edges = 0; ///< those with one face
   std::size_t number_of_components = 0;   ///< pieces that share no vertex
-  /// whether the faces can be turned so that neighbours agree (known only if no edge has three faces).
+  /// whether the faces can be oriented consistently (known only if no edge has three faces).
   bool is_orientable = true;
   /// the smallest `e` such that no coordinate differs by 2<sup>e</sup> or more along any edge.
   int exponent_of_longest_edge = 0;
-  /// the same for the shortest edge that is not of zero length.
+  /// the same for the shortest edge of nonzero length.
   int exponent_of_shortest_edge = 0;
 
   /// returns the entry of a kind, or `nullptr` if there is none. Complexity: constant.
@@ -153,9 +156,9 @@ inline const Finding_properties& finding_properties(const Finding_kind kind)
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief says in a sentence what was found, where, how often, and what to do about it.
+/// \brief returns a sentence that says what was found, where, how often, and what to do about it.
 /// \param finding an entry of a report
-/// \param advice what to do about it, in place of what a programmer would do; empty for no advice
+/// \param advice what to do about it, instead of the default advice for programmers; empty for no advice
 /// \return for example "edge 3-17 has 4 faces (faces 5, 8, 9, 11), and 2 more edges like it; remove ...".
 /// Complexity: constant.
 inline std::string message(const Finding& finding, const std::optional<std::string>& advice = std::nullopt)
@@ -172,12 +175,12 @@ inline std::string message(const Finding& finding, const std::optional<std::stri
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief says what is wrong with a surface.
+/// \brief returns a text that says what is wrong with a surface.
 /// \param report what `examine_polygons()` returned
 /// \param name the name of the surface, e.g. of its file; it precedes the text unless it is empty
-/// \param advice what to do about the first fatal entry, in place of what a programmer would do
-/// \return if the report has a fatal entry, the first in full and the other fatal ones by
-/// their numbers; otherwise the entries that are not fatal, one after the other; the
+/// \param advice what to do about the first fatal entry, instead of the default advice for programmers
+/// \return if the report has fatal entries, the first one in full and the counts of the
+/// others; otherwise all entries, one after the other; the
 /// empty string if there is no entry. Complexity: constant.
 inline std::string message(const Surface_report& report, const std::string& name = std::string(),
                            const std::optional<std::string>& advice = std::nullopt)
@@ -202,7 +205,7 @@ inline std::string message(const Surface_report& report, const std::string& name
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief does nothing if a surface can be used, and throws what is wrong with it otherwise.
+/// \brief does nothing if a surface can be used; otherwise throws an exception that says why not.
 /// \param report what `examine_polygons()` returned
 /// \param name the name of the surface, e.g. of its file; it precedes the message unless it is empty
 /// \exception Invalid_surface_error with the defect, first element and count of the first

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // An edge of the current triangulation, laid out over the input triangles that it crosses.
 
@@ -35,15 +38,15 @@ struct Corner_ratios
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 ///
-/// \brief lengths, angles and areas of the current triangulation from the input alone.
+/// \brief lengths, angles and areas of the current triangulation, computed from the input alone.
 ///
 /// The input triangles that an edge crosses are laid out one after the other in the
 /// plane. Positions are products and sums of corner ratios of input triangles,
 /// `z = (x + i √q) / (2 s)` with `x = s_ij + s_ki − s_jk` at the corner i from ij to ki:
 /// numbers of the multiquadratic field over the rationals that the square roots √q of
-/// the input faces span, divided by input quantities alone. Hence the results depend on
-/// the input and on where the edge runs, not on the flips that led there, and the same
-/// code gives intervals, multiple-precision numbers or exact ones.
+/// the input faces generate, divided only by input quantities. So the results depend on
+/// the input and on where the edge runs, not on earlier flips, and the same
+/// code yields intervals, multiple-precision numbers or exact ones.
 ///
 /// \tparam Metric gives the images in some ring of the squared length of an input edge and
 ///   of √q of an input face (four times its area): a type `Real`, members
@@ -73,7 +76,7 @@ public:
     Halfedge_index reference; ///< that input halfedge
   };
 
-  /// \brief what a corner knows of its triangle.
+  /// \brief the measures of a triangle as seen from one of its corners.
   struct Corner
   {
     Real p;          ///< twice the scalar product of its sides

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Compares the overlay that the integers give with the one that was updated flip by flip.
 
@@ -62,7 +65,7 @@ inline std::string difference_of_overlays(const Overlay& overlay, const Incremen
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
-/// \brief returns whether both are the same overlay: whether each edge of both triangulations has
+/// \brief returns whether two overlays are the same: whether each edge of both triangulations has
 /// the same crossings in the same order, and the same edges coincide, in the same direction.
 ///
 /// The numbers of segments and crossings may differ. O(size).

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Discrete conformal maps of disks to the plane by circle patterns.
 
@@ -31,13 +34,13 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief a map by a circle pattern, and how it came about.
+/// \brief a map by a circle pattern, and how it was computed.
 struct Circle_pattern
 {
   Planar_points uv;      ///< the position of each vertex; the image has the area of the surface
   Coherent_angles input; ///< the angles whose circle pattern it is
   double gradient = 0;   ///< the largest component of the energy's gradient at the end
-  int iterations = 0;    ///< steps of Newton's method
+  int iterations = 0;    ///< the number of steps of Newton's method
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -255,16 +258,16 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief returns the discrete conformal map of a disk by a circle pattern: the angles at which the
-/// circumcircles of neighbouring triangles meet are kept, as far as flatness allows.
+/// \brief returns the discrete conformal map of a disk by a circle pattern: it preserves the angles at
+/// which the circumcircles of adjacent triangles meet, as far as flatness allows.
 ///
-/// First `find_coherent_angles()` makes the angles those of some flat Delaunay triangulation.
+/// First `find_coherent_angles()` changes the angles to those of some flat Delaunay triangulation.
 /// Then the radii for which the circles fit together are found as the minimum of a convex
 /// energy, by Newton's method with sparse Cholesky factorizations, until no component of the
-/// gradient exceeds 1e-10. The boundary goes where it may; the map preserves the orientation
-/// of each triangle, but the image can overlap itself. Where circles differ in size by more than
-/// the spacing of doubles in the image allows, rounding collapses or flips the small
-/// triangles: `check_parameterization()` tells.
+/// gradient exceeds 1e-10. The boundary is free. The map preserves the orientation
+/// of each triangle, but the image can overlap itself. If circles differ in size by more than
+/// the spacing of doubles in the image allows, rounding collapses small triangles or turns them
+/// over; `check_parameterization()` reports them.
 ///
 /// An intrinsic Delaunay triangulation has no angles to clip, and so less distortion than its
 /// input.
@@ -272,12 +275,12 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 /// \param complex the triangles of a disk
 /// \param lengths the length of each edge
 /// \param areas the area of each face
-/// \param progress is asked before each iteration of the two minimizations, which are half of the way each
+/// \param progress is called before each iteration of the two minimizations, each of which counts as half
 ///
-/// \exception Invalid_surface_error if the surface is no disk, or has an inner vertex with less
+/// \exception Invalid_surface_error if the surface is not a disk, or has an interior vertex with fewer
 ///   than three corners
-/// \exception Numerical_error if there are no coherent angles, or rounding keeps one of the
-///   minima from being found
+/// \exception Numerical_error if there are no coherent angles, or rounding prevents one of the
+///   minimizations from succeeding
 /// \exception Cancelled_error if `progress` returns `false`
 ///
 /// Sources: L. Kharevych, B. Springborn, P. Schröder, "Discrete conformal mappings via circle

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Angles that are those of a flat, Delaunay triangulation, as near as possible to given ones.
 
@@ -28,18 +31,18 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief what `find_coherent_angles()` found.
+/// \brief the result of `find_coherent_angles()`.
 struct Coherent_angles
 {
-  /// for each halfedge the angle opposite to it in its face; 0 for a border halfedge
+  /// for each halfedge, the opposite angle in its face; 0 for a border halfedge
   std::vector<double> angles;
-  /// interior edges whose two given angles summed to more than the result may
+  /// the number of interior edges whose two given angles summed to more than is allowed
   std::size_t number_of_clipped_edges = 0;
   double largest_change = 0; ///< in radians
 };
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief returns for each halfedge the angle opposite to it, in radians; 0 for border halfedges.
+/// \brief returns for each halfedge the opposite angle, in radians; 0 for border halfedges.
 /// \param complex the triangles
 /// \param lengths the length of each edge
 /// \param areas the area of each face. O(size).
@@ -344,30 +347,30 @@ private:
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief finds the coherent angle system that is nearest to given angles, in the sense of
-/// least squares.
+/// \brief finds the coherent angle system that is nearest to given angles in the least-squares
+/// sense.
 ///
-/// In a coherent angle system the angles of each face sum to π, those around each inner
-/// vertex to 2π, all are positive, and the two opposite to an interior edge sum to less than
-/// π. The last is what the angles of a triangulation that is not Delaunay lack: they are
-/// clipped. On an intrinsic Delaunay triangulation there is nothing to clip, and only the
-/// curvature is to be distributed.
+/// In a coherent angle system the angles of each face sum to π, those around each interior
+/// vertex sum to 2π, all are positive, and the two opposite an interior edge sum to less than
+/// π. If a triangulation is not Delaunay, some of its edges violate the last condition, and their
+/// angles are clipped. On an intrinsic Delaunay triangulation there is nothing to clip; only the
+/// curvature has to be distributed.
 ///
 /// \param complex the triangles of a surface with boundary
-/// \param angles the angle opposite to each halfedge, as `opposite_angles()` returns them
-/// \param margin in radians, how far edge sums stay below π, and angles above 0; those that
-///   are less than twice that can become half as large. At a vertex with *d* corners the margin is
+/// \param angles the angle opposite each halfedge, as returned by `opposite_angles()`
+/// \param margin in radians, how far edge sums stay below π and angles stay above 0; angles
+///   less than twice the margin can become half as large. At a vertex with *d* corners the margin is
 ///   at most π/*d*
-/// \param progress is asked before each iteration
+/// \param progress is called before each iteration
 ///
-/// \exception Invalid_surface_error if an inner vertex has fewer than three corners, which
-///   cannot sum to 2π
+/// \exception Invalid_surface_error if an interior vertex has fewer than three corners, whose
+///   angles cannot sum to 2π
 /// \exception Numerical_error if no such angles are found
 /// \exception Cancelled_error if `progress` returns `false`
 ///
-/// A convex quadratic program, solved by an interior-point method: some twenty sparse
-/// Cholesky factorizations. Face and vertex sums are right to 1e-12, or 2⁻⁵² for each corner of a
-/// vertex where that is more.
+/// The convex quadratic program is solved by an interior-point method, with about twenty sparse
+/// Cholesky factorizations. Face and vertex sums are accurate to 1e-12, or to 2⁻⁵² for each corner of a
+/// vertex if that is more.
 /// Source: L. Kharevych, B. Springborn, P. Schröder, "Discrete conformal mappings via circle
 /// patterns", 2006, section 3.
 inline Coherent_angles find_coherent_angles(const Delta_complex& complex,

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Extreme eigenvalues and condition number of a Laplace-Beltrami operator.
 
@@ -28,13 +31,13 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// \brief the ends of the spectrum of a stiffness matrix, zeros left out.
+/// \brief the extreme nonzero eigenvalues of a stiffness matrix.
 struct Extreme_eigenvalues
 {
-  double smallest = 0; ///< the smallest that is not zero
-  double largest = 0;  ///< the largest
+  double smallest = 0; ///< the smallest nonzero eigenvalue
+  double largest = 0;  ///< the largest eigenvalue
 
-  /// returns the largest over the smallest.
+  /// returns the ratio of the largest to the smallest.
   double condition_number() const { return largest / smallest; }
 };
 
@@ -187,16 +190,16 @@ double largest_eigenvalue(Operator& op)
 /// \brief returns the smallest and the largest eigenvalue of a stiffness matrix, whose ratio is
 /// the condition number of the operator.
 ///
-/// *Definition.* Vertices on the border and vertices without a face are left out, as for
-/// Dirichlet conditions. What is left has one zero eigenvalue for each closed component,
-/// which does not count; all others are positive. The mass matrix plays no part.
+/// *Definition.* Border vertices and isolated vertices are left out, as for
+/// Dirichlet conditions. The remaining matrix has one zero eigenvalue for each closed component,
+/// which is ignored; all others are positive. The mass matrix is not used.
 ///
-/// Method: Lanczos (Spectra) for the largest eigenvalue of the matrix and for that of
-/// its pseudoinverse, with one sparse Cholesky factorization. Relative error of an
-/// eigenvalue about 1e-10, or what the condition number makes of 1e-16.
+/// Method: Lanczos (Spectra) for the largest eigenvalue of the matrix and that of
+/// its pseudoinverse, with one sparse Cholesky factorization. The relative error of an
+/// eigenvalue is about 1e-10, or 1e-16 times the condition number.
 ///
 /// \param complex the triangles
-/// \param stiffness the matrix that `stiffness_matrix()` returned for them
+/// \param stiffness their matrix, as returned by `stiffness_matrix()`
 /// \exception Invalid_surface_error if no eigenvalue is left
 /// \exception Numerical_error if an iteration does not converge, or if the matrix is not
 ///   positive definite after rounding

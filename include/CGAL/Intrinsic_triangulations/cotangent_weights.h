@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Cotangent weights and areas of a whole triangulation as doubles, at the speed of the stored
 // numbers where these are good enough, and exactly where they are not.
@@ -229,21 +232,21 @@ private:
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the cotangent weight of each edge, in the order of the edges: the sum of the
-/// cotangents of the one or two angles opposite to it, without a factor and without unit.
+/// cotangents of the one or two opposite angles, without a factor and dimensionless.
 ///
 /// With `Filtered_edge_length_traits` each weight is within `2^-32 (1 + |cot k| + |cot l|)` of
-/// the exact one and has its sign, a tie is exactly zero: on an exact intrinsic Delaunay
-/// triangulation no weight of an interior edge is negative. Where the stored numbers are
-/// not good enough for that, and only there, the exact geometry is asked. With other traits
-/// the weights are those of their number type, and none is negative where its test says that
-/// the edge is Delaunay. A border edge has one angle, which may well be obtuse.
+/// the exact one and has its sign, and the weight of a tie is exactly zero. So on an exact intrinsic
+/// Delaunay triangulation no weight of an interior edge is negative. The exact geometry is used only
+/// where the stored numbers are not accurate enough. With other traits
+/// the weights are those of their number type, and none is negative if its test says that
+/// the edge is Delaunay. A border edge has one angle, which may be obtuse.
 ///
-/// \exception Invalid_surface_error if a face has no area
+/// \exception Invalid_surface_error if a face has zero area
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: the weights are
-///   the same, and several threads compute those that are stored well enough
+///   the same, and several threads compute those for which the stored numbers suffice
 ///
-/// O(size), but for the edges that need the exact geometry.
+/// O(size), except for the edges that need the exact geometry.
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 3.1.
 template <class ConcurrencyTag = Sequential_tag, class Traits>
 std::vector<double> cotangent_weights(const Intrinsic_triangulation<Traits>& triangulation)
@@ -256,8 +259,8 @@ std::vector<double> cotangent_weights(const Intrinsic_triangulation<Traits>& tri
 /// \brief returns the area of each face, in the order of the faces and in the unit of the
 /// input.
 ///
-/// With `Filtered_edge_length_traits` up to a relative error of `2^-32`, with other traits
-/// those of the number type. O(size), but for the faces that need the exact geometry.
+/// With `Filtered_edge_length_traits` the relative error is at most `2^-32`; with other traits
+/// the areas are those of the number type. O(size), except for the faces that need the exact geometry.
 /// \exception Invalid_surface_error if the unit of the input is so large that an area is beyond the
 ///   range of `double`, or, with `Filtered_edge_length_traits`, so small that it is below
 /// \tparam ConcurrencyTag as for `cotangent_weights()`
@@ -270,7 +273,7 @@ std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulat
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the length of each edge, in the order of the edges and in the unit of the
-/// input, as `Intrinsic_triangulation::length()` gives it.
+/// input, as returned by `Intrinsic_triangulation::length()`.
 template <class Traits>
 std::vector<double> edge_lengths(const Intrinsic_triangulation<Traits>& triangulation)
 {

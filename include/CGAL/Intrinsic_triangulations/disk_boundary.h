@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The boundary of a topological disk, and where a parameterization can place it.
 
@@ -122,10 +125,10 @@ inline double root_of_sum(const std::vector<double>& areas)
 /// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the boundary of a disk: its halfedges that have a face, counterclockwise.
 ///
-/// Border edges are never flipped, so that an intrinsic triangulation and its input have the
-/// same. The first is `opposite(h)` of the first border halfedge h. Vertices without a
-/// face are ignored.
-/// \exception Invalid_surface_error if the surface is no disk; the message says what it is
+/// Border edges are never flipped, so an intrinsic triangulation and its input have the
+/// same boundary. The first halfedge is `opposite(h)` of the first border halfedge h. Isolated
+/// vertices are ignored.
+/// \exception Invalid_surface_error if the surface is not a disk; the message says what it is
 ///   and what is needed. O(size).
 inline std::vector<Halfedge_index> disk_boundary(const Delta_complex& complex)
 {
@@ -159,7 +162,7 @@ inline std::vector<Halfedge_index> disk_boundary(const Delta_complex& complex)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief spreads the vertices of a boundary over the unit circle, by arc length.
+/// \brief places the vertices of a boundary on the unit circle, by arc length.
 ///
 /// \param boundary_lengths the lengths of the boundary's edges in order. \pre they are positive
 /// \return the position where each edge begins; the first is (1, 0). O(size).
@@ -181,12 +184,12 @@ inline Planar_points positions_on_circle(const std::vector<double>& boundary_len
 }
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief spreads the vertices of a boundary over a convex polygon.
+/// \brief places the vertices of a boundary on a convex polygon.
 ///
 /// The first vertex goes to the first corner. Each other corner gets the vertex that is
-/// nearest when both are taken around at the same rate of arc length, but no vertex
-/// that a corner before it has or one after it needs. On each side the vertices between
-/// are spread by arc length.
+/// nearest if boundary and polygon are traversed at the same rate of arc length, except for vertices
+/// that an earlier corner has or a later one needs. On each side, the vertices in between
+/// are placed by arc length.
 ///
 /// \param boundary_lengths the lengths of the boundary's edges in order. \pre they are positive
 /// \param corners the corners of the polygon, counterclockwise and strictly convex

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The exceptions of the package: what a user can cause by input throws one of
 // these in every build; what a programmer does wrong is a CGAL precondition.

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Delta_complex as a graph of the Boost Graph Library and of CGAL.
 
@@ -31,10 +34,10 @@ namespace Intrinsic_triangulations {
 /// \brief the edge descriptor of `boost::graph_traits<Delta_complex>`: an undirected edge
 /// that remembers from which end it was reached.
 ///
-/// The Boost Graph Library asks that `source(e, g)` is `v` for each edge `e` of
-/// `out_edges(v, g)`, which an `Edge_index` cannot tell. Two descriptors are equal if they
-/// are of the same edge, whatever their directions. An `Oriented_edge` becomes an
-/// `Edge_index` by itself; the other way, its direction is that of
+/// The Boost Graph Library requires that `source(e, g)` is `v` for each edge `e` of
+/// `out_edges(v, g)`, which an `Edge_index` does not determine. Two descriptors are equal if they
+/// describe the same edge, whatever their directions. An `Oriented_edge` converts implicitly to an
+/// `Edge_index`. Constructed from an `Edge_index`, its direction is that of
 /// `Delta_complex::halfedge(Edge_index)`.
 class Oriented_edge
 {
@@ -66,7 +69,7 @@ public:
   /// \name Comparison
   /// @{
 
-  /// compares the edges, whatever their directions; the null descriptor comes last.
+  /// compares the edges and ignores their directions; the null descriptor comes last.
   friend constexpr bool operator==(Oriented_edge a, Oriented_edge b) { return a.idx() == b.idx(); }
   friend constexpr bool operator!=(Oriented_edge a, Oriented_edge b) { return !(a == b); }
   friend constexpr bool operator<(Oriented_edge a, Oriented_edge b) { return a.idx() < b.idx(); }
@@ -156,22 +159,22 @@ struct Dynamic_map
 namespace boost {
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
-/// \brief makes `CGAL::Intrinsic_triangulations::Delta_complex` a graph.
+/// \brief makes `CGAL::Intrinsic_triangulations::Delta_complex` a graph of the Boost Graph Library and CGAL.
 ///
 /// Halfedges, vertices and faces have the descriptors of `Delta_complex`, edges have
 /// `Oriented_edge`. Parallel edges and loops are allowed: a loop occurs twice among the
 /// `out_edges()` and twice among the `in_edges()` of its vertex, and counts twice in its
-/// `degree()`. The functions of the concepts are found by argument-dependent look-up;
-/// each takes O(1), but `degree(v, g)`, `out_degree(v, g)` and `in_degree(v, g)` count,
+/// `degree()`. The functions of the concepts are found by argument-dependent lookup.
+/// Each takes O(1), except that `degree(v, g)`, `out_degree(v, g)` and `in_degree(v, g)` count,
 /// and `edge(u, v, g)` and `halfedge(u, v, g)` search.
 ///
 /// \warning `edge(u, v, g)` and `halfedge(u, v, g)` return *some* edge from `u` to `v`; there
-/// may be several. Algorithms that look edges up by their ends are right on a complex
-/// for which `CGAL::Intrinsic_triangulations::is_simplicial()` holds, and on no other.
+/// may be several. Algorithms that look edges up by their end vertices are correct only on a complex
+/// for which `CGAL::Intrinsic_triangulations::is_simplicial()` holds.
 ///
-/// Property maps: `vertex_index`, `halfedge_index`, `edge_index`, `face_index`, all of them
-/// the positions of the descriptors, which a flip does not change, and the dynamic
-/// properties of CGAL, which are arrays here.
+/// Property maps: `vertex_index`, `halfedge_index`, `edge_index` and `face_index` are
+/// the positions of the descriptors, which a flip does not change. The dynamic
+/// properties of CGAL are stored in arrays.
 ///
 /// \cgalModels `FaceListGraph`, `HalfedgeListGraph`, `BidirectionalGraph`, `VertexListGraph`,
 ///   `EdgeListGraph`, `AdjacencyGraph`
@@ -187,10 +190,10 @@ private:
   {};
 
 public:
-  /// \name What the concepts of BGL ask for
+  /// \name What the concepts of BGL require
   /// @{
 
-  /// as the concepts of the Boost Graph Library say
+  /// as required by the concepts of the Boost Graph Library
   using vertex_descriptor = CGAL::Intrinsic_triangulations::Vertex_index;
   using halfedge_descriptor = CGAL::Intrinsic_triangulations::Halfedge_index;
   using edge_descriptor = CGAL::Intrinsic_triangulations::Oriented_edge;

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Discrete harmonic maps of disks to the plane, with the boundary fixed or free.
 
@@ -82,21 +85,21 @@ inline void solve_with_fixed_values(const Eigen::SparseMatrix<double>& matrix,
 /// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the discrete harmonic map of a disk whose boundary is fixed.
 ///
-/// Each inner vertex is the average of its neighbours, weighted with the cotangent weights.
-/// If these are positive, and the boundary is that of a convex polygon, the map is
-/// one-to-one, by the theorem of Tutte and Floater. Negative weights can fold it. An edge with
-/// weight zero, as a tie has, does not count: where the neighbours that are left of a vertex lie on
-/// a line, or loops or edges between the same vertices cut the disk in two, triangles
-/// are collapsed, and rounding may flip such a triangle. `check_parameterization()` tells.
+/// Each interior vertex is the average of its neighbours, weighted with the cotangent weights.
+/// If these are positive and the boundary is a convex polygon, the map is
+/// one-to-one, by the theorem of Tutte and Floater. Negative weights can fold it. Edges with
+/// weight zero (ties) do not count. If the other neighbours of a vertex lie on
+/// a line, or if loops or double edges separate the disk, triangles
+/// collapse, and rounding may turn such a triangle over. `check_parameterization()` reports this.
 ///
 /// \param complex the triangles of a disk
-/// \param weights `cot k + cot l` for each edge, as `cotangent_weights()` returns them
-/// \param boundary_positions for each halfedge that `disk_boundary(complex)` returns the position
+/// \param weights `cot k + cot l` for each edge, as returned by `cotangent_weights()`
+/// \param boundary_positions for each halfedge returned by `disk_boundary(complex)`, the position
 ///   of its source
 ///
 /// \return the position of each vertex; (0, 0) for a vertex without a face
 ///
-/// \exception Invalid_surface_error if the surface is no disk
+/// \exception Invalid_surface_error if the surface is not a disk
 /// \exception Numerical_error if the linear system cannot be solved
 /// \pre there is a position for each vertex of the boundary
 ///
@@ -127,12 +130,12 @@ inline Planar_points harmonic_parameterization(const Delta_complex& complex,
 }
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief returns the discrete harmonic map of a disk to the unit disk, with the boundary spread
-/// over the unit circle by arc length.
+/// \brief returns the discrete harmonic map of a disk to the unit disk, with the boundary placed
+/// on the unit circle by arc length.
 ///
 /// The map of an intrinsic Delaunay triangulation is piecewise linear on the intrinsic
-/// triangles; a triangulation that was not flipped gives the usual, extrinsic map.
-/// As above otherwise; exceptions also as for `cotangent_weights()`.
+/// triangles. A triangulation that was not flipped gives the usual, extrinsic map.
+/// Otherwise as above; exceptions also as for `cotangent_weights()`.
 template <class Traits>
 Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& triangulation)
 {
@@ -144,12 +147,12 @@ Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& t
 }
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief returns the discrete harmonic map of a disk to a convex polygon, with the boundary as
-/// `positions_on_polygon()` places it.
+/// \brief returns the discrete harmonic map of a disk to a convex polygon, with the boundary placed
+/// by `positions_on_polygon()`.
 ///
-/// A triangle with all three corners on one side of the polygon is collapsed, up to rounding:
-/// on a side that is parallel to no axis, the check may find it flipped.
-/// As above otherwise; exceptions also as for `positions_on_polygon()`.
+/// A triangle with all three corners on one side of the polygon collapses, up to rounding:
+/// on a side that is not parallel to an axis, the check may find it turned over.
+/// Otherwise as above; exceptions also as for `positions_on_polygon()`.
 template <class Traits>
 Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& triangulation,
                                         const Planar_points& polygon)
@@ -164,13 +167,13 @@ Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& t
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the discrete harmonic map of a disk with natural boundary conditions: the
-/// boundary goes where the map is as conformal as possible.
+/// boundary is free, and the map is as conformal as possible.
 ///
-/// Dirichlet energy minus area of the image is minimized, a quadratic energy that is zero for
+/// It minimizes the Dirichlet energy minus the area of the image, a quadratic energy that is zero for
 /// conformal maps and positive otherwise. Two boundary vertices, half the boundary apart,
-/// are fixed for that; afterwards the map is scaled, so that the image has the area of the
-/// surface. Nothing keeps triangles from being flipped. Where triangles are so thin that weights
-/// differ by a factor of 1e10 and more, rounding spoils the result.
+/// are fixed for this. Then the map is scaled so that the image has the area of the
+/// surface. Triangles may be turned over. If triangles are so thin that weights
+/// differ by a factor of 1e10 or more, rounding spoils the result.
 ///
 /// \param complex the triangles of a disk
 /// \param weights `cot k + cot l` for each edge

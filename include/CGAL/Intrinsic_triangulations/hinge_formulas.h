@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The formulas for one triangle and one hinge, on a bare number type.
 //
@@ -18,8 +21,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// \brief what the decisions and the flip of an edge depend on: the data of the five
-/// edges and of the two faces of a hinge.
+/// \brief the data on which the decisions and the flip of an edge depend: those of the five
+/// edges and the two faces of a hinge.
 template <class Edge_data, class Face_data>
 struct Hinge
 {
@@ -83,7 +86,7 @@ void sort_lengths(FT& a, FT& b, FT& c)
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
 /// \brief returns the square of four times the area of a triangle from its lengths, in
-/// the order of operations that is accurate for slivers, too.
+/// an order of operations that is accurate even for slivers.
 ///
 /// Unless it underflows, the value is negative exactly if the lengths violate the triangle
 /// inequality: the sign of the decisive factor is computed exactly in floating point.
@@ -99,7 +102,7 @@ FT squared_four_areas_from_lengths(FT a, FT b, FT c)
 /// \brief returns whether three lengths certainly violate the triangle inequality; exact in
 /// floating point, whatever their magnitude.
 ///
-/// It is the decisive factor alone of `squared_four_areas_from_lengths()`: all of it can underflow.
+/// It computes only the decisive factor of `squared_four_areas_from_lengths()`, as the product can underflow.
 template <class FT>
 bool violate_triangle_inequality(FT a, FT b, FT c)
 {
@@ -110,7 +113,7 @@ bool violate_triangle_inequality(FT a, FT b, FT c)
 /// \ingroup PkgIntrinsicTriangulationsFormulas
 /// \brief returns `p_k a_jil + p_l a_ijk`, whose sign is that of `cot k + cot l`.
 ///
-/// Neither division nor square root.
+/// It needs neither a division nor a square root.
 template <class FT>
 FT delaunay_value(const FT& p_k, const FT& a_ijk, const FT& p_l, const FT& a_jil)
 {
@@ -120,14 +123,14 @@ FT delaunay_value(const FT& p_k, const FT& a_ijk, const FT& p_l, const FT& a_jil
 /// \ingroup PkgIntrinsicTriangulationsFormulas
 /// \brief computes squared length and areas after the flip of ij to kl.
 ///
-/// Laid out with i at the origin and j on the first axis, k has the coordinates
+/// With i at the origin and j on the first axis, k has the coordinates
 /// `(x_k, a_ijk) / (2 √s_ij)` and l has `(x_l, −a_jil) / (2 √s_ij)`, where
 /// `x_k = s_ki + s_ij − s_jk` and `x_l = s_il + s_ij − s_lj`. Hence
 /// `s_kl = ((x_k − x_l)² + (a_ijk + a_jil)²) / (4 s_ij)`,
 /// `a_ilk = (x_k a_jil + x_l a_ijk) / (2 s_ij)`, and with `y = 2 s_ij − x`
 /// `a_jkl = (y_k a_jil + y_l a_ijk) / (2 s_ij)`.
-/// One division, no root, and no difference but those that form x and y. If all radicals
-/// in the input are areas of input faces, so they are in the output: they never nest.
+/// This takes one division, no root, and no differences except in x and y. If all radicals
+/// in the input are areas of input faces, so are those in the output: they never nest.
 template <class FT>
 void flip_hinge(const FT& s_ij, const FT& s_jk, const FT& s_ki, const FT& s_il, const FT& s_lj,
                 const FT& a_ijk, const FT& a_jil, FT& s_kl, FT& a_ilk, FT& a_jkl)

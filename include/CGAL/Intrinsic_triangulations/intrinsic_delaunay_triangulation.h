@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The front door: from a mesh to its intrinsic Delaunay triangulation.
 
@@ -52,7 +55,7 @@ public:
       report_(flip_to_Delaunay<ConcurrencyTag>(static_cast<Base&>(*this), np))
   {}
 
-  /// returns how the run of `flip_to_Delaunay()` went.
+  /// returns the report of `flip_to_Delaunay()`.
   const Flip_report& report() const { return report_; }
 
 private:
@@ -94,9 +97,9 @@ std::optional<std::vector<Rational>> rational_squared_lengths(const TriangleMesh
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief the traits that are used for points of a kernel unless others are given:
-/// `Filtered_edge_length_traits`, which need rational coordinates, or for a kernel whose
-/// number type is exact and has square roots, `Edge_length_traits` over that type.
+/// \brief the default traits for points of a kernel:
+/// `Filtered_edge_length_traits`, which requires rational coordinates, or `Edge_length_traits` over
+/// the number type of the kernel if that is exact and has square roots.
 template <class Kernel>
 using Default_intrinsic_triangulation_traits = std::conditional_t<
   Algebraic_structure_traits<typename Kernel::FT>::Is_exact::value &&
@@ -107,8 +110,8 @@ using Default_intrinsic_triangulation_traits = std::conditional_t<
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief copies a triangle mesh as an intrinsic triangulation, without flipping anything.
 ///
-/// The i-th vertex, edge and face of the result are the i-th of the mesh's ranges. `ConcurrencyTag`, named
-/// parameters `vertex_point_map` and `geom_traits` as for
+/// The i-th vertex, edge and face of the result are the i-th of the mesh's ranges. `ConcurrencyTag` and the
+/// named parameters `vertex_point_map` and `geom_traits` are as for
 /// `intrinsic_delaunay_triangulation()`.
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters>
@@ -162,8 +165,8 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
 /// \brief constructs the intrinsic Delaunay triangulation of a triangle mesh.
 ///
 /// The i-th vertex, edge and face of the result are the i-th of the mesh's ranges; a flip
-/// changes what an edge joins, but not its descriptor. Expected time O(size) plus O(1) a
-/// flip; the number of flips is about linear in practice.
+/// changes the end vertices of an edge, but not its descriptor. Expected time: O(size) plus O(1) per
+/// flip; in practice the number of flips is about linear.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: as for
 ///   `flip_to_Delaunay()`; the mesh is copied by several threads if its iterators have random access
@@ -177,7 +180,7 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
 ///     \cgalParamDefault{`get_const_property_map(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{the traits, which fix number type and formulas}
+///     \cgalParamDescription{the traits, which determine number type and formulas}
 ///     \cgalParamType{a model of `IntrinsicTriangulationTraits`}
 ///     \cgalParamDefault{`Default_intrinsic_triangulation_traits`: exact decisions}
 ///   \cgalParamNEnd

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The Laplace-Beltrami operator of a triangulation as sparse matrices of Eigen: stiffness and
 // mass.
@@ -29,8 +32,8 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief the factor of the cotangents in a stiffness matrix.
 enum class Stiffness_factor {
-  HALF, ///< `w_ij = (cot k + cot l) / 2`: that of linear finite elements, to go with a mass matrix
-  ONE   ///< `w_ij = cot k + cot l`: that of section 3.1 of the paper
+  HALF, ///< `w_ij = (cot k + cot l) / 2`: as for linear finite elements, matching a mass matrix
+  ONE   ///< `w_ij = cot k + cot l`: as in section 3.1 of the paper
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -76,17 +79,17 @@ inline double area_beside(const Delta_complex& complex, const std::vector<double
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the stiffness matrix for given cotangent weights.
 ///
-/// With the weight `w_ij` of all edges that join i and j together, the entries are
-/// `L_ij = −w_ij` off the diagonal, and `L_ii` is the sum of all `w_ij`: the matrix is
+/// Let `w_ij` be the total weight of all edges that join i and j. The entries are
+/// `L_ij = −w_ij` off the diagonal, and `L_ii` is the sum of all `w_ij`. So the matrix is
 /// symmetric and positive semidefinite, the rows sum to zero, and `uᵀ L u` is the integral
-/// of `|∇u|²` with `Stiffness_factor::HALF`. Loops drop out. The boundary is that of natural
-/// (Neumann) conditions: a border edge has the one cotangent, and no row is left out. For
-/// Dirichlet conditions take the rows and columns of the inner vertices.
+/// of `|∇u|²` with `Stiffness_factor::HALF`. Loops contribute nothing. The boundary conditions are
+/// natural (Neumann): a border edge has one cotangent, and no row is left out. For
+/// Dirichlet conditions, take the rows and columns of the interior vertices.
 ///
-/// Each entry of the diagonal is stored, zeros included; the indices of a column ascend.
+/// Each diagonal entry is stored, even if it is zero. The indices of a column are in increasing order.
 ///
 /// \param complex the triangles
-/// \param weights `cot k + cot l` for each edge, as `cotangent_weights()` returns them
+/// \param weights `cot k + cot l` for each edge, as returned by `cotangent_weights()`
 /// \param factor the factor
 /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: the matrix is the
 ///   same, bit for bit
@@ -105,8 +108,8 @@ stiffness_matrix(const Delta_complex& complex, const std::vector<double>& weight
 /// \brief returns the stiffness matrix of a triangulation.
 ///
 /// As above, with the weights of `cotangent_weights()`. For an intrinsic Delaunay
-/// triangulation it is that of the intrinsic Laplace-Beltrami operator: no entry off the
-/// diagonal is positive but those of border edges. For a triangulation that was not
+/// triangulation it is that of the intrinsic Laplace-Beltrami operator: no off-diagonal entry
+/// is positive, except those of border edges. For a triangulation that was not
 /// flipped it is the usual, extrinsic one. One pass over the edges computes all weights.
 /// \tparam ConcurrencyTag as above
 /// \exception Invalid_surface_error as `cotangent_weights()`
@@ -125,10 +128,10 @@ stiffness_matrix(const Intrinsic_triangulation<Traits>& triangulation,
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// \brief returns the lumped mass matrix: a third of the area of its faces for each vertex,
-/// on the diagonal.
+/// \brief returns the lumped mass matrix: the diagonal entry of a vertex is a third of the area of
+/// its faces.
 ///
-/// A vertex that several corners of a face meet in counts once for each.
+/// If several corners of a face are at the same vertex, the face counts once for each.
 /// \param complex the triangles
 /// \param areas the area of each face. O(size).
 /// \pre there is an area for each face
@@ -157,8 +160,8 @@ Eigen::SparseMatrix<double> lumped_mass_matrix(const Intrinsic_triangulation<Tra
 /// \brief returns the Galerkin mass matrix of linear finite elements: a face adds a sixth of
 /// its area for each corner and a twelfth for each pair of corners.
 ///
-/// Corners that are the same vertex are treated as different ones whose values agree, so that
-/// `uᵀ M u` is the integral of `u²` in any case.
+/// Corners at the same vertex are treated as different corners with the same value, so
+/// `uᵀ M u` is always the integral of `u²`.
 /// \param complex the triangles
 /// \param areas the area of each face. O(size).
 /// \pre there is an area for each face
@@ -190,7 +193,7 @@ galerkin_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// \brief stiffness and lumped mass: `L u = λ M u` is the eigenvalue problem of `−Δ`.
+/// \brief stiffness matrix `L` and lumped mass matrix `M`: `L u = λ M u` is the eigenvalue problem of `−Δ`.
 struct Laplace_beltrami_operator
 {
   Eigen::SparseMatrix<double> stiffness; ///< with `Stiffness_factor::HALF`
@@ -198,13 +201,13 @@ struct Laplace_beltrami_operator
 };
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// \brief returns the intrinsic Laplace-Beltrami operator of a triangle mesh, in place of
+/// \brief returns the intrinsic Laplace-Beltrami operator of a triangle mesh, a replacement for
 /// its cotangent matrix.
 ///
 ///     auto [L, M] = intrinsic_delaunay_laplacian(mesh);
 ///
-/// The i-th row is that of the i-th vertex of the mesh. Conventions as for
-/// `stiffness_matrix()`, parameters and exceptions as for `intrinsic_delaunay_triangulation()`.
+/// The i-th row belongs to the i-th vertex of the mesh. The conventions are those of
+/// `stiffness_matrix()`, parameters and exceptions those of `intrinsic_delaunay_triangulation()`.
 /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters>
@@ -217,7 +220,7 @@ intrinsic_delaunay_laplacian(const TriangleMesh& mesh,
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// \brief returns the extrinsic operator, from the triangles of the mesh as they are; otherwise
+/// \brief returns the extrinsic operator, from the unchanged triangles of the mesh; otherwise
 /// as `intrinsic_delaunay_laplacian()`.
 /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Builds the connectivity from a face graph, from index triples or from a gluing.
 
@@ -40,7 +43,7 @@ Delta_complex make_Delta_complex(const FaceGraph& graph)
 ///
 /// Edges are numbered by their first appearance around the faces in order; corner i of
 /// face f starts side i, from corner i to corner i + 1, and `halfedge(f)` is side 0.
-/// Vertices that no face names become isolated vertices. O(size), no hashing.
+/// Vertices that belong to no face become isolated vertices. O(size), no hashing.
 ///
 /// \tparam TriangleRange a range of random access ranges of three vertex indices each
 /// \exception Invalid_surface_error if an index is out of range or repeated, an edge has
@@ -57,9 +60,9 @@ Delta_complex make_Delta_complex_from_triangles(std::size_t number_of_vertices,
 /// \brief builds the connectivity of a surface from triangles and glued sides.
 ///
 /// Side `3 f + i` runs from corner i of face f to corner i + 1. Two glued sides run in
-/// opposite directions along their common edge; a side that is glued to none lies on
-/// the boundary. Any gluing is allowed, a face with itself included. Edges are numbered
-/// by their first side in order, and so are the vertices by their first corner. O(size).
+/// opposite directions along their common edge; a side that is not glued lies on
+/// the boundary. Any gluing is allowed, even of a face to itself. Edges are numbered
+/// in the order of their first sides, vertices in the order of their first corners. O(size).
 ///
 /// \tparam SidePairRange a range of pairs (random access ranges of two) of side numbers
 /// \exception Invalid_surface_error if a side is out of range, glued twice or to itself

@@ -1,7 +1,10 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
+// Author(s)     : The Intrinsic_triangulations developers
+//
 // Lengthens edges until no triangle is nearly degenerate. This changes the surface, so
-// nothing in the package does it unasked.
+// it is never done implicitly.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_MOLLIFY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_MOLLIFY_H
@@ -25,7 +28,7 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief what `mollify_lengths()` did.
+/// \brief the changes made by `mollify_lengths()`.
 struct Mollification_report
 {
   double delta = 0;                        ///< the margin in the unit of the lengths
@@ -152,32 +155,32 @@ private:
 /// \brief lengthens edges until every triangle satisfies the triangle inequality with a
 /// margin: `l_ij + l_jk >= l_ki + delta` at each corner j.
 ///
-/// Nearly degenerate triangles lose digits in an inexact number type; lengths that
-/// are not quite those of triangles are no metric at all. Mollification repairs both, and
-/// changes the surface: use it only where that is better than the alternatives. Exact
+/// Nearly degenerate triangles lose digits in an inexact number type, and lengths that violate
+/// the triangle inequality slightly are not a metric at all. Mollification repairs both, but it
+/// changes the surface: use it only if that is better than the alternatives. Exact
 /// decisions do not need it.
 ///
 /// *Global* (Sharp and Crane 2020, section 4.5): the same ε is added to every length, the
 /// smallest that satisfies all corners. Two linear passes.
 ///
-/// *Local*: only edges of triangles that lack the margin become longer. Margins of all
-/// three corners add up to lengths of at least delta, so shorter edges are raised to
-/// delta first. Then edges are taken in the order of decreasing length. Where the edge
-/// taken, of length c, lacks the margin against the other two sides of a triangle, the
-/// shorter of these is raised, up to the longer at most, and if that is not enough both are
-/// raised to (c + delta)/2. As delta ≤ c, no side is raised beyond c: an edge that was
-/// taken never changes again, so that each edge is taken once and the function ends, in
+/// *Local*: only edges of triangles that lack the margin become longer. The margins of all
+/// three corners imply lengths of at least delta, so shorter edges are first raised to
+/// delta. Then edges are processed in the order of decreasing length. If the current
+/// edge, of length c, lacks the margin against the other two sides of a triangle, the
+/// shorter of these is raised, at most up to the longer one. If that is not enough, both are
+/// raised to (c + delta)/2. As delta ≤ c, no side is raised beyond c: a processed edge
+/// never changes again. So each edge is processed once, and the function terminates in
 /// O(n log n). In each triangle the longest side has the margin against the other two,
 /// which implies the same for these.
 ///
 /// A triangle that has the margin, and no edge that a neighbour had to raise, keeps its
-/// lengths bit for bit; if all have it, nothing changes.
+/// lengths bit for bit. If all triangles have the margin, nothing changes.
 ///
 /// \param complex the triangles
 /// \param lengths the length of each edge, in the order of the edges; they need not
 ///   satisfy the triangle inequality
 /// \param delta_relative the margin as a multiple of the mean edge length; 0 repairs
-///   the triangle inequality alone, with equality
+///   only the triangle inequality, with equality
 /// \param is_local whether only edges of triangles without the margin are lengthened
 ///
 /// \return how much was changed

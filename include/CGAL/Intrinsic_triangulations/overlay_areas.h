@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The areas of the faces of an overlay.
 
@@ -90,8 +93,8 @@ void for_each_overlay_fan(const Intrinsic_triangulation<Traits>& triangulation,
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 /// \brief returns the area of each face of the overlay, in the unit of the input.
 ///
-/// It is the fraction that the face takes of its input face or of its intrinsic face, times the
-/// area of that: no place in space is needed. The error is a few units in the last place of the
+/// It is the fraction of its input face or intrinsic face that the face covers, times the
+/// area of that face, so no embedding is needed. The error is a few units in the last place of the
 /// area of the smaller of the two.
 /// \param triangulation a triangulation that keeps its input
 /// \param overlay its overlay

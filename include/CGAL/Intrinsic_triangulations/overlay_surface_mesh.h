@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The overlay of an input mesh and its intrinsic triangulation as a CGAL::Surface_mesh.
 
@@ -34,7 +37,7 @@ namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsAdaptors
 /// \brief the label of an edge that is in neither triangulation: a diagonal of a face of the
-/// overlay, put in by `triangulate_overlay_faces()`.
+/// overlay, inserted by `triangulate_overlay_faces()`.
 constexpr std::uint8_t diagonal_label = 3;
 
 /// \cond SKIP_IN_MANUAL
@@ -85,7 +88,7 @@ auto overlay_to_surface_mesh_without_corners(const Overlay& overlay, const Overl
 /// \ingroup PkgIntrinsicTriangulationsAdaptors
 /// \brief copies an overlay into a `Surface_mesh` whose faces are convex polygons in space.
 ///
-/// Vertex, halfedge, segment and face i of the overlay are vertex, halfedge, edge and face i
+/// Vertex, halfedge, segment and face i of the overlay become vertex, halfedge, edge and face i
 /// of the mesh. Vertices of the surface keep their points; crossings lie on the input edges.
 /// The mesh has loops or multiple edges only where the input has them. Its property maps:
 ///
@@ -94,17 +97,17 @@ auto overlay_to_surface_mesh_without_corners(const Overlay& overlay, const Overl
 /// | `"v:kind"` | `std::uint8_t` | 0 for a vertex of the surface, 1 for a crossing |
 /// | `"e:label"` | `std::uint8_t` | a `Segment_label`: 0 for o, 1 for c, 2 for oc |
 /// | `"f:input_face"` | `std::uint32_t` | the input face that contains the face |
-/// | `"f:intrinsic_face"` | `std::uint32_t` | the intrinsic face that does |
+/// | `"f:intrinsic_face"` | `std::uint32_t` | the intrinsic face that contains it |
 /// | `"h:input_point"` | `Surface_point` | the corner of the face of h at its target, in the input face |
 /// | `"h:intrinsic_point"` | `Surface_point` | the same corner in the intrinsic face |
 ///
-/// A corner lies on the edge of the halfedge of its `Surface_point`, so that its third
+/// A corner lies on the edge of the halfedge of its `Surface_point`, so its third
 /// barycentric coordinate is 0. Border halfedges have no corner: their points have the null
-/// halfedge. `CGAL::IO::write_PLY()` writes the maps of numbers with the mesh.
+/// halfedge. `CGAL::IO::write_PLY()` writes the property maps of numbers with the mesh.
 ///
 /// \param overlay the overlay
 /// \param positions the positions of its crossings
-/// \param input the input, as `Correspondence::input()` gives it
+/// \param input the input, as returned by `Correspondence::input()`
 /// \param intrinsic the intrinsic triangulation
 /// \param points a point for each vertex of the surface, in their order
 /// \exception Invalid_surface_error if there are fewer or more points than vertices. O(size).
@@ -137,7 +140,7 @@ auto overlay_to_surface_mesh(const Overlay& overlay, const Overlay_positions& po
 /// \ingroup PkgIntrinsicTriangulationsAdaptors
 /// \brief builds the overlay of a mesh and its intrinsic triangulation as a `Surface_mesh`.
 ///
-/// As above, with overlay and positions made on the way.
+/// As above, but also builds the overlay and its positions.
 ///
 /// \tparam TriangleMesh a model of `VertexListGraph`
 /// \param triangulation a triangulation that keeps its input
@@ -170,8 +173,8 @@ auto overlay_to_surface_mesh(const Intrinsic_triangulation<Traits>& triangulatio
 /// \ingroup PkgIntrinsicTriangulationsAdaptors
 /// \brief splits the faces of an overlay mesh into triangles.
 ///
-/// Of all ways to do so the one is taken whose smallest triangle in space is largest. So a
-/// triangle of zero area arises only where the points leave no choice. New edges have the
+/// The triangulation of a face is the one whose smallest triangle in space is largest. So a
+/// triangle of zero area arises only if it is unavoidable. New edges have the
 /// label `diagonal_label`; new faces and corners have the properties of those that were split.
 /// O(size).
 ///

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Reads the two triangulations back from their overlay.
 
@@ -62,10 +65,10 @@ Delta_complex read_triangulation(const Overlay& overlay, std::uint32_t number_of
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
-/// \brief reads the intrinsic triangulation back from the links and labels of an overlay.
+/// \brief reconstructs the intrinsic triangulation from the halfedges and labels of an overlay.
 ///
-/// It has the descriptors of the triangulation that the overlay was made of; `halfedge(v)`
-/// and `halfedge(f)` may name another incident halfedge. O(size of the overlay).
+/// It has the descriptors of the triangulation from which the overlay was built; `halfedge(v)`
+/// and `halfedge(f)` may be different incident halfedges. O(size of the overlay).
 inline Delta_complex intrinsic_triangulation_of(const Overlay& overlay)
 {
   return internal::read_triangulation(
@@ -75,7 +78,7 @@ inline Delta_complex intrinsic_triangulation_of(const Overlay& overlay)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
-/// \brief reads the input triangulation back from an overlay; as `intrinsic_triangulation_of()`.
+/// \brief reconstructs the input triangulation from an overlay; as `intrinsic_triangulation_of()`.
 inline Delta_complex input_triangulation_of(const Overlay& overlay)
 {
   return internal::read_triangulation(

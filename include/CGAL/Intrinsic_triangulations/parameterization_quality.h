@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // What a map of a triangulation to the plane is worth: triangles that are flipped or
 // collapsed, and how far the others are from similar.
@@ -24,11 +27,11 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief what `check_parameterization()` found.
+/// \brief the result of `check_parameterization()`.
 struct Parameterization_check
 {
   std::vector<Face_index> flipped;   ///< faces whose image is clockwise
-  std::vector<Face_index> collapsed; ///< faces whose image has its corners on a line
+  std::vector<Face_index> collapsed; ///< faces whose image has collinear corners
 
   /// returns whether each face keeps its orientation.
   bool is_locally_injective() const { return flipped.empty() && collapsed.empty(); }
@@ -37,7 +40,7 @@ struct Parameterization_check
 /// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief decides for each face, exactly, whether its image is counterclockwise.
 ///
-/// A face whose corners are not three vertices counts as collapsed.
+/// A face whose corners are not three different vertices counts as collapsed.
 /// \param complex the triangles
 /// \param uv the position of each vertex. \pre there is one for each. O(size).
 /// \exception Numerical_error if a coordinate is not finite
@@ -64,10 +67,10 @@ inline Parameterization_check check_parameterization(const Delta_complex& comple
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns for each face the ratio of the larger to the smaller singular value of the
-/// linear map that takes it to its image: 1 if that is similar, infinite if it is collapsed.
+/// linear map that takes it to its image: 1 if the map is a similarity, infinite if it collapses the face.
 ///
-/// Orientation does not count. In the overlay of input and intrinsic triangulation, each
-/// cell has the ratio of the triangle whose map is taken.
+/// Orientation is ignored. In the overlay of input and intrinsic triangulation, each
+/// cell has the ratio of the triangle whose map is used.
 ///
 /// \param complex the triangles
 /// \param lengths the length of each edge
@@ -117,16 +120,16 @@ inline std::vector<double> quasi_conformal_distortion(const Delta_complex& compl
 }
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief an average and two ends of the distortion of a map.
+/// \brief mean, 99th percentile and maximum of the distortion of a map.
 struct Distortion_summary
 {
-  double mean = 1;          ///< weighted with the areas on the surface
-  double percentile_99 = 1; ///< the least that is not exceeded on 99 % of the area
+  double mean = 1;          ///< weighted by the areas on the surface
+  double percentile_99 = 1; ///< the smallest value that is not exceeded on 99 % of the area
   double maximum = 1;       ///< over all faces
 };
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief summarizes the distortion of the faces. Faces without area do not count. O(n log n).
+/// \brief summarizes the distortion of the faces. Faces of zero area are ignored. O(n log n).
 inline Distortion_summary summarize_distortion(const std::vector<double>& distortion,
                                                const std::vector<double>& areas)
 {

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Points of the input mapped to the intrinsic triangulation, and back.
 
@@ -29,26 +32,26 @@ namespace Intrinsic_triangulations {
 ///
 /// \brief maps points of the input to the intrinsic triangulation, and back.
 ///
-/// What a point lies on is decided exactly: the coordinates of the query are taken as the
-/// rational numbers that they are, divided by their sum, and the sides on which the point lies of
-/// the edges that cross its face are signs of real arithmetic without rounding, in stages as
-/// for the Delaunay test. So a result has a zero coordinate exactly if the point lies on an edge,
-/// and two exactly if it is a vertex. In and beside faces of zero area, where several points of the
-/// faces are one point of the surface, it may also be given as a point inside of a face beside that
-/// edge. Coordinates of results that are not zero are rounded: the result lies within a few units
-/// in the last place of the longest edge of either face from the point that was asked for.
+/// It is decided exactly whether a point is a vertex, lies on an edge, or inside a face. The
+/// coordinates of the query are taken as rational numbers and divided by their sum. On which side of
+/// an edge that crosses its face the point lies is the sign of an exact real number, found in stages
+/// as for the Delaunay test. So a result has a zero coordinate exactly if the point lies on an edge,
+/// and two exactly if it is a vertex. In and beside faces of zero area, several points of the
+/// faces are one point of the surface; there, the result may also be a point inside a face beside that
+/// edge. Nonzero coordinates of results are rounded: the result lies within a few units
+/// in the last place of the longest edge of either face from the exact point.
 ///
-/// A query searches the edges that cross a face by bisection. It costs O(log n) if n edges do,
-/// unless the point is so near to one that `double` does not tell on which side it lies; that
-/// lays out the strip of input triangles which the edge crosses.
+/// A query searches the edges that cross a face by bisection. It costs O(log n) for n such edges,
+/// unless the point is so close to one of them that `double` cannot tell the side. Then the strip of
+/// input triangles that the edge crosses is laid out.
 ///
-/// No array is built: the overlay knows the edges that cross a face in order.
+/// No array is built: the overlay stores the edges that cross a face in order.
 class Point_location
 {
 public:
   /// \brief constructs the map. O(1).
   ///
-  /// The arguments have to outlive it, and the triangulation must not be flipped meanwhile.
+  /// The arguments must outlive the map, and the triangulation must not be flipped in the meantime.
   /// \param triangulation a triangulation that keeps its input
   /// \param overlay its overlay
   /// \param positions the positions of the crossings
@@ -60,14 +63,14 @@ public:
       exact_side_(triangulation.connectivity(), triangulation.exact_geometry(), overlay)
   {}
 
-  /// \brief returns where in the intrinsic triangulation a point of the input lies.
+  /// \brief returns the position of a point of the input in the intrinsic triangulation.
   ///
-  /// \param point a point of the input: a halfedge of `Correspondence::input()`, which is the
-  ///   halfedge with that number in what the triangulation was made of, and coordinates
-  /// \return a vertex as `halfedge` out of it and coordinates (1, 0, 0); a point of an edge with
-  ///   the third coordinate zero; a point of a face with three positive coordinates
+  /// \param point a point of the input: its coordinates and a halfedge of `Correspondence::input()`,
+  ///   which is the halfedge with the same number in the original input
+  /// \return a vertex as a `halfedge` with this source and coordinates (1, 0, 0); a point on an edge with
+  ///   the third coordinate zero; a point in a face with three positive coordinates
   /// \exception Invalid_point_error if the halfedge is a border halfedge or out of range, or the
-  ///   coordinates are not finite, not positive or zero, or all zero
+  ///   coordinates are not finite, negative, or all zero
   /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
   Surface_point input_to_intrinsic(const Surface_point& point) const
   {
@@ -77,8 +80,8 @@ public:
                });
   }
 
-  /// \brief returns where in the input a point of the intrinsic triangulation lies; as
-  /// `input_to_intrinsic()`, the other way round.
+  /// \brief returns the position of a point of the intrinsic triangulation in the input; as
+  /// `input_to_intrinsic()`, but in the other direction.
   Surface_point intrinsic_to_input(const Surface_point& point) const
   {
     return map(intrinsic_, input_, point,

@@ -1,7 +1,10 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Polygons that are no surface become one, where that is a matter of connectivity: what is done
-// to them, to which elements, and where each element of the result comes from.
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Turns polygons that do not form a surface into one, as far as the connectivity is at fault. Says
+// what was done, to which elements, and where each element of the result comes from.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H
@@ -22,10 +25,10 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief returns whether `repair_polygons()` mends what a finding says.
+/// \brief returns whether `repair_polygons()` can repair a kind of finding.
 ///
-/// It mends what concerns the connectivity. An index or a coordinate that is no good is damage to
-/// the data, which nothing can make up for. Complexity: constant.
+/// It repairs the connectivity. Invalid indices and coordinates are damage to
+/// the data, which cannot be repaired. Complexity: constant.
 inline bool is_repairable(Finding_kind kind)
 {
   switch (kind) {
@@ -42,39 +45,39 @@ inline bool is_repairable(Finding_kind kind)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief makes an oriented 2-manifold of triangles out of polygons.
+/// \brief turns polygons into an oriented 2-manifold of triangles.
 ///
-/// In this order:
-/// - vertices at the same place are merged where an edge joins them and along the border, which
-///   closes seams; elsewhere they stay apart, as do surfaces that merely touch;
-/// - a face that names a vertex twice is cut into loops, and one with fewer than three different corners
-///   removed;
-/// - of faces with the same corners one is kept;
-/// - polygons are triangulated;
-/// - neighbours are given the same orientation, the first face of each component keeps its own;
-///   where that is impossible, at edges with more than two faces and at vertices with several fans,
-///   the surface is cut, which gives it copies of vertices;
-/// - cuts of which both sides fit together again are closed;
-/// - vertices that no triangle has are dropped.
+/// The steps, in this order:
+/// - Vertices at the same position are merged where an edge joins them and along the border, which
+///   closes seams. Elsewhere they stay apart, as do surfaces that merely touch.
+/// - A face that visits a vertex twice is cut into loops. A face with fewer than three different corners
+///   is removed.
+/// - Of several faces with the same corners, one is kept.
+/// - Polygons are triangulated.
+/// - Adjacent faces are oriented consistently; the first face of each component keeps its orientation.
+///   Where that is impossible, at edges with more than two faces and at vertices with several fans,
+///   the surface is cut, which copies vertices.
+/// - Cuts whose sides fit together again are closed.
+/// - Vertices that belong to no triangle are removed.
 ///
 /// No vertex is moved. Faces and vertices keep their order; copies of vertices come last.
-/// Zero-area faces stay. The result has no fatal finding in most cases, but `examine_polygons()`
-/// has the last word: closing a seam can leave edges as they were, with more faces than two.
+/// Zero-area faces stay. In most cases the result has no fatal finding, but check it with
+/// `examine_polygons()`: closing a seam can leave edges with more than two faces.
 ///
 /// \tparam PointRange a model of `RandomAccessRange`, of points whose coordinates are `p[0]`, `p[1]` and `p[2]`
 /// \tparam PolygonRange a model of `ForwardRange`, of ranges of integers of any length
 ///
-/// \param points the vertices, whose coordinates are taken as `double`
+/// \param points the vertices; their coordinates are converted to `double`
 /// \param polygons the faces, as indices into `points`
-/// \param progress is asked from time to time, at least before each polygon that is triangulated
+/// \param progress is called from time to time, at least before each polygon is triangulated
 ///
-/// \exception Invalid_surface_error if there is no face, an index is bad, or a coordinate is not finite
+/// \exception Invalid_surface_error if there is no face, an index is invalid, or a coordinate is not finite
 /// \exception Cancelled_error if `progress` returns `false`
 ///
-/// Complexity: O(n log n), but for faces with more than three corners: those that are nearly planar
-/// take O(k log k), others O(k<sup>3</sup>) up to 200 corners, beyond which they become fans.
+/// Complexity: O(n log n), plus that of faces with k > 3 corners: nearly planar ones
+/// take O(k log k), others O(k<sup>3</sup>) up to 200 corners; with more corners they become fans.
 ///
-/// By `CGAL::Polygon_mesh_processing`: `merge_duplicate_points_in_polygon_soup()`,
+/// It uses these functions of `CGAL::Polygon_mesh_processing`: `merge_duplicate_points_in_polygon_soup()`,
 /// `merge_duplicate_polygons_in_polygon_soup()`, `triangulate_hole_polyline()`,
 /// `orient_polygon_soup()` and `stitch_borders()`.
 template <class PointRange, class PolygonRange>
@@ -102,7 +105,7 @@ Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& 
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief says in a sentence what was done, to which element, and how often.
+/// \brief returns a sentence that says what was done, to which element, and how often.
 /// \param repair an entry of `Repaired_polygons::repairs`
 /// \return for example "face 4 (6 corners) was cut into triangles, and 2 more faces like it".
 /// Complexity: constant.

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Sample surfaces that no indexed triangles can express: lengths and gluings
 // alone, with loops, multiple edges and faces that are glued to themselves.
@@ -32,10 +35,10 @@ inline void require_triangle_inequality(double a, double b, double c)
 /// \ingroup PkgIntrinsicTriangulationsSamples
 /// \brief a flat torus made of two congruent triangles, with one vertex.
 ///
-/// All three edges are loops. Good as the smallest closed surface with a flip, and for everything
-/// that looks an edge up by its end vertices.
+/// All three edges are loops. Good as the smallest closed surface with a flip, and for testing code
+/// that looks edges up by their end vertices.
 /// Euler characteristic 0; 1 vertex, 3 edges, 2 faces.
-/// \param a,b,c the lengths of the edges, which obey the strict triangle inequality
+/// \param a,b,c the lengths of the edges, which satisfy the strict triangle inequality
 inline Glued_triangles one_vertex_torus(double a = 1, double b = 1.25, double c = 2)
 {
   internal::require_triangle_inequality(a, b, c);
@@ -46,7 +49,7 @@ inline Glued_triangles one_vertex_torus(double a = 1, double b = 1.25, double c 
 /// \ingroup PkgIntrinsicTriangulationsSamples
 /// \brief the flat torus of the lattice of (1, 0) and (shear, 1), with one vertex.
 ///
-/// For an integer shear this is the square torus, up to the rounding of the lengths, seen through
+/// For an integer shear this is the square torus, up to the rounding of the lengths, triangulated by
 /// two slivers. Good for long chains of flips on three edges, about |shear| of them, and for edges
 /// that cross few input edges very often.
 /// Euler characteristic 0; 1 vertex, 3 edges, 2 faces.
@@ -88,14 +91,14 @@ inline Glued_triangles self_glued_sphere(double first_leg = 1, double second_leg
 /// \ingroup PkgIntrinsicTriangulationsSamples
 /// \brief triangles that are glued at random, with random lengths in [1, 1.9).
 ///
-/// The lengths obey the strict triangle inequality whatever the gluing is. The surface is oriented;
-/// it may have loops, multiple edges, self-glued faces, any genus, and several components unless a
-/// connected one is asked for. Good for property tests of the combinatorics.
-/// The Euler characteristic is what the gluing makes it, usually far below zero: F faces make at
+/// The lengths satisfy the strict triangle inequality for every gluing. The surface is oriented;
+/// it may have loops, multiple edges, self-glued faces, any genus, and, unless `connected` is set,
+/// several components. Good for property tests of the combinatorics.
+/// The Euler characteristic depends on the gluing and is usually far below zero: F faces have at
 /// least 3 F / 2 edges, and a random gluing leaves few vertices.
-/// \param number_of_faces at least 1; even when there is to be no boundary
+/// \param number_of_faces at least 1; even if there is no boundary
 /// \param seed of the gluing and the lengths
-/// \param with_boundary leaves about a quarter of the sides that are free to choose unglued, one at least
+/// \param with_boundary whether about a quarter of the sides that are free to choose, at least one, stay unglued
 /// \param connected glues each face to an earlier one first
 inline Glued_triangles random_gluing(std::size_t number_of_faces, std::uint64_t seed, bool with_boundary = false,
                                      bool connected = false)

@@ -1,7 +1,10 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The two plain forms in which the sample surfaces are handed out: triangles
-// in space, and triangles that are glued side by side and have lengths alone.
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The two plain forms of the sample surfaces: triangles
+// in space, and triangles given by their lengths and a gluing of their sides.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SAMPLE_SURFACE_TYPES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SAMPLE_SURFACE_TYPES_H
@@ -25,16 +28,16 @@ struct Indexed_triangles
 };
 
 /// \ingroup PkgIntrinsicTriangulationsSamples
-/// \brief a surface that is given by lengths alone, without a place in space.
+/// \brief a surface given by lengths alone, without an embedding.
 ///
 /// Side `3 * f + i` runs from corner `i` to corner `(i + 1) % 3` of face `f`.
 /// Loops, several edges with the same end vertices and faces that are glued to
-/// themselves are allowed; vertices are what the gluing makes of the corners.
+/// themselves are allowed. The vertices result from the gluing of the corners.
 struct Glued_triangles
 {
   /// the number of triangles.
   std::size_t number_of_faces = 0;
-  /// the pairs of sides that are glued, each with opposite directions, so that
+  /// the pairs of glued sides, which run in opposite directions, so
   /// the surface is oriented; a side in no pair lies on the boundary.
   std::vector<std::array<std::uint32_t, 2>> glued_sides;
   /// one length for each side; glued sides have equal lengths.

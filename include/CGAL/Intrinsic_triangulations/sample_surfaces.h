@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The built-in sample surfaces by name, as the command offers them; the
 // generators themselves are in the headers that this one includes.
@@ -20,10 +23,10 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsSamples
-/// \brief the name of a sample surface and what it is, in a line.
+/// \brief the name of a sample surface and a one-line description.
 struct Sample
 {
-  std::string name;        ///< as `make_sample()` takes it
+  std::string name;        ///< the argument of `make_sample()`
   std::string description; ///< one line
 };
 
@@ -56,7 +59,7 @@ inline const std::vector<Named_sample>& named_samples()
      []() -> Sample_surface { return prism(); }},
     {"Schwarz-lantern", "a cylinder folded into flat obtuse triangles",
      []() -> Sample_surface { return Schwarz_lantern(); }},
-    {"helical-tube", "a long thin tube whose intrinsic edges are loops by a third",
+    {"helical-tube", "a long thin tube, a third of whose intrinsic edges are loops",
      []() -> Sample_surface { return helical_tube(); }},
     {"one-vertex-torus", "a flat torus of two triangles, given by lengths alone",
      []() -> Sample_surface { return one_vertex_torus(); }},
@@ -81,7 +84,7 @@ inline const std::vector<Named_sample>& named_samples()
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsSamples
-/// returns the names that `make_sample()` knows, with descriptions.
+/// returns the names that `make_sample()` accepts, with descriptions.
 inline std::vector<Sample> sample_names()
 {
   std::vector<Sample> samples;
@@ -91,8 +94,8 @@ inline std::vector<Sample> sample_names()
 }
 
 /// \ingroup PkgIntrinsicTriangulationsSamples
-/// returns the sample surface of that name, made with the default arguments of its generator.
-/// \throws std::invalid_argument that lists the known names, if `name` is none of them
+/// returns the sample surface with this name, made with the default arguments of its generator.
+/// \throws std::invalid_argument with a list of the valid names, if `name` is not one of them
 inline std::variant<Indexed_triangles, Glued_triangles> make_sample(const std::string& name)
 {
   std::string known;

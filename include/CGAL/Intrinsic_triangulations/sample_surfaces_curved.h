@@ -1,7 +1,10 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
+// Author(s)     : The Intrinsic_triangulations developers
+//
 // Sample surfaces that bend in space: spheres, tori, disks, a tube, a
-// lantern. All are smooth shapes; what is bad is the triangulation.
+// lantern. The shapes are smooth; only the triangulations are bad.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SAMPLE_SURFACES_CURVED_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SAMPLE_SURFACES_CURVED_H
@@ -32,7 +35,7 @@ inline std::array<double, 3> bumped(double x, double y, double z, double bump_he
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsSamples
-/// \brief the unit sphere with meridians and circles of latitude, each cell split in two,
+/// \brief the unit sphere with meridians and parallels, each cell split in two,
 /// and a fan around each pole.
 ///
 /// Good for needles at the poles, and for ties that rounding breaks: each cell is a symmetric trapezoid.
@@ -60,11 +63,11 @@ inline Indexed_triangles latitude_longitude_sphere(std::size_t columns = 60, std
 /// \ingroup PkgIntrinsicTriangulationsSamples
 /// \brief a sphere with smooth bumps and many needles and obtuse triangles.
 ///
-/// Points on a grid of meridians and circles of latitude are shifted at random,
+/// Points on a grid of meridians and parallels are shifted at random,
 /// the meridians are twisted around the axis, and each cell is split at random.
-/// Good as the everyday bad mesh: nearly as many flips as vertices, nothing degenerate, no ties.
+/// Good as a typical bad mesh: nearly as many flips as vertices, nothing degenerate, no ties.
 /// Euler characteristic 2; `columns * (rows - 1) + 2` vertices, `2 * columns * (rows - 1)` faces:
-/// 5,002 vertices and 10,000 faces as it stands.
+/// 5,002 vertices and 10,000 faces with the default arguments.
 /// \param columns the number of meridians, at least 3
 /// \param rows the number of bands from pole to pole, at least 2
 /// \param bump_height the largest change of the radius 1, in [0, 1)
@@ -101,12 +104,12 @@ inline Indexed_triangles bumpy_sphere(std::size_t columns = 100, std::size_t row
 /// \ingroup PkgIntrinsicTriangulationsSamples
 /// \brief a round disk with a tall thin spike in the middle.
 ///
-/// The rings of the disk are evenly spaced when seen from above, so that the flanks of the spike
-/// are needles; the rings are also twisted, which makes the triangles around it obtuse.
-/// Good for parameterization: 480 of the 2,920 extrinsic weights of interior edges are negative as it
-/// stands, and the spike has little room in the plane.
+/// Seen from above, the rings of the disk are evenly spaced, so the triangles on the flanks of the spike
+/// are needles. The rings are also twisted, which makes the triangles around the spike obtuse.
+/// Good for parameterization: with the default arguments, 480 of the 2,920 extrinsic weights of interior
+/// edges are negative, and the spike has little room in the plane.
 /// Euler characteristic 1; `columns * rings + 1` vertices, `columns * (2 * rings - 1)` faces,
-/// `columns` boundary edges: 1,001 vertices and 1,960 faces as it stands.
+/// `columns` boundary edges: 1,001 vertices and 1,960 faces with the default arguments.
 /// \param columns the number of vertices of each ring, at least 3
 /// \param rings the number of rings, the boundary included, at least 1
 /// \param height of the spike over the disk of radius 1
@@ -135,13 +138,13 @@ inline Indexed_triangles disk_with_spike(std::size_t columns = 40, std::size_t r
 /// \ingroup PkgIntrinsicTriangulationsSamples
 /// \brief a dome with smooth bumps, open below, whose triangles wind around its axis.
 ///
-/// As `bumpy_sphere()`, but a disk, and with a twist that stretches the triangles across the
-/// bumps. The boundary is even.
-/// Good for parameterization, and for pictures: as it stands the harmonic map to the unit disk by the
-/// extrinsic operator flips 8 triangles; the intrinsic triangulation has no loops and no multiple
-/// edges, and the map by its operator flips none.
+/// Like `bumpy_sphere()`, but a disk, and with a twist that stretches the triangles across the
+/// bumps. The vertices of the boundary are not shifted along the meridians.
+/// Good for parameterization and for pictures. With the default arguments, the harmonic map to the unit
+/// disk by the extrinsic operator turns 8 triangles over. The intrinsic triangulation has no loops and no
+/// multiple edges, and the map by its operator turns none over.
 /// Euler characteristic 1; `columns * rows + 1` vertices, `columns * (2 * rows - 1)` faces, `columns`
-/// boundary edges: 433 vertices and 840 faces as it stands.
+/// boundary edges: 433 vertices and 840 faces with the default arguments.
 /// \param columns the number of vertices of each ring, at least 3
 /// \param rows the number of rings, the boundary included, at least 1
 /// \param bump_height the largest change of the radius 1, in [0, 1)
@@ -178,8 +181,8 @@ inline Indexed_triangles bumpy_dome(std::size_t columns = 24, std::size_t rows =
 /// \ingroup PkgIntrinsicTriangulationsSamples
 /// \brief a torus of revolution with a regular grid of triangles.
 ///
-/// Each cell is a symmetric trapezoid, so that its diagonal is a tie but for the rounding of the
-/// coordinates. Good for sizes, for ties that rounding breaks, and for a second topology.
+/// Each cell is a symmetric trapezoid, so its diagonal is a tie except for the rounding of the
+/// coordinates. Good for varying the size, for ties that rounding breaks, and for a second topology.
 /// Euler characteristic 0; `columns * rows` vertices, `2 * columns * rows` faces.
 /// \param columns the number of vertices around the axis, at least 3
 /// \param rows the number of vertices around the tube, at least 3
@@ -208,9 +211,9 @@ inline Indexed_triangles torus(std::size_t columns = 60, std::size_t rows = 30, 
 ///
 /// The points of a grid are shifted at random, the cells are longer around the axis than around
 /// the tube, and each cell is split at random. Nothing is degenerate.
-/// Good for measuring time: with as many columns as rows, the number of flips is 37 in a hundred of
-/// the number of edges at any size; 1,000 by 1,000 vertices have 3,000,000 edges and need about
-/// 1,110,000 flips, a little more or less with the seed and the order of the flips.
+/// Good for measuring time: with as many columns as rows, the number of flips is 37 % of
+/// the number of edges at any size. 1,000 by 1,000 vertices have 3,000,000 edges and need about
+/// 1,110,000 flips, slightly depending on the seed and the order of the flips.
 /// Euler characteristic 0; `columns * rows` vertices, `2 * columns * rows` faces.
 /// \param columns the number of vertices around the axis, at least 3
 /// \param rows the number of vertices around the tube, at least 3
@@ -242,16 +245,16 @@ inline Indexed_triangles bad_torus(std::size_t columns = 100, std::size_t rows =
 /// \ingroup PkgIntrinsicTriangulationsSamples
 /// \brief a closed helical tube, much longer than it is thick.
 ///
-/// The vertices wind around the axis as those of a stack of tetrahedra do; consecutive vertices are
-/// `pitch` apart along the axis and the tube has radius 1, so that all edges are long and the way
-/// around the tube is short. Each vertex but the outermost ones then gets an intrinsic edge around
-/// the tube to itself.
+/// The vertices wind around the axis like those of a stack of tetrahedra. Consecutive vertices are
+/// `pitch` apart along the axis and the tube has radius 1, so all edges are long and the way
+/// around the tube is short. In the intrinsic Delaunay triangulation each vertex except the outermost
+/// ones gets an edge around the tube to itself.
 /// Good for loops, multiple edges and self-glued faces that arise from an embedded mesh
 /// without a degenerate face: with the default arguments the intrinsic Delaunay triangulation has
 /// 58 loops among its 174 edges, and 2 edges that have the same face on both sides.
 /// Euler characteristic 2; `number_of_vertices` vertices, `2 * number_of_vertices - 4` faces.
 /// \param number_of_vertices at least 4
-/// \param pitch the step along the axis in tube radii, at most 1e7 for areas that are not lost in rounding
+/// \param pitch the step along the axis in tube radii, at most 1e7, so that areas are not lost in rounding
 inline Indexed_triangles helical_tube(std::size_t number_of_vertices = 60, double pitch = 30)
 {
   internal::require_sample_argument(number_of_vertices >= 4, "a helical tube has 4 vertices at least");
@@ -270,12 +273,12 @@ inline Indexed_triangles helical_tube(std::size_t number_of_vertices = 60, doubl
 }
 
 /// \ingroup PkgIntrinsicTriangulationsSamples
-/// \brief the lantern of Schwarz: a cylinder whose area grows beyond all bounds with the rows.
+/// \brief the Schwarz lantern: a cylinder whose area grows without bound with the number of rows.
 ///
 /// The open cylinder of radius 1 and height 1 is split into congruent isosceles triangles, every
 /// other ring turned by half a step. With many more rows than columns the triangles are flat and
 /// obtuse and stand nearly at right angles to the cylinder.
-/// Good for flips that no smooth shape asks for, and for an annulus.
+/// Good for flips that no smooth shape requires, and for the topology of an annulus.
 /// Euler characteristic 0; `columns * (rows + 1)` vertices, `2 * columns * rows` faces,
 /// `2 * columns` boundary edges.
 /// \param columns the number of vertices of each ring, at least 3

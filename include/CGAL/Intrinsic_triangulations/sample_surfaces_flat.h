@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Sample surfaces made of flat pieces: grids, strips and pillows whose flips
 // can be counted by hand, and families that floating point gets wrong.
@@ -20,9 +23,9 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsSamples
 /// \brief a prism over a regular polygon of radius 1, of height 5.
 ///
-/// Both polygons are fans around their first vertex, each side is split by a diagonal.
+/// Both polygons are fans around their first vertex, and each side is split by a diagonal.
 /// Good for true ties (all corners of a polygon are cocircular, and so are those of a side):
-/// rounding makes tests that do not decide exactly flip for ever.
+/// with rounded decisions the same edges flip forever.
 /// Euler characteristic 2; `2 * n` vertices, `4 * n - 4` faces.
 /// \param n the number of corners of the polygon, at least 3
 /// \param rotation_seed of the rigid rotation, 0 for none
@@ -48,11 +51,11 @@ inline Indexed_triangles prism(std::size_t n = 80, std::uint64_t rotation_seed =
 /// \ingroup PkgIntrinsicTriangulationsSamples
 /// \brief a kite with a chain of vertices near its long diagonal.
 ///
-/// The 21 points `k / 20` of a line are lifted to `bulge * sin(pi k / 20)`; an apex above is joined
-/// to the chain, an apex below to its two ends, and the thin polygon between the chain and the line
+/// The 21 points `k / 20` of a line are raised to the height `bulge * sin(pi k / 20)`. An apex above is
+/// joined to the chain, an apex below to its two ends, and the thin polygon between the chain and the line
 /// is a fan around point 0.
 /// Good for caps: triangles with an angle near pi whose height is below any tolerance. With bulge 0
-/// and no rotation, 19 faces have three distinct corners and exactly no area.
+/// and no rotation, 19 faces have three distinct corners and exactly zero area.
 /// Euler characteristic 1; 23 vertices, 40 faces, 4 boundary edges.
 /// \param bulge the height of the chain, in [0, 1)
 /// \param rotation_seed of the rigid rotation, 0 for none
@@ -80,13 +83,12 @@ inline Indexed_triangles cap(double bulge = 1e-10, std::uint64_t rotation_seed =
 /// \ingroup PkgIntrinsicTriangulationsSamples
 /// \brief a wavy square sheet that is squeezed in x and z, with wavy rows.
 ///
-/// Every triangle is a sliver, none is degenerate: with the scale s the squared area over the
+/// Every triangle is a sliver, but none is degenerate: with the scale s, the squared area divided by the
 /// fourth power of the longest side is about s squared.
-/// Good for termination: valid input on which edge lengths in double precision lose the small
-/// directions altogether, so that flips can go on for ever or stop too early, at scales of 1e-9
-/// and less.
+/// Good for termination: the input is valid, but at scales of 1e-9 and less, edge lengths in double
+/// precision lose the small directions altogether, so flips can go on forever or stop too early.
 /// Euler characteristic 1; `n * n` vertices, `2 * (n - 1) * (n - 1)` faces, `4 * (n - 1)` boundary
-/// edges: 1,600 vertices and 3,042 faces as it stands.
+/// edges: 1,600 vertices and 3,042 faces with the default arguments.
 /// \param n the number of vertices in each direction, at least 2
 /// \param scale_x the width of the sheet of length 1, in [1e-12, 1]
 /// \param scale_z the scale of the waves, in [0, 1]
@@ -111,8 +113,8 @@ inline Indexed_triangles sliver_sheet(std::size_t n = 40, double scale_x = 1e-9,
 /// \ingroup PkgIntrinsicTriangulationsSamples
 /// \brief unit squares in a plane, each split by a random diagonal.
 ///
-/// Good for ties: every diagonal is one, so that without rotation there is nothing to flip,
-/// while the Delaunay tessellation consists of the squares. With a rotation rounding breaks the ties.
+/// Good for ties: every diagonal is one. Without rotation there is nothing to flip,
+/// and the Delaunay tessellation consists of the squares. With a rotation, rounding breaks the ties.
 /// Euler characteristic 1; `(columns + 1) * (rows + 1)` vertices, `2 * columns * rows` faces,
 /// `2 * (columns + rows)` boundary edges.
 /// \param columns the number of squares to the right, at least 1
@@ -162,14 +164,14 @@ inline Indexed_triangles sheared_grid(std::size_t columns = 40, std::size_t rows
 ///
 /// Lower point `k` lies at `(k, 0)`, upper point `k` at `(k + 1/2, width)`; upper point `k` is joined
 /// to the lower points `k + shift` and `k + shift + 1` as far as these exist, with a fan at each end.
-/// Edges across the strip can be flipped in no other way than one step back towards upright, so that
+/// Each flip moves an edge across the strip one step back towards upright, so
 /// the number of flips does not depend on their order: about `n * shift`.
-/// Good for many flips, and for intrinsic edges that cross many input edges: 19,997 edges need
-/// 298,110 flips as it stands, and most of the final edges cross about 2 * `shift` input edges.
+/// Good for many flips, and for intrinsic edges that cross many input edges: with the default arguments,
+/// 19,997 edges need 298,110 flips, and most of the final edges cross about 2 * `shift` input edges.
 /// Euler characteristic 1; `2 * n` vertices, `2 * n - 2` faces, `2 * n` boundary edges.
 /// \param n the number of points of each row, at least 2
 /// \param shift by how many points the edges lean to the right, below `n`
-/// \param width the distance of the two rows of points, whose distance in each row is 1
+/// \param width the distance between the two rows; the points in a row are 1 apart
 inline Indexed_triangles strip(std::size_t n = 5000, std::size_t shift = 60, double width = 1)
 {
   internal::require_sample_argument(n >= 2 && shift < n,
@@ -197,17 +199,17 @@ inline Indexed_triangles strip(std::size_t n = 5000, std::size_t shift = 60, dou
 ///
 /// All vertices lie on the border, half of them on the lower side from (0, 0) to (1, 0) and half of
 /// them on the upper side from (-1, `width`) to (0, `width`). Between two straight rows of points an
-/// edge can be flipped only one step at a time. The front begins with a fan of the upper left corner
-/// over the lower side and one of the lower right corner over the upper side, and has to end with
-/// the fans of the other two corners: `(n / 2 - 1)` squared flips in any order, were there the front
-/// alone. The back does nearly the same, one step aside, so that no two edges join the same vertices.
-/// Flips of the border edges make it a few percent more.
+/// edge can be flipped only one step at a time. The front starts with a fan from the upper left corner
+/// to the lower side and one from the lower right corner to the upper side, and has to end with
+/// the fans of the other two corners. On the front alone, this would take `(n / 2 - 1)` squared flips in
+/// any order. The back is nearly the same, offset by one step, so no two edges join the same vertices.
+/// Flips of the border edges add a few percent.
 /// Good for long chains of flips that run through vertices of degree about `n / 2`, for loops, and for
-/// ties between the two mirrored sides: about `n * n / 2` flips, or 46,600 to 48,800 with 300 vertices
-/// and 4.6 to 5 million with 3,000, with the order of the flips.
+/// ties between the two mirrored sides: about `n * n / 2` flips, that is, 46,600 to 48,800 with 300 vertices
+/// and 4.6 to 5 million with 3,000, depending on the order of the flips.
 /// Euler characteristic 2; `n` vertices, `2 * n - 4` faces. Both sides lie in the plane z = 0.
 /// \param n the number of vertices, even, at least 6
-/// \param width the distance of the two sides of length 1
+/// \param width the distance between the two sides of length 1
 inline Indexed_triangles pillow(std::size_t n = 300, double width = 1)
 {
   internal::require_sample_argument(n >= 6 && n % 2 == 0, "a pillow has an even number of vertices, 6 at least");

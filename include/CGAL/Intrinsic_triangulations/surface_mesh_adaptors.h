@@ -1,7 +1,9 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Intrinsic triangulations as CGAL::Surface_mesh. This header and overlay_surface_mesh.h are
-// the only ones of the package that include Surface_mesh, which is under the GPL.
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Intrinsic triangulations as CGAL::Surface_mesh, which is under the GPL; so is this header.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_ADAPTORS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_ADAPTORS_H
@@ -83,19 +85,19 @@ auto points_of(const TriangleMesh& mesh, const NamedParameters& np)
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsAdaptors
-/// \brief copies a complex into a `Surface_mesh`, with the same positions of all elements.
+/// \brief copies a complex into a `Surface_mesh`, with the same numbering of all elements.
 ///
-/// Vertex, halfedge, edge and face i of the complex are number i of the mesh. The mesh is
-/// built from its links, not from corners: `Surface_mesh::add_face(u, v, w)` would refuse
-/// a loop, and would find some edge between two vertices where there are several. So every
-/// complex can be copied, and `mesh.is_valid()` holds. This is a choice: an intrinsic
+/// Vertex, halfedge, edge and face i of the complex become number i of the mesh. The mesh is
+/// built from halfedges, not from corners: `Surface_mesh::add_face(u, v, w)` would refuse
+/// a loop, and would find an arbitrary edge between two vertices if there are several. So every
+/// complex can be copied, and `mesh.is_valid()` holds. This is a design choice: an intrinsic
 /// Delaunay triangulation of an ordinary mesh often has a few loops or parallel edges,
-/// and a result without them, or none, would be of no use; navigation, property maps,
-/// connected components, circulators and shortest paths do not mind.
+/// and a result without them, or no result, would be useless. Navigation, property maps,
+/// connected components, circulators and shortest paths work with them.
 ///
 /// \warning A function that looks edges up by their end vertices (`halfedge(u, v, mesh)`,
 /// the writers of OFF and PLY, remeshing, Euler operations) is wrong on a mesh that is
-/// not simplicial, and `is_valid_polygon_mesh()` rejects loops. Ask
+/// not simplicial, and `is_valid_polygon_mesh()` rejects loops. Check
 /// `is_simplicial(complex)` first.
 ///
 /// \param complex the connectivity
@@ -118,10 +120,10 @@ auto to_surface_mesh(const Delta_complex& complex, const PointRange& points)
 /// \ingroup PkgIntrinsicTriangulationsAdaptors
 /// \brief copies an intrinsic triangulation into a `Surface_mesh` with its metric.
 ///
-/// As the function for the connectivity alone; in addition the mesh has the property maps
+/// It works like the function for the connectivity alone. In addition the mesh has the property maps
 /// `"e:squared_length"`, `"e:length"` and `"f:area"` with value type `Traits::FT`. These
-/// are the intrinsic ones: an edge that was flipped is longer than the straight segment
-/// between its end points, and points that are given serve display and data alone.
+/// are intrinsic: a flipped edge is longer than the straight segment in space
+/// between its end points. The given points serve only for display and data.
 ///
 /// \param triangulation the triangulation
 /// \param points a point for each vertex, in the order of the vertices

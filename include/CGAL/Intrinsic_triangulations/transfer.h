@@ -1,6 +1,9 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Data at the vertices and corners of the two triangulations, carried onto their overlay.
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Transfers data at the vertices and corners of the two triangulations to their overlay.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_H
@@ -54,16 +57,16 @@ auto interpolate_at_crossings(const Overlay& overlay, const Delta_complex& compl
 /// \brief returns at each vertex of the overlay the piecewise linear function with given values at
 /// the vertices of the input.
 ///
-/// The function is linear on each face of the overlay: the values represent it everywhere. They
-/// are interpolated along the input edge of each crossing, never between vertices that it is
-/// found by, so that loops and several edges between the same vertices are right. O(size of the
+/// The function is linear on each face of the overlay, so the values represent it everywhere. They
+/// are interpolated along the input edge of each crossing; edges are never looked up by their end
+/// vertices, so loops and multiple edges are handled correctly. O(size of the
 /// overlay).
 ///
 /// \tparam VertexValues a random access range with `size()`; values can be added and multiplied by
-///   a `double` from the left, and are no integers
+///   a `double` from the left, and are not integers
 /// \param overlay the overlay
 /// \param positions the positions of the crossings
-/// \param input the input, as `Correspondence::input()` gives it
+/// \param input the input, as returned by `Correspondence::input()`
 /// \param values the value of each vertex
 /// \return a vector with the value at each vertex of the overlay
 template <class VertexValues>
@@ -79,7 +82,7 @@ auto interpolate_input_values(const Overlay& overlay, const Overlay_positions& p
 /// \brief returns at each vertex of the overlay the piecewise linear function with given values at
 /// the vertices of the intrinsic triangulation; as `interpolate_input_values()`.
 ///
-/// This brings a solution that was computed on the intrinsic triangulation back to the surface.
+/// It transfers a solution computed on the intrinsic triangulation back to the surface.
 /// \param overlay the overlay
 /// \param positions the positions of the crossings
 /// \param intrinsic the intrinsic triangulation
@@ -95,20 +98,20 @@ auto interpolate_intrinsic_values(const Overlay& overlay, const Overlay_position
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// \brief returns at each corner of each face of the overlay the function that is linear on each
-/// input face, with given values at its corners, as texture coordinates are.
+/// input face and has given values at its corners, such as texture coordinates.
 ///
-/// Where the values at two sides of an input edge differ, which is a seam, they differ in the
+/// If the values on the two sides of an input edge differ (a seam), they differ in the
 /// same way along the segments of that edge, and nowhere else. O(size of the overlay).
 ///
 /// \tparam CornerValues a random access range with `size()`; values can be added, multiplied by a
-///   `double` from the left, and default constructed
+///   `double` from the left, and default-constructed
 /// \param overlay the overlay
 /// \param positions the positions of the crossings
-/// \param input the input, as `Correspondence::input()` gives it
-/// \param values for each halfedge of the input the value in the corner of its face at its target;
-///   for border halfedges it is not used
-/// \return a vector with the value, for each halfedge of the overlay, in the corner of its face at
-///   its target; that of border halfedges is default constructed
+/// \param input the input, as returned by `Correspondence::input()`
+/// \param values for each halfedge of the input, the value in the corner of its face at its target;
+///   those of border halfedges are ignored
+/// \return for each halfedge of the overlay, the value in the corner of its face at
+///   its target; those of border halfedges are default-constructed
 template <class CornerValues>
 auto interpolate_input_corner_values(const Overlay& overlay, const Overlay_positions& positions,
                                      const Delta_complex& input, const CornerValues& values)

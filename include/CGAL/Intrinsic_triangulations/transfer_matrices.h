@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Transfer of vertex data as sparse matrices of Eigen: interpolation, and L2-optimal projection.
 
@@ -98,8 +101,8 @@ struct Transfer_mass_matrices
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// \brief integrates the products of the hat functions of the two triangulations exactly.
 ///
-/// All hat functions are linear on a face of the overlay, their products quadratic. The hat
-/// function of a vertex that several corners of a face meet in is the sum of those of the
+/// On each face of the overlay all hat functions are linear and their products quadratic. If several
+/// corners of a face are at the same vertex, the hat function of the vertex is the sum of those of the
 /// corners. Integrals are in the squared unit of the input, up to rounding. O(size of the overlay).
 /// \param triangulation a triangulation that keeps its input
 /// \param overlay its overlay
@@ -147,13 +150,13 @@ Transfer_mass_matrices transfer_mass_matrices(const Intrinsic_triangulation<Trai
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 ///
-/// \brief the L2-optimal projection of vertex data of one triangulation to another.
+/// \brief the L2 projection of vertex data from one triangulation to the other.
 ///
 /// Of all piecewise linear functions on the target, the result is nearest to the given one in the
-/// mean square over the surface; it is the solution u of `M u = N v` with the mass matrix M of the
-/// target and the mixed one N. In contrast, taking the values over as they are (both
-/// triangulations have the same vertices) interpolates. The projection keeps the integral, and
-/// leaves constants as they are.
+/// L2 norm over the surface. It is the solution u of `M u = N v` with the mass matrix M of the
+/// target and the mixed mass matrix N. In contrast, copying the values (both
+/// triangulations have the same vertices) interpolates. The projection preserves the integral and
+/// constants.
 ///
 /// The matrix is factorized once, for any number of projections.
 class L2_projection
@@ -161,9 +164,9 @@ class L2_projection
 public:
   /// \brief prepares the projection.
   ///
-  /// A vertex around which there is no area, as an isolated one, keeps its value.
+  /// A vertex whose faces have no area, such as an isolated vertex, keeps its value.
   /// \param target_mass the Galerkin mass matrix of the target
-  /// \param mixed_mass the mixed one, with rows for the vertices of the target
+  /// \param mixed_mass the mixed mass matrix, with rows for the vertices of the target
   /// \exception Numerical_error if the masses leave the range of `double`
   L2_projection(Eigen::SparseMatrix<double> target_mass, Eigen::SparseMatrix<double> mixed_mass)
     : target_mass_(std::move(target_mass)), mixed_mass_(std::move(mixed_mass))
@@ -178,7 +181,7 @@ public:
       throw Numerical_error("the masses leave the range of double; scale the surface");
   }
 
-  /// returns the projection of vertex values: of each column, if there are several.
+  /// returns the projection of vertex values; if there are several columns, of each.
   template <class Derived>
   typename Derived::PlainObject operator()(const Eigen::MatrixBase<Derived>& values) const
   {

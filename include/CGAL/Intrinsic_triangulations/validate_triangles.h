@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Is a list of polygons a surface that the package can work on? If not, which
 // element is at fault, how many are there like it, and what can be done?
@@ -24,12 +27,11 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief examines whether polygons form an oriented 2-manifold of triangles with usable edge lengths.
 ///
-/// Every kind of defect is looked for, not only the first, as far as the ones
-/// found before leave the question a meaning: a face with a bad index is left
-/// out of all that follows, and lengths and areas are not examined where a
-/// coordinate is not finite. No topological question assumes an orientation.
-/// Coordinates are examined as `double`, and whether they are in range is answered as the constructors of
-/// `Intrinsic_triangulation` do with traits on `double`: what is not refused here is not refused there.
+/// The function looks for every kind of defect, as far as earlier
+/// findings allow: a face with an invalid index is ignored in all later checks, and lengths and
+/// areas are not checked where a coordinate is not finite. No topological check assumes an
+/// orientation. Coordinates are examined as `double`. Their range is checked as by the constructors of
+/// `Intrinsic_triangulation` with traits on `double`: what is not refused here is not refused there.
 ///
 /// \tparam PointRange a model of `RandomAccessRange`, of points whose coordinates are `p[0]`, `p[1]` and `p[2]`
 /// \tparam PolygonRange a model of `ForwardRange`, of ranges of integers of any length
@@ -37,13 +39,13 @@ namespace Intrinsic_triangulations {
 /// \param points the vertices
 /// \param polygons the faces, as indices into `points`
 ///
-/// \return the findings in the order of `Finding_kind`, none for a connected
-/// triangulated surface without defects. Nothing in the input makes the function throw
-/// (but for `std::bad_alloc`).
+/// \return the findings in the order of `Finding_kind`; none for a connected
+/// triangulated surface without defects. No input makes the function throw
+/// (except `std::bad_alloc`).
 ///
-/// Complexity: linear in the numbers of vertices and corners, but for the
+/// Complexity: linear in the numbers of vertices and corners, except for the
 /// union-find structures (linear for all practical purposes) and a sort of the faces at
-/// edges that have more than two; a constant number of memory allocations.
+/// edges with more than two faces; a constant number of memory allocations.
 template <class PointRange, class PolygonRange>
 Surface_report examine_polygons(const PointRange& points, const PolygonRange& polygons)
 {
@@ -51,11 +53,11 @@ Surface_report examine_polygons(const PointRange& points, const PolygonRange& po
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief returns whether `examine_polygons()` would find nothing about a surface, but perhaps
-/// several components: a quicker question for those who have built its connectivity.
+/// \brief returns whether `examine_polygons()` would find nothing but possibly
+/// several components: a faster check if the connectivity has been built.
 ///
-/// \param complex what `make_Delta_complex_from_triangles()` returned, which has found the faces to
-///   be an oriented 2-manifold
+/// \param complex the result of `make_Delta_complex_from_triangles()`, which has checked that the faces
+///   form an oriented 2-manifold
 /// \param points the vertices; coordinates are `p[0]`, `p[1]` and `p[2]`
 ///
 /// Complexity: linear; no memory.

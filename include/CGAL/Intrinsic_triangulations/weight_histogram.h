@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // How the coefficients of a Laplace-Beltrami operator are distributed.
 
@@ -24,15 +27,15 @@ struct Weight_histogram
   double high = 0;                 ///< where the last interval ends
   std::vector<std::size_t> counts; ///< half-open intervals, from `low` to `high`
   std::size_t below = 0;           ///< weights less than `low`
-  std::size_t above = 0;           ///< weights of `high` and more, infinite ones included
+  std::size_t above = 0;           ///< weights of at least `high`, infinite ones included
 };
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// \brief counts the weights of interior edges; those of border edges are sums of one cotangent
-/// only, and say nothing about the Delaunay property.
+/// \brief counts the weights of interior edges. Those of border edges are single cotangents
+/// and say nothing about the Delaunay property.
 ///
 /// \param complex the triangles
-/// \param weights `cot k + cot l` for each edge, as `cotangent_weights()` returns them; none NaN
+/// \param weights `cot k + cot l` for each edge, as returned by `cotangent_weights()`; none is NaN
 /// \param low, high the range of the intervals
 /// \param number_of_intervals their number
 /// \pre `low < high`, `number_of_intervals > 0`, and there is a weight for each edge. O(size).

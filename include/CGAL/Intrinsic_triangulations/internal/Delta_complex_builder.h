@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // From glued sides to halfedge arrays. Side 3f + i runs from corner i of face f to
 // corner i + 1.

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // The steps of a repair, by CGAL::Polygon_mesh_processing, and the thread from each element back
 // to the input.

@@ -1,4 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
 //
 // Whether three points are on a line, exactly; nearly always told by a few operations.
 
