@@ -193,7 +193,7 @@ public:
       return decided(Stage::MODULAR, ZERO);
     const auto decision =
       late_stages(complex).sign_of_cotangents(internal::corners_beside(complex, e));
-    if (decision.sign == ZERO && !images_)
+    if (decision.sign == ZERO && decision.is_rational && !images_)
       carry_images();
     return decided(decision.stage, decision.sign);
   }

@@ -28,6 +28,7 @@ struct Exact_decision
 {
   Sign sign;
   Stage stage;
+  bool is_rational = false; // all roots in the number are
 };
 
 // The stages that follow on double-doubles. `evaluate(metric)` gives the number in any image of the
@@ -48,7 +49,7 @@ public:
   Exact_decision operator()(const ProvesZero& proves_zero, const Describe& what) const
   {
     if (const std::optional<Sign> sign = rational_sign())
-      return {*sign, Stage::ALGEBRAIC};
+      return {*sign, Stage::ALGEBRAIC, true};
     if (proves_zero())
       return {ZERO, Stage::CONGRUENCE};
     if (is_proven_zero(few_roots, small_work))

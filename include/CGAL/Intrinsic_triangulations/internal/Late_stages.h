@@ -86,7 +86,7 @@ public:
       return decision;
     return {sign_of_tie(sign_of_scalar_product(corners.opposite_to_k),
                         sign_of_scalar_product(corners.opposite_to_l)),
-            decision.stage};
+            decision.stage, decision.is_rational};
   }
 
   // The sign of the area of the face of h.
