@@ -14,11 +14,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <thread>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace {
 
@@ -171,6 +176,30 @@ TEST(Exact_stages, hinges_that_are_not_convex_are_not_flipped)
   EXPECT_EQ(flip({-1, -1, 0}), Outcome::NOT_CONVEX);
   EXPECT_EQ(flip({std::nextafter(-1, -2), -1, 0}), Outcome::FLIPPED);
   EXPECT_EQ(flip({std::nextafter(-1, 0), -1, 0}), Outcome::NOT_CONVEX);
+}
+
+// Nearly a square: both opposite angles are nearly right ones, and their cotangents are 2^-n / 2.
+TEST(Exact_stages, weights_near_ties_are_small_and_not_zero)
+{
+  using Rational = IT::Input_metric::Rational;
+  const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {1, 0, 3}};
+  for (const int n : {40, 120, 400, 1000, 1500})
+    for (const int sign : {1, -1}) {
+      IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(4, triangles);
+      std::vector<Rational> squared_lengths(complex.number_of_edges(), 1);
+      std::vector<IT::Edge_index> diagonals;
+      for (IT::Edge_index e : complex.edges())
+        if (complex.is_flippable(e))
+          diagonals.push_back(e);
+      ASSERT_EQ(diagonals.size(), 1u);
+      const Rational epsilon(IT::internal::Integer(1), IT::internal::Integer(1) << n);
+      squared_lengths[diagonals[0].idx()] = 2 - sign * epsilon;
+      const Triangulation t = Triangulation::from_squared_lengths(std::move(complex), std::move(squared_lengths));
+      const double smallest = std::numeric_limits<double>::denorm_min();
+      const double expected = sign * (std::max)(std::ldexp(1., -n), smallest);
+      EXPECT_NEAR(t.cotangent_weight(diagonals[0]), expected, 1e-14 * std::abs(expected)) << n;
+      EXPECT_EQ(t.sign_of_cotangent_weight(diagonals[0]), CGAL::sign(sign));
+    }
 }
 
 // However many bits are taken, the interval around such a length has two ends beside it.

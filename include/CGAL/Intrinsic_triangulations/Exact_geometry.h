@@ -323,7 +323,9 @@ public:
     if (!complex.is_flippable(e))
       return sum;
     const Sign exact_sign = sign_of_cotangents(complex, e);
-    return exact_sign == ZERO || CGAL::sign(sum) != exact_sign ? 0. : sum;
+    if (exact_sign == ZERO)
+      return 0;
+    return CGAL::sign(sum) == exact_sign ? sum : late_stages(complex).sum_of_cotangents(internal::corners_beside(complex, e));
   }
 
   /// returns the area of `f` in the unit of the input, up to a relative error of `2^-50`.

@@ -17,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
 
+#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -136,6 +137,25 @@ public:
       const double low = x.lower_double(), high = x.upper_double();
       const double magnitude = (std::max)(std::abs(low), std::abs(high));
       if (magnitude < std::numeric_limits<double>::infinity() && is_narrow(high - low, magnitude))
+        return low + (high - low) / 2;
+    }
+  }
+
+  // The sum of the cotangents of two corners to the last places, however small it is, and with the right sign.
+  // \pre both faces have positive area, and the sum is not zero
+  double sum_of_cotangents(const Two_corners& corners)
+  {
+    for (long precision = 256;; precision *= 2) {
+      Mpfr_metric metric(surface_, {precision});
+      const auto c = unfolded_corners(unfolding(metric), corners);
+      const Mpfr_interval sum = c.k.p / c.k.four_areas + c.l.p / c.l.four_areas;
+      if (!is_certain(sum.sign()))
+        continue;
+      const double low = sum.lower_double(), high = sum.upper_double();
+      const double smallest = std::numeric_limits<double>::denorm_min(); // what is smaller is not 0, either
+      if (high <= smallest && low >= -smallest)
+        return get_certain(sum.sign()) * smallest;
+      if (high - low <= (std::max)(2 * smallest, 0x1p-50 * (std::max)(std::abs(low), std::abs(high))))
         return low + (high - low) / 2;
     }
   }
