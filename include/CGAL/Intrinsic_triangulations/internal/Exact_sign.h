@@ -32,9 +32,9 @@ struct Exact_decision
 };
 
 // The stages that follow on double-doubles. `evaluate(metric)` gives the number in any image of the
-// metric. A value that double-doubles leave open is more likely zero than not, and while there are few
-// roots or none that is seen at once. Otherwise finite fields tell zero from other numbers, and
-// for these multiple precision comes to an end, however small they are.
+// metric. A value that double-doubles leave open is more likely zero than not, and where no root is irrational
+// that is seen at once. Otherwise finite fields tell zero from other numbers: for these multiple precision comes to an end, however
+// small they are; and only of what is zero there, a proof is tried.
 template <class Evaluate>
 class Exact_sign
 {
@@ -50,16 +50,14 @@ public:
   {
     if (const std::optional<Sign> sign = rational_sign())
       return {*sign, Stage::ALGEBRAIC, true};
-    if (proves_zero())
-      return {ZERO, Stage::CONGRUENCE};
-    if (is_proven_zero(few_roots, small_work))
-      return {ZERO, Stage::ALGEBRAIC};
     if (const auto sign = approximate_sign(128); is_certain(sign))
       return {get_certain(sign), Stage::MULTIPRECISION};
+    if (proves_zero())
+      return {ZERO, Stage::CONGRUENCE};
     if (!is_zero_in_finite_fields())
       return {sign_of_nonzero(), Stage::MULTIPRECISION};
     const bool is_proof_demanded = !surface_.accepts_probable_ties();
-    if (is_proven_zero(Multiquadratic_field::largest_size, is_proof_demanded ? large_work : small_work))
+    if (is_proven_zero(is_proof_demanded ? large_work : small_work))
       return {ZERO, Stage::ALGEBRAIC};
     if (is_proof_demanded)
       throw Undecided_error(what() + " cannot be proven: too many independent square roots. Without the demand for "
@@ -68,9 +66,8 @@ public:
   }
 
 private:
-  static constexpr std::size_t few_roots = 4;
   // In products of two terms: milliseconds, and a minute.
-  static constexpr std::size_t small_work = std::size_t(1) << 11, large_work = std::size_t(1) << 26;
+  static constexpr std::size_t small_work = std::size_t(1) << 10, large_work = std::size_t(1) << 26;
   // Exact numbers grow with the number of quantities that they are made from.
   static constexpr std::size_t few_quantities = 1024;
 
@@ -90,10 +87,10 @@ private:
     }
   }
 
-  bool is_proven_zero(std::size_t maximum_number_of_roots, std::size_t work) const
+  bool is_proven_zero(std::size_t work) const
   {
     try {
-      Multiquadratic_field field(surface_.interruption(), maximum_number_of_roots, work);
+      Multiquadratic_field field(surface_.interruption(), work);
       Multiquadratic_metric metric(surface_, {field}, largest_count());
       return evaluate_(metric).is_zero();
     } catch (const Too_costly&) {

@@ -74,9 +74,9 @@ public:
       return c.k.p * c.l.four_areas + c.l.p * c.k.four_areas;
     };
     const auto is_symmetric = [&] {
-      return is_edge(corners) && has_positive_area(corners.opposite_to_k) &&
-             has_positive_area(corners.opposite_to_l) &&
-             Mirror_symmetry(complex_, correspondence_, surface_, sequences_)(complex_.edge(corners.opposite_to_k));
+      return is_edge(corners) &&
+             Mirror_symmetry(complex_, correspondence_, surface_, sequences_)(complex_.edge(corners.opposite_to_k)) &&
+             has_positive_area(corners.opposite_to_k) && has_positive_area(corners.opposite_to_l);
     };
     const Decision decision = exact_sign_of(sum, is_symmetric, [&] {
       return name(corners) + ": that the sum of their angles is pi";

@@ -27,12 +27,10 @@ class Multiquadratic_field
 public:
   // A set of roots.
   using Mask = std::uint64_t;
-  static constexpr std::size_t largest_size = 64;
 
-  // \param maximum_number_of_roots at most `largest_size`
   // \param work a bound on the number of products of two terms
-  Multiquadratic_field(Interruption& interruption, std::size_t maximum_number_of_roots, std::size_t work)
-    : basis_(interruption, maximum_number_of_roots), interruption_(interruption), work_(work)
+  Multiquadratic_field(Interruption& interruption, std::size_t work)
+    : basis_(interruption, 64), interruption_(interruption), work_(work)
   {}
 
   Square_root_basis& basis() { return basis_; }

@@ -52,7 +52,7 @@ public:
                 Decision_settings& settings)
     : connectivity_(connectivity), metric_(metric), settings_(settings),
       flatness_(metric.points().empty() ? 0 : connectivity.number_of_edges(), UNKNOWN),
-      ratios_(number_of_ratios)
+      ratios_(number_of_ratios(connectivity))
   {}
 
   const Delta_complex& connectivity() const { return connectivity_; }
@@ -96,7 +96,7 @@ public:
   template <class Compute>
   const Corner_ratios<Double_double_disk>& remembered(Halfedge_index h, const Compute& compute)
   {
-    Entry& entry = ratios_[h.idx() % number_of_ratios];
+    Entry& entry = ratios_[h.idx() & (ratios_.size() - 1)];
     if (entry.halfedge != h) {
       entry.ratios = compute();
       entry.halfedge = h;
@@ -110,7 +110,14 @@ private:
     FLAT,
     BENT
   };
-  static constexpr std::size_t number_of_ratios = 4096;
+  // A power of two: one for each halfedge of a small surface.
+  static std::size_t number_of_ratios(const Delta_complex& connectivity)
+  {
+    std::size_t result = 16;
+    while (result < 4096 && result < 2 * std::size_t(connectivity.number_of_edges()))
+      result *= 2;
+    return result;
+  }
   struct Entry
   {
     Halfedge_index halfedge;
