@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/Cotangent_bounds.h>
+#include <CGAL/Intrinsic_triangulations/internal/Number_type_with_roots.h>
 #include <CGAL/Intrinsic_triangulations/internal/triangle_formulas_3.h>
 
 #include <CGAL/Uncertain.h>
@@ -77,7 +78,7 @@ class Edge_length_traits : public internal::Cotangent_bounds_of_edge_length_trai
 {
 public:
   /// the number type
-  using FT = FT_;
+  using FT = internal::Number_type_with_roots<FT_>;
   /// squared length
   using Edge_data = FT;
   /// four times the area
