@@ -16,6 +16,7 @@ enum class Number_type {
   DOUBLE,
   FLOAT,
   LONG_DOUBLE,
+  FLOAT128,
   INTERVAL,
   MPFR,
   CORE,
