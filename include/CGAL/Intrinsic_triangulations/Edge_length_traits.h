@@ -65,9 +65,11 @@ struct Cotangent_bounds_of_edge_length_traits<double>
 /// an exact number type, rounded for a floating-point type; an interval that cannot
 /// decide gives an uncertain answer, never a guess.
 ///
-/// \tparam FT_ a model of `FieldWithSqrt` and `RealEmbeddable`, for instance `float`,
-///   `double`, `long double`, `CGAL::Interval_nt<>`, `Mpfr_float`, or
-///   `CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT`.
+/// \tparam FT_ a model of `FieldWithSqrt` and `RealEmbeddable`: `float`, `double`,
+///   `long double`, `__float128`, any float of Boost.Multiprecision (`cpp_bin_float_50`,
+///   `float128`, `mpfr_float_50`, ...), `Mpfr_float`, `CGAL::Interval_nt<>`, or
+///   `CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT`. Other types fail to
+///   compile with one sentence that says so.
 ///
 /// \cgalModels `IntrinsicTriangulationTraits`
 ///
