@@ -18,6 +18,7 @@ const Entry entries[] = {
   {"double", "machine numbers: fast; ties and near ties are decided by rounding"},
   {"float", "the same in single precision"},
   {"long-double", "the same in extended precision"},
+  {"float128", "the same in quadruple precision, by software"},
   {"interval", "intervals of doubles: an edge is decided rightly or not at all"},
   {"mpfr", "floating point with as many bits as --precision says"},
   {"core", "exact real numbers: slow, and very slow near ties"},
@@ -41,8 +42,8 @@ const std::vector<Number_type>& number_types()
 {
   static const std::vector<Number_type> all = {
     Number_type::FILTERED, Number_type::DOUBLE, Number_type::FLOAT,
-    Number_type::LONG_DOUBLE, Number_type::INTERVAL, Number_type::MPFR,
-    Number_type::CORE, Number_type::HALF_ANGLE_DOUBLE, Number_type::HALF_ANGLE_CORE};
+    Number_type::LONG_DOUBLE, Number_type::FLOAT128, Number_type::INTERVAL,
+    Number_type::MPFR, Number_type::CORE, Number_type::HALF_ANGLE_DOUBLE, Number_type::HALF_ANGLE_CORE};
   return all;
 }
 

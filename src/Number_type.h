@@ -17,6 +17,7 @@ enum class Number_type {
   DOUBLE,
   FLOAT,
   LONG_DOUBLE,
+  FLOAT128,
   INTERVAL,
   MPFR,
   CORE,

@@ -25,8 +25,8 @@ struct Compare_options
 {
   std::vector<std::string> inputs;
   std::vector<std::string> number_types = {
-    "half-angle-double", "float", "double", "long-double", "interval", "mpfr",
-    "core", "half-angle-core", "filtered"};
+    "half-angle-double", "float", "double", "long-double", "float128", "interval",
+    "mpfr", "core", "half-angle-core", "filtered"};
   std::vector<int> precisions = {64, 128, 256, 512};
   std::string json_path;
   bool counts_decisions = false;

@@ -39,11 +39,19 @@ public:
   built-in floating-point type.
 
   To construct a triangulation from points, `FT` is `DefaultConstructible` and has `==` as
-  well, and is constructible from the coordinates of the points, from their numerators and
-  denominators if they are rational.
+  well, and is constructible from `double` and from coordinates of a built-in type. Other coordinates,
+  rational, algebraic or of more digits than `double`, reach it as a sum of doubles that stops where
+  `FT` has no more digits; if `FT` is exact, rational ones by the digits of numerator and denominator.
 
-  For a built-in floating-point type or `CGAL::Interval_nt`, very large or small input is
-  multiplied by a power of two before the functors see it.
+  For a built-in floating-point type, `CGAL::Interval_nt` or a float of Boost.Multiprecision with
+  exponents like theirs, very large or small input is multiplied by a power of two before the functors
+  see it.
+
+  `Edge_length_traits` and `Half_angle_traits` take any `FT` that is a model of `FieldWithSqrt` and
+  `RealEmbeddable`, with `CGAL::Algebraic_structure_traits<FT>` and `CGAL::Real_embeddable_traits<FT>`. Those
+  of `__float128` and of the floats of Boost.Multiprecision, with and without expression templates, come
+  with the package; a type without square roots is refused by one sentence of the compiler. Decisions are
+  exact if `CGAL::Algebraic_structure_traits<FT>::Is_exact` says so. The page "Number types compared" says what each costs.
   */
   typedef unspecified_type FT;
 

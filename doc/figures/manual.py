@@ -109,7 +109,8 @@ def draw_circle_patterns(idt, subject):
 
 def draw_kernels(idt, _):
     return kernels.comparison(idt.compare_samples(
-        "half-angle-double", "float", "double", "long-double", "interval", "mpfr", "core", "filtered"))
+        "half-angle-double", "float", "double", "long-double", "float128", "interval", "mpfr", "core",
+        "filtered"))
 
 
 # The names of the pictures, in the order of the paper: figures 1, 2, 6, 7, 8, 9 and 10; and one more.

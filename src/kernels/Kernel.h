@@ -156,6 +156,7 @@ Outcome run_filtered(const Job& job);
 Outcome run_double(const Job& job);
 Outcome run_float(const Job& job);
 Outcome run_long_double(const Job& job);
+Outcome run_float128(const Job& job);
 Outcome run_interval(const Job& job);
 Outcome run_mpfr(const Job& job);
 Outcome run_core(const Job& job);

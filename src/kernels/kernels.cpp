@@ -24,6 +24,8 @@ Outcome dispatch(const Job& job)
     return run_float(job);
   case Number_type::LONG_DOUBLE:
     return run_long_double(job);
+  case Number_type::FLOAT128:
+    return run_float128(job);
   case Number_type::INTERVAL:
     return run_interval(job);
   case Number_type::MPFR:

@@ -51,7 +51,7 @@ TEST_F(Compare_command, has_a_row_for_each_number_type)
   EXPECT_EQ(surface["surface"], "kite.off");
   EXPECT_EQ(surface["edges"], 5);
   EXPECT_EQ(surface["ties"], 0);
-  EXPECT_EQ(surface["number_types"].size(), 12u);
+  EXPECT_EQ(surface["number_types"].size(), 13u);
   EXPECT_FALSE(row(surface["number_types"], "mpfr", 256).is_null());
   for (const Json& row : surface["number_types"]) {
     EXPECT_EQ(keys(row),
@@ -66,7 +66,7 @@ TEST_F(Compare_command, has_a_row_for_each_number_type)
     EXPECT_GT(row["ratio_to_double"], 0) << row;
     EXPECT_LT(row["length_error"], row["number_type"] == "float" ? 1e-6 : 1e-15) << row;
   }
-  ASSERT_EQ(json["totals"].size(), 12u);
+  ASSERT_EQ(json["totals"].size(), 13u);
   EXPECT_EQ(keys(json["totals"][0]),
             (std::vector<std::string>{"number_type", "precision", "surfaces", "refused",
                                       "not_ended", "wrong", "unnoticed", "wrong_decisions", "not_delaunay",

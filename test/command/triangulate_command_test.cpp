@@ -116,7 +116,7 @@ TEST_F(Triangulate_command, agrees_with_itself_for_each_number_type)
 {
   ASSERT_EQ(idt("sample helical-tube -o tube.off").status, 0);
   Json reference;
-  for (const char* number_type : {"filtered", "double", "long-double", "interval", "mpfr", "core",
+  for (const char* number_type : {"filtered", "double", "long-double", "float128", "interval", "mpfr", "core",
                                   "half-angle-double", "half-angle-core"}) {
     const Command_run run =
       idt(std::string("triangulate tube.off --stats s.json --number-type ") + number_type);

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/Cotangent_bounds.h>
+#include <CGAL/Intrinsic_triangulations/internal/Number_type_with_roots.h>
 #include <CGAL/Intrinsic_triangulations/internal/triangle_formulas_3.h>
 
 #include <CGAL/Uncertain.h>
@@ -67,9 +68,11 @@ struct Cotangent_bounds_of_edge_length_traits<double>
 /// an exact number type, rounded for a floating-point type. An interval that cannot
 /// decide gives an uncertain answer, never a guess.
 ///
-/// \tparam FT_ a model of `FieldWithSqrt` and `RealEmbeddable`, for instance `float`,
-///   `double`, `long double`, `CGAL::Interval_nt<>`, `Mpfr_float`, or
-///   `CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT`.
+/// \tparam FT_ a model of `FieldWithSqrt` and `RealEmbeddable`: `float`, `double`,
+///   `long double`, `__float128`, any float of Boost.Multiprecision (`cpp_bin_float_50`,
+///   `float128`, `mpfr_float_50`, ...), `Mpfr_float`, `CGAL::Interval_nt<>`, or
+///   `CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT`. Other types fail to
+///   compile with one sentence that says so.
 ///
 /// \cgalModels `IntrinsicTriangulationTraits`
 ///
@@ -80,7 +83,7 @@ class Edge_length_traits : public internal::Cotangent_bounds_of_edge_length_trai
 {
 public:
   /// the number type
-  using FT = FT_;
+  using FT = internal::Number_type_with_roots<FT_>;
   /// squared length
   using Edge_data = FT;
   /// four times the area

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_HALF_ANGLE_TRAITS_H
 
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/Number_type_with_roots.h>
 #include <CGAL/Intrinsic_triangulations/internal/triangle_formulas_3.h>
 
 #include <CGAL/Uncertain.h>
@@ -39,7 +40,7 @@ class Half_angle_traits
 {
 public:
   /// the number type
-  using FT = FT_;
+  using FT = internal::Number_type_with_roots<FT_>;
   /// length
   using Edge_data = FT;
   /// nothing is kept for a face

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_construction.h>
+#include <CGAL/Intrinsic_triangulations/internal/number_conversion.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
@@ -24,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -82,15 +84,15 @@ public:
   /// \brief constructs the triangulation of a surface in space.
   ///
   /// \param connectivity the triangles
-  /// \param points the position of each vertex, in the order of the vertices
+  /// \param points the position of each vertex, in the order of the vertices; three coordinates `p[i]` of any
+  ///   number type, which are rounded to `FT` if it cannot hold them
   /// \param traits the traits
   /// \exception Invalid_surface_error if a coordinate is not finite, an edge has length
   ///   zero, or squared lengths leave the range of the number type. O(size).
   template <class PointRange>
   Intrinsic_triangulation(Delta_complex connectivity, const PointRange& points,
                           const Traits& traits = Traits())
-    : Intrinsic_triangulation(std::move(connectivity), Point_vector(points.begin(), points.end()),
-                              traits)
+    : Intrinsic_triangulation(std::move(connectivity), converted(points), traits)
   {}
 
   /// \brief as above, and takes the points over instead of copying them.
@@ -398,6 +400,17 @@ private:
   {
     if (keeps_bounds)
       bounds_ = internal::Cotangent_bounds(connectivity_);
+  }
+
+  template <class PointRange>
+  static Point_vector converted(const PointRange& points)
+  {
+    Point_vector result;
+    result.reserve(std::size_t(std::distance(points.begin(), points.end())));
+    for (const auto& p : points)
+      result.push_back({internal::convert_number<FT>(p[0]), internal::convert_number<FT>(p[1]),
+                        internal::convert_number<FT>(p[2])});
+    return result;
   }
 
   Edge_index edge(Halfedge_index h) const { return connectivity_.edge(h); }

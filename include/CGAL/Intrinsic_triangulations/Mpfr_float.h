@@ -8,20 +8,13 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_MPFR_FLOAT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_MPFR_FLOAT_H
 
-#include <CGAL/Algebraic_structure_traits.h>
-#include <CGAL/Real_embeddable_traits.h>
-#include <CGAL/boost_mp.h>
-#include <CGAL/enum.h>
-#include <CGAL/functional.h>
-#include <CGAL/number_utils.h>
-#include <CGAL/tags.h>
+#include <CGAL/Intrinsic_triangulations/internal/boost_multiprecision_floats.h>
 
 #include <boost/multiprecision/mpfr.hpp>
 
 #include <mpfr.h>
 
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -114,96 +107,6 @@ private:
 };
 
 } // namespace Intrinsic_triangulations
-
-/// \cond SKIP_IN_MANUAL
-
-// CGAL 5.5 declares these templates for all numbers of Boost.Multiprecision and defines
-// them for integers and rationals; later versions may define more. A full specialization
-// goes before either.
-
-template <>
-class Algebraic_structure_traits<Intrinsic_triangulations::Mpfr_float>
-  : public Algebraic_structure_traits_base<Intrinsic_triangulations::Mpfr_float, Field_with_sqrt_tag>
-{
-public:
-  using Type = Intrinsic_triangulations::Mpfr_float;
-  using Is_exact = Tag_false;
-  using Is_numerical_sensitive = Tag_true;
-
-  class Is_zero : public CGAL::cpp98::unary_function<Type, bool>
-  {
-  public:
-    bool operator()(const Type& x) const { return mpfr_zero_p(x.backend().data()) != 0; }
-  };
-
-  class Sqrt : public CGAL::cpp98::unary_function<Type, Type>
-  {
-  public:
-    Type operator()(const Type& x) const { return boost::multiprecision::sqrt(x); }
-  };
-};
-
-template <>
-class Real_embeddable_traits<Intrinsic_triangulations::Mpfr_float>
-  : public INTERN_RET::Real_embeddable_traits_base<Intrinsic_triangulations::Mpfr_float, Tag_true>
-{
-public:
-  using Type = Intrinsic_triangulations::Mpfr_float;
-
-  class Is_finite : public CGAL::cpp98::unary_function<Type, bool>
-  {
-  public:
-    bool operator()(const Type& x) const { return mpfr_number_p(x.backend().data()) != 0; }
-  };
-
-  class Abs : public CGAL::cpp98::unary_function<Type, Type>
-  {
-  public:
-    Type operator()(const Type& x) const { return boost::multiprecision::abs(x); }
-  };
-
-  class Sgn : public CGAL::cpp98::unary_function<Type, ::CGAL::Sign>
-  {
-  public:
-    ::CGAL::Sign operator()(const Type& x) const
-    {
-      const int sign = mpfr_sgn(x.backend().data());
-      return sign < 0 ? NEGATIVE : sign > 0 ? POSITIVE
-                                            : ZERO;
-    }
-  };
-
-  class Compare : public CGAL::cpp98::binary_function<Type, Type, Comparison_result>
-  {
-  public:
-    Comparison_result operator()(const Type& x, const Type& y) const
-    {
-      const int order = mpfr_cmp(x.backend().data(), y.backend().data());
-      return order < 0 ? SMALLER : order > 0 ? LARGER
-                                             : EQUAL;
-    }
-    CGAL_IMPLICIT_INTEROPERABLE_BINARY_OPERATOR_WITH_RT(Type, Comparison_result)
-  };
-
-  // To nearest.
-  class To_double : public CGAL::cpp98::unary_function<Type, double>
-  {
-  public:
-    double operator()(const Type& x) const { return mpfr_get_d(x.backend().data(), MPFR_RNDN); }
-  };
-
-  // The two doubles next to the number.
-  class To_interval : public CGAL::cpp98::unary_function<Type, std::pair<double, double>>
-  {
-  public:
-    std::pair<double, double> operator()(const Type& x) const
-    {
-      return {mpfr_get_d(x.backend().data(), MPFR_RNDD), mpfr_get_d(x.backend().data(), MPFR_RNDU)};
-    }
-  };
-};
-
-/// \endcond
 
 } // namespace CGAL
 

@@ -17,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/copy_face_graph.h>
 #include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/number_conversion.h>
+#include <CGAL/Intrinsic_triangulations/internal/number_kinds.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -65,7 +66,7 @@ private:
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// The squared lengths of the edges exactly, or nothing if all coordinates are doubles.
+// The squared lengths of the edges exactly, or nothing if all coordinates are doubles, or not all finite.
 template <class TriangleMesh, class PointMap>
 std::optional<std::vector<Rational>> rational_squared_lengths(const TriangleMesh& mesh,
                                                               const PointMap& point_map,
@@ -76,6 +77,8 @@ std::optional<std::vector<Rational>> rational_squared_lengths(const TriangleMesh
   bool are_doubles = true;
   for (typename boost::graph_traits<TriangleMesh>::vertex_descriptor v : vertices(mesh)) {
     const auto& p = get(point_map, v);
+    if (!CGAL::is_finite(p.x()) || !CGAL::is_finite(p.y()) || !CGAL::is_finite(p.z()))
+      return std::nullopt;
     points.push_back({convert_number<Rational>(p.x()), convert_number<Rational>(p.y()),
                       convert_number<Rational>(p.z())});
     for (const Rational& x : points.back())
@@ -131,7 +134,7 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
   const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
 
   if constexpr (Triangulation::uses_exact_geometry &&
-                !std::is_floating_point<typename Kernel::FT>::value) {
+                !internal::is_machine_number<typename Kernel::FT>) {
     static_assert(!std::is_same<Default_intrinsic_triangulation_traits<Kernel>,
                                 Edge_length_traits<typename Kernel::FT>>::value,
                   "exact geometry needs points with rational coordinates");

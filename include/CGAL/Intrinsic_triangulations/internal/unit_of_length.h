@@ -12,9 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/internal/number_kinds.h>
 
-#include <CGAL/Algebraic_structure_traits.h>
-#include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
@@ -34,29 +33,6 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 using Defect = Invalid_surface_error::Defect;
-
-// The number type whose exponent range FT has, or FT itself.
-template <class FT>
-struct Machine_type
-{
-  using type = FT;
-};
-template <bool b>
-struct Machine_type<Interval_nt<b>>
-{
-  using type = double;
-};
-
-template <class FT>
-constexpr bool has_small_exponent_range = std::is_floating_point<typename Machine_type<FT>::type>::value;
-
-// Roots of numbers beyond 2^150 come out of CORE with few correct digits, and beyond 2^160 it ends
-// the process with a division by zero. Small numbers do it no harm before 2^-1075, below which it
-// takes them for zero where they become `double`.
-template <class FT>
-constexpr bool has_exact_roots =
-  std::is_convertible<typename Algebraic_structure_traits<FT>::Is_exact, Tag_true>::value&&
-    std::is_convertible<typename Algebraic_structure_traits<FT>::Algebraic_category, Field_with_sqrt_tag>::value;
 
 // Products of two squared lengths occur, and differences of such products matter down to
 // their rounding: lengths between 2^-(a tenth of the largest exponent) and 2^(the same) stay far
@@ -81,11 +57,12 @@ int unit_exponent(double largest)
 template <class FT>
 FT times_power_of_two(const FT& x, int exponent)
 {
-  if constexpr (std::is_floating_point<FT>::value)
-    return std::ldexp(x, exponent);
-  else if constexpr (has_small_exponent_range<FT>)
+  if constexpr (Is_interval<FT>::value)
     return FT(std::ldexp(x.inf(), exponent), std::ldexp(x.sup(), exponent));
-  else if constexpr (has_exact_roots<FT>) {
+  else if constexpr (has_small_exponent_range<FT>) {
+    using std::ldexp; // that of Boost is found by its argument
+    return ldexp(x, exponent);
+  } else if constexpr (has_exact_roots<FT>) {
     FT result = x;
     for (int rest = exponent; rest != 0;) {
       const int step = (std::max)(-1000, (std::min)(1000, rest));
@@ -100,7 +77,7 @@ FT times_power_of_two(const FT& x, int exponent)
 template <class FT>
 double magnitude(const FT& x)
 {
-  if constexpr (std::is_floating_point<FT>::value)
+  if constexpr (is_machine_number<FT>)
     return std::abs(double(x));
   else {
     const std::pair<double, double> range = CGAL::to_interval(x);
@@ -140,10 +117,10 @@ bool scale(FT& x, int exponent)
   const FT scaled = times_power_of_two(x, exponent);
   const FT back = times_power_of_two(scaled, -exponent);
   bool is_exact;
-  if constexpr (std::is_floating_point<FT>::value || !has_small_exponent_range<FT>)
-    is_exact = back == x;
-  else
+  if constexpr (Is_interval<FT>::value)
     is_exact = back.is_same(x);
+  else
+    is_exact = back == x;
   x = scaled;
   return is_exact;
 }
@@ -218,7 +195,7 @@ bool scale_point(std::array<FT, 3>& point, const Box& box, int exponent)
   bool is_exact = true;
   for (int i = 0; i < 3; ++i)
     // Of a number type wider than double the box has only what is left after rounding.
-    if (std::is_floating_point<FT>::value && sizeof(FT) <= sizeof(double) && box.is_flat(i))
+    if (is_machine_number<FT> && sizeof(FT) <= sizeof(double) && box.is_flat(i))
       point[i] = FT(0);
     else
       is_exact &= scale(point[i], -exponent);
