@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What most tests include: with Clang, it is compiled once for all of them. (GCC would gain nothing.)
+
+#ifndef INTRINSIC_TRIANGULATIONS_TEST_PRECOMPILED_H
+#define INTRINSIC_TRIANGULATIONS_TEST_PRECOMPILED_H
+
+#include <CGAL/Intrinsic_triangulations.h>
+#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <Eigen/Dense>
+#include <boost/multiprecision/mpfr.hpp>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <random>
+#include <set>
+#include <sstream>
+#include <string>
+#include <variant>
+#include <vector>
+
+#endif // INTRINSIC_TRIANGULATIONS_TEST_PRECOMPILED_H
