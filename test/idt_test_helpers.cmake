@@ -4,19 +4,15 @@
 # A test is one line in the CMakeLists.txt of its folder. The name of the folder
 # (unit, property, regress, fuzz) becomes its label: `ctest -L unit`.
 
-# idt_precompile_headers(TARGET)
-#
-# Clang reads test/precompiled.h compiled instead of parsing it, which saves it half of its time. GCC loads half a
-# gigabyte for what it gains, so it sees what each source includes by itself.
+# Clang reads test/precompiled.h compiled, which saves half of its time. GCC would load half a gigabyte and gain little,
+# so it sees what each source includes by itself.
 function(idt_precompile_headers target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     target_precompile_headers(${target} REUSE_FROM idt_test_headers)
   endif()
 endfunction()
 
-# idt_compile_quickly(TARGET)
-#
-# With little optimization it compiles in two thirds of the time.
+# Compiles with less optimization, in two thirds of the time.
 function(idt_compile_quickly target)
   target_compile_options(${target} PRIVATE
     $<$<AND:$<CONFIG:Release>,$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>>:-O1>)

@@ -439,8 +439,7 @@ private:
     const Corner c = Unfolding<internal::Double_double_metric>(complex, correspondence_, metric, sequences)
                        .opposite_corner(h);
     developed_faces_.insert(complex, h, {c, image([&] {
-                                           internal::Residue_metric residues(*surface_, {*images_});
-                                           return Unfolding<internal::Residue_metric>(complex, correspondence_, residues, sequences)
+                                           return Unfolding<internal::Residue_metric>(complex, correspondence_, images_->metric, sequences)
                                              .opposite_corner(h);
                                          })});
     return c;
@@ -453,12 +452,20 @@ private:
       .opposite_corner(h);
   }
 
+  struct Carried_images
+  {
+    explicit Carried_images(internal::Input_surface& surface)
+      : rings(surface.prime_fields(0), surface.interruption(), 0), metric(surface, {rings})
+    {}
+    internal::Residue_rings rings; // without irrational roots
+    internal::Residue_metric metric;
+  };
+
   // A tie seldom comes alone. From the first one on, images of corners in finite fields are carried along by the
   // flips, where all areas are rational: this saves laying out strips of thousands of triangles for each tie.
   void carry_images()
   {
-    images_ = std::make_unique<internal::Residue_rings>(surface_->prime_fields(0), settings_.interruption, 0);
-    largest_size_ = metric_.largest_size();
+    images_ = std::make_unique<Carried_images>(*surface_);
     developed_faces_ = {};
   }
 
@@ -469,7 +476,7 @@ private:
       return std::nullopt;
     try {
       const Image_corner result = compute();
-      return images_->is_defined() ? std::make_optional(result) : std::nullopt;
+      return images_->rings.is_defined() ? std::make_optional(result) : std::nullopt;
     } catch (const internal::Too_costly&) {
       return std::nullopt;
     }
@@ -477,7 +484,7 @@ private:
 
   std::optional<Image_corner> image_of_straight_corner(const Delta_complex& complex, Halfedge_index h) const
   {
-    return image([&] { return internal::image_of_straight_corner(complex, metric_.points(), h, *images_); });
+    return image([&] { return internal::image_of_straight_corner(complex, metric_.points(), h, images_->rings); });
   }
 
   // Whether images that were carried along tell that the edge is a tie: `false` says nothing.
@@ -494,9 +501,9 @@ private:
     };
     const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
     const std::optional<Image_corner> k = find(h), l = k ? find(g) : std::nullopt;
-    return k && l && (k->p * l->four_areas + l->p * k->four_areas).is_zero() && images_->is_defined() &&
+    return k && l && (k->p * l->four_areas + l->p * k->four_areas).is_zero() && images_->rings.is_defined() &&
            internal::Residue_rings::certainty(number_of_quantities(complex, h) + number_of_quantities(complex, g),
-                                              largest_size_) >= 128;
+                                              surface_->largest_size()) >= 128;
   }
 
   static bool is_positive(const Double_double& x) { return certainly(x.sign() == POSITIVE); }
@@ -537,8 +544,7 @@ private:
   // A test took more than double since the last flip of the edge.
   std::vector<bool> is_close_call_;
   mutable internal::Decision_settings settings_;
-  std::unique_ptr<internal::Residue_rings> images_; // of the developed faces, from the first tie on
-  double largest_size_ = 0;
+  std::unique_ptr<Carried_images> images_;           // of the developed faces, from the first tie on
   std::unique_ptr<internal::Input_surface> surface_; // refers to the members above
 };
 

@@ -18,7 +18,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -122,12 +124,12 @@ private:
   struct Point
   {
     Vector position;
-    std::optional<Image> image;
+    std::unique_ptr<const Image> image; // seldom known, and large
   };
   struct Plane
   {
     Real unit; // squared length
-    std::optional<Residues> image_of_unit;
+    std::unique_ptr<const Residues> image_of_unit;
   };
   // The plane, and the points at the source, the target and opposite to a halfedge.
   struct Layout
@@ -154,9 +156,9 @@ private:
            point(layout, 2).image;
   }
 
-  std::uint32_t add_point(const Vector& position, const std::optional<Image>& image)
+  std::uint32_t add_point(const Vector& position, std::unique_ptr<const Image> image)
   {
-    points_.push_back({position, image});
+    points_.push_back({position, std::move(image)});
     return std::uint32_t(points_.size() - 1);
   }
 
@@ -168,21 +170,21 @@ private:
     const Vector j(c.p / two_s, c.four_areas / two_s);
     if (!(j.radius() < largest_radius * j.modulus()))
       return std::nullopt;
-    std::optional<Image> image_of_i, image_of_j, image_of_k;
-    std::optional<Residues> image_of_unit;
+    std::unique_ptr<const Image> image_of_i, image_of_j, image_of_k;
+    std::unique_ptr<const Residues> image_of_unit;
     if (known.image) {
       const Image_corner& x = *known.image;
       const Residues zero = x.p - x.p, two_s_image = x.s_first + x.s_first;
-      image_of_unit = x.s_first;
-      image_of_i = Image(x.s_first / x.s_first, zero);
-      image_of_j = Image(x.p / two_s_image, x.four_areas / two_s_image);
-      image_of_k = Image(zero, zero);
+      image_of_unit = std::make_unique<const Residues>(x.s_first);
+      image_of_i = std::make_unique<const Image>(x.s_first / x.s_first, zero);
+      image_of_j = std::make_unique<const Image>(x.p / two_s_image, x.four_areas / two_s_image);
+      image_of_k = std::make_unique<const Image>(zero, zero);
     }
-    planes_.push_back({c.s_first, image_of_unit});
+    planes_.push_back({c.s_first, std::move(image_of_unit)});
     return Layout{h,
                   std::uint32_t(planes_.size() - 1),
-                  {add_point(Vector(Real(1), Real(0)), image_of_i), add_point(j, image_of_j),
-                   add_point(Vector(Real(0), Real(0)), image_of_k)}};
+                  {add_point(Vector(Real(1), Real(0)), std::move(image_of_i)), add_point(j, std::move(image_of_j)),
+                   add_point(Vector(Real(0), Real(0)), std::move(image_of_k))}};
   }
 
   Layout seen_from(const Delta_complex& complex, Halfedge_index h) const
@@ -205,11 +207,11 @@ private:
     const Vector apex = point(stays, 1).position + side;
     if (!(apex.radius() < largest_radius * side.modulus()))
       return false;
-    std::optional<Image> image;
+    std::unique_ptr<const Image> image;
     if (has_images(stays) && has_images(moves))
-      image = *point(stays, 1).image + moved_side(*point(moves, 0).image, *point(moves, 1).image, *point(moves, 2).image,
-                                                  *point(stays, 1).image, *point(stays, 0).image);
-    moves.corners = {stays.corners[1], stays.corners[0], add_point(apex, image)};
+      image = std::make_unique<const Image>(*point(stays, 1).image + moved_side(*point(moves, 0).image, *point(moves, 1).image, *point(moves, 2).image,
+                                                                                *point(stays, 1).image, *point(stays, 0).image));
+    moves.corners = {stays.corners[1], stays.corners[0], add_point(apex, std::move(image))};
     moves.plane = stays.plane;
     return true;
   }
@@ -277,7 +279,7 @@ private:
     std::uint32_t n = 0;
     for (std::size_t i = 0; i < elements.size(); ++i)
       if (new_number[i] != none) {
-        elements[n] = elements[i];
+        elements[n] = std::move(elements[i]);
         new_number[i] = n++;
       }
     elements.erase(elements.begin() + n, elements.end());

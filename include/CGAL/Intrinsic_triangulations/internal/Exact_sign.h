@@ -110,7 +110,7 @@ private:
         continue;
       if (!is_zero)
         return false;
-      certainty += rings.certainty(double(metric.number_of_quantities()));
+      certainty += Residue_rings::certainty(double(metric.number_of_quantities()), surface_.largest_size());
     }
     return true;
   }

@@ -10,6 +10,8 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/Rational.h>
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace CGAL {
@@ -56,14 +58,34 @@ public:
     for (int i = 0; i < 64; ++i)
       x = sum(x, x);
     square_of_unit_ = x;
+    const Number half = (one_ + (one_ % 2 == 0 ? 0 : p_)) / 2;
+    Number small = one_, large = power(half, lowest_exponent);
+    for (Number& power : small_powers_) {
+      power = small;
+      small = sum(small, small);
+    }
+    for (Number& power : large_powers_) {
+      power = large;
+      large = product(large, small);
+    }
   }
 
   std::uint64_t prime() const { return p_; }
   Number one() const { return one_; }
 
-  Number from_integer(const Integer& n) const
+  Number from_integer(mpz_srcptr n) const
   {
-    return product(mpz_fdiv_ui(data(n), p_), square_of_unit_);
+    return product(mpz_fdiv_ui(n, p_), square_of_unit_);
+  }
+
+  Number from_double(double x) const
+  {
+    int exponent = 0;
+    const auto mantissa = std::int64_t(std::ldexp(std::frexp(x, &exponent), 53));
+    const auto place = std::uint64_t(exponent - 53 + lowest_exponent);
+    const Number a = product(product(std::uint64_t(mantissa < 0 ? -mantissa : mantissa), square_of_unit_),
+                             product(small_powers_[place % 64], large_powers_[place / 64]));
+    return mantissa < 0 ? negative(a) : a;
   }
 
   Number sum(Number a, Number b) const
@@ -98,6 +120,10 @@ private:
   std::uint64_t minus_inverse_ = 0; // of p modulo 2^64
   Number one_ = 0;
   Number square_of_unit_ = 0; // 2^128 modulo p
+  // The powers of two that doubles are multiples of: 2^i, and 2^(64 i - lowest_exponent).
+  static constexpr int lowest_exponent = 18 * 64;
+  std::array<Number, 64> small_powers_{};
+  std::array<Number, 34> large_powers_{};
 };
 
 // A number x + y w of the field with p² elements: w² = −1, since −1 is no square modulo p.

@@ -99,16 +99,18 @@ public:
 
   Residues rational(const Rational& x)
   {
-    const Integer numerator = boost::multiprecision::numerator(x),
-                  denominator = boost::multiprecision::denominator(x);
-    measure(x);
-    const Residues n = from_integer(numerator);
-    return denominator == 1 ? n : n / from_integer(denominator);
+    const Residues n = from_integer(mpq_numref(data(x)));
+    const mpz_srcptr denominator = mpq_denref(data(x));
+    return mpz_cmp_ui(denominator, 1) == 0 ? n : n / from_integer(denominator);
+  }
+
+  Residues number(double x)
+  {
+    return map([x](const Prime_field& f) { return Gaussian_residue{f.from_double(x), 0}; });
   }
 
   Residues root(const Rational& x)
   {
-    measure(x);
     const Square_root_basis::Root root = basis_.root(x);
     Residues result = rational(root.coefficient);
     for (std::uint32_t i : root.generators)
@@ -120,11 +122,9 @@ public:
   // for a polynomial V in n quantities: rational numbers x, roots √x, and the parts of vectors that
   // are sums of three such numbers divided by an x. In each quantity its degree is at most 8.
   //
-  // With 2^B above all numerators and denominators, each quantity and its conjugates are below 3 · 2^(2 B)
-  // and have a denominator below 2^(2 B); V has at most 2^(24 (n + 1)) terms.
+  // With 2^B above all numerators and denominators, where B is `largest_size`, each quantity and its conjugates are
+  // below 3 · 2^(2 B) and have a denominator below 2^(2 B); V has at most 2^(24 (n + 1)) terms.
   // So h <= 8 n · 4 B + 24 (n + 1).
-  double certainty(double n) const { return certainty(n, double(largest_size_)); }
-  // As above, with B given.
   static double certainty(double n, double largest_size)
   {
     const double h = 32 * n * largest_size + 24 * (n + 1);
@@ -135,12 +135,6 @@ private:
   friend class Residues;
   friend Residues operator/(const Residues& a, const Residues& b);
 
-  void measure(const Rational& x)
-  {
-    largest_size_ = (std::max)({largest_size_, mpz_sizeinbase(mpq_numref(data(x)), 2),
-                                mpz_sizeinbase(mpq_denref(data(x)), 2)});
-  }
-
   template <class ImageIn>
   Residues map(const ImageIn& image_in)
   {
@@ -150,7 +144,7 @@ private:
     return result;
   }
 
-  Residues from_integer(const Integer& n)
+  Residues from_integer(mpz_srcptr n)
   {
     return map([&](const Prime_field& f) { return Gaussian_residue{f.from_integer(n), 0}; });
   }
@@ -159,7 +153,7 @@ private:
   {
     for (std::size_t j = images_of_generators_.size(); j <= i; ++j)
       images_of_generators_.push_back(map([&](const Prime_field& f) {
-        const Prime_field::Number q = f.from_integer(basis_.generator(j));
+        const Prime_field::Number q = f.from_integer(data(basis_.generator(j)));
         is_defined_ = is_defined_ && q != 0;
         const Gaussian_residue r = square_root(f, q);
         // The sign is a function of the generator that looks random.
@@ -188,7 +182,6 @@ private:
   Square_root_basis basis_;
   std::vector<Residues> images_of_generators_;
   Residues last_divisor_, inverse_;
-  std::size_t largest_size_ = 1; // B
   bool is_defined_ = true;
 };
 

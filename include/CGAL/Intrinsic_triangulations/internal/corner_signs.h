@@ -91,12 +91,16 @@ inline Unfolding<Residue_metric>::Corner image_of_straight_corner(const Delta_co
 {
   const Vertex_index i = complex.source(ij), j = complex.target(ij),
                      k = complex.target(complex.next(ij));
-  const auto ki = difference<Rational>(points, k, i), kj = difference<Rational>(points, k, j),
-             side = difference<Rational>(points, i, j);
-  const auto normal = cross_product(ki, kj);
-  const auto square = [](const auto& v) { return scalar_product(v, v); };
-  return {rings.rational(2 * scalar_product(ki, kj)), rings.root(4 * square(normal)), rings.rational(square(ki)),
-          rings.rational(square(kj)), rings.rational(square(side))};
+  const auto normal = cross_product(difference<Rational>(points, k, i), difference<Rational>(points, k, j));
+  const auto vector = [&](Vertex_index from, Vertex_index to) {
+    const auto &p = points[from.idx()], &q = points[to.idx()];
+    return Vector_3<Residues>{rings.number(q[0]) - rings.number(p[0]), rings.number(q[1]) - rings.number(p[1]),
+                              rings.number(q[2]) - rings.number(p[2])};
+  };
+  const auto ki = vector(k, i), kj = vector(k, j), side = vector(i, j);
+  const Residues p = scalar_product(ki, kj);
+  return {p + p, rings.root(4 * scalar_product(normal, normal)), scalar_product(ki, ki), scalar_product(kj, kj),
+          scalar_product(side, side)};
 }
 
 } // namespace internal

@@ -26,11 +26,13 @@
 
 #include <CGAL/enum.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -67,6 +69,14 @@ public:
     while (prime_fields_.size() <= number)
       prime_fields_.push_back(random_prime_fields(metric_.hash() + prime_fields_.size()));
     return prime_fields_[number];
+  }
+
+  // A bound on the sizes of the numbers of the metric (see Input_metric); found when first asked for.
+  double largest_size()
+  {
+    if (largest_size_ == 0)
+      largest_size_ = metric_.largest_size();
+    return largest_size_;
   }
 
   // Whether the faces of an edge lie in one plane; found when first asked for.
@@ -128,6 +138,7 @@ private:
   const Input_metric& metric_;
   Decision_settings& settings_;
   std::deque<Prime_fields> prime_fields_;
+  double largest_size_ = 0;
   Large_vector<std::uint8_t> flatness_;
   std::vector<Entry> ratios_;
 };
@@ -173,8 +184,8 @@ private:
   Input_surface& surface_;
 };
 
-// In a ring that is given by the images of the rationals and of their square roots. What
-// is computed is remembered as long as the metric lives, which is for one decision. Each quantity that is
+// In a ring that is given by the images of the rationals and of their square roots, and of coordinates, which may
+// stay in a smaller ring until they meet roots. What was computed last is remembered. Each quantity that is
 // asked for is counted.
 template <class Image>
 class Rational_metric
@@ -195,24 +206,29 @@ public:
   Real constant(double x)
   {
     count();
-    return image_.rational(Rational(x));
+    return image_.real(image_.coordinate(x));
   }
   Real squared_length(Edge_index e)
   {
     count();
-    return image_.rational(surface_.metric().squared_length(surface_.connectivity(), e));
+    const Delta_complex& c = surface_.connectivity();
+    if (surface_.metric().points().empty())
+      return image_.rational(surface_.metric().squared_length(c, e));
+    const auto u = vector(c.source(c.halfedge(e)), c.target(c.halfedge(e)));
+    return image_.real(scalar_product(u, u));
   }
   Real four_areas(Face_index f)
   {
     count();
-    return image_.root(surface_.metric().squared_four_areas(surface_.connectivity(), f));
+    return remembered_in(roots_, f, [&] {
+      return image_.root(surface_.metric().squared_four_areas(surface_.connectivity(), f));
+    });
   }
   template <class Compute>
   const Corner_ratios<Vector>& remembered(Halfedge_index h, const Compute& compute)
   {
     count();
-    const auto position = ratios_.find(h);
-    return position != ratios_.end() ? position->second : ratios_.emplace(h, compute()).first->second;
+    return remembered_in(ratios_, h, compute);
   }
   bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
   Interruption& interruption() { return surface_.interruption(); }
@@ -220,17 +236,24 @@ public:
   {
     count();
     const Delta_complex& c = surface_.connectivity();
-    const Points& points = surface_.metric().points();
-    const auto u = difference<Rational>(points, c.source(h), c.target(h)),
-               w = difference<Rational>(points, from, to);
-    const auto normal = cross_product(u, w);
-    const Rational s = scalar_product(u, u);
-    const Real height = image_.root(scalar_product(normal, normal)) / image_.rational(s);
-    return {image_.rational(scalar_product(u, w) / s),
-            surface_.side(h, from, to) == NEGATIVE ? -height : height};
+    const Vertex_index i = c.source(h);
+    const auto u = vector(i, c.target(h)), v = vector(i, c.target(c.next(h))), w = vector(from, to);
+    const auto s = scalar_product(u, u), x = scalar_product(u, w), t = scalar_product(u, v);
+    // |u × v|², the square of half of four_areas, and (u × v)·(u × w).
+    const auto n = s * scalar_product(v, v) - t * t, y = s * scalar_product(v, w) - t * x, sn = s * n;
+    const Real divisor = image_.real(sn + sn);
+    return {image_.real((x + x) * n) / divisor, image_.real(y) * four_areas(c.face(h)) / divisor};
   }
 
 private:
+  Vector_3<typename Image::Coordinate> vector(Vertex_index from, Vertex_index to) const
+  {
+    const auto& points = surface_.metric().points();
+    const std::array<double, 3>&p = points[from.idx()], &q = points[to.idx()];
+    const auto difference = [&](int i) { return image_.coordinate(q[i]) - image_.coordinate(p[i]); };
+    return {difference(0), difference(1), difference(2)};
+  }
+
   void count()
   {
     surface_.interruption().check();
@@ -238,19 +261,37 @@ private:
       throw Too_costly();
   }
 
+  // Forgets everything when there is much of it.
+  template <class Map, class Compute>
+  static const typename Map::mapped_type& remembered_in(Map& map, const typename Map::key_type& key,
+                                                        const Compute& compute)
+  {
+    const auto position = map.find(key);
+    if (position != map.end())
+      return position->second;
+    typename Map::mapped_type value = compute();
+    if (map.size() == 4096)
+      map.clear();
+    return map.emplace(key, std::move(value)).first->second;
+  }
+
   Input_surface& surface_;
   Image image_;
   std::size_t largest_count_;
   std::size_t count_ = 0;
   std::unordered_map<Halfedge_index, Corner_ratios<Vector>> ratios_;
+  std::unordered_map<Face_index, Real> roots_;
 };
 
 // Multiple-precision intervals.
 struct Mpfr_image
 {
   using Real = Mpfr_interval;
+  using Coordinate = Rational;
   using Vector = Mpfr_disk;
   Real rational(const Rational& x) const { return Real(data(x), precision); }
+  Rational coordinate(double x) const { return Rational(x); }
+  Real real(const Rational& x) const { return rational(x); }
   Real root(const Rational& x) const { return sqrt(rational(x)); }
   long precision;
 };
@@ -259,8 +300,11 @@ struct Mpfr_image
 struct Multiquadratic_image
 {
   using Real = Multiquadratic;
+  using Coordinate = Rational;
   using Vector = Planar_vector<Real>;
   Real rational(const Rational& x) const { return Real(&field, 0, x); }
+  Rational coordinate(double x) const { return Rational(x); }
+  Real real(const Rational& x) const { return rational(x); }
   Real root(const Rational& x) const
   {
     const Square_root_basis::Root root = field.basis().root(x);
@@ -276,7 +320,10 @@ struct Multiquadratic_image
 struct Residue_image
 {
   using Real = Residues;
+  using Coordinate = Residues;
   using Vector = Planar_vector<Real>;
+  Residues coordinate(double x) const { return rings.number(x); }
+  Real real(const Residues& x) const { return x; }
   Real rational(const Rational& x) const { return rings.rational(x); }
   Real root(const Rational& x) const { return rings.root(x); }
   Residue_rings& rings;
@@ -287,8 +334,11 @@ struct Residue_image
 struct Rational_image
 {
   using Real = Rational;
+  using Coordinate = Rational;
   using Vector = Planar_vector<Real>;
   Real rational(const Rational& x) const { return x; }
+  Rational coordinate(double x) const { return Rational(x); }
+  Real real(const Rational& x) const { return x; }
   Real root(const Rational& x) const
   {
     const Integer denominator = boost::multiprecision::denominator(x),
