@@ -66,8 +66,8 @@ public:
   }
 
 private:
-  // In products of two terms: milliseconds, and a minute.
-  static constexpr std::size_t small_work = std::size_t(1) << 10, large_work = std::size_t(1) << 26;
+  // In terms that are computed: milliseconds, and some ten seconds.
+  static constexpr std::size_t small_work = std::size_t(1) << 12, large_work = std::size_t(1) << 22;
   // Exact numbers grow with the number of quantities that they are made from.
   static constexpr std::size_t few_quantities = 1024;
 

@@ -12,6 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/Square_root_basis.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
@@ -28,19 +30,19 @@ public:
   // A set of roots.
   using Mask = std::uint64_t;
 
-  // \param work a bound on the number of products of two terms
+  // \param work a bound on the number of terms that are computed; a large one counts more than once
   Multiquadratic_field(Interruption& interruption, std::size_t work)
     : basis_(interruption, 64), interruption_(interruption), work_(work)
   {}
 
   Square_root_basis& basis() { return basis_; }
 
-  void take(std::size_t number_of_products)
+  void take(std::size_t work)
   {
     interruption_.check();
-    if (number_of_products > work_)
+    if (work > work_)
       throw Too_costly();
-    work_ -= number_of_products;
+    work_ -= work;
   }
 
 private:
@@ -68,14 +70,16 @@ public:
 
   friend Multiquadratic operator-(const Multiquadratic& a)
   {
-    Multiquadratic r(a);
+    Multiquadratic r = a.copy();
     for (auto& term : r.terms_)
       term.second = -term.second;
     return r;
   }
   friend Multiquadratic operator+(const Multiquadratic& a, const Multiquadratic& b)
   {
-    Multiquadratic r(a);
+    Multiquadratic r = a.copy();
+    if (!b.is_zero())
+      b.field_->take(b.terms_.size());
     for (const auto& term : b.terms_)
       r.add(term.first, term.second);
     return r;
@@ -87,7 +91,6 @@ public:
   friend Multiquadratic operator*(const Multiquadratic& a, const Multiquadratic& b)
   {
     Multiquadratic r(a.field_ ? a.field_ : b.field_);
-    r.field_->take(a.terms_.size() * b.terms_.size());
     for (const auto& x : a.terms_)
       for (const auto& y : b.terms_) {
         Rational coefficient = x.second * y.second;
@@ -95,6 +98,9 @@ public:
         for (std::size_t i = 0; common != 0; ++i, common >>= 1)
           if (common & 1)
             coefficient *= r.field_->basis().generator(i);
+        // To cancel its common factors takes time proportional to the square of its size.
+        const std::size_t size = mpz_size(mpq_numref(data(coefficient))) + mpz_size(mpq_denref(data(coefficient)));
+        r.field_->take(1 + size * size / 256);
         r.add(x.first ^ y.first, coefficient);
       }
     return r;
@@ -102,19 +108,32 @@ public:
   // The divisor is rational: unfolding divides by input quantities alone.
   friend Multiquadratic operator/(const Multiquadratic& a, const Multiquadratic& b)
   {
-    Multiquadratic r(a);
+    CGAL_precondition(b.terms_.size() == 1 && b.terms_.begin()->first == 0);
+    Multiquadratic r = a.copy();
     for (auto& term : r.terms_)
       term.second /= b.terms_.begin()->second;
     return r;
   }
 
 private:
+  // Some tens of megabytes.
+  static constexpr std::size_t most_terms = std::size_t(1) << 16;
+
+  Multiquadratic copy() const
+  {
+    if (!is_zero())
+      field_->take(terms_.size());
+    return *this;
+  }
+
   void add(Mask mask, const Rational& coefficient)
   {
     const auto position = terms_.emplace(mask, Rational(0)).first;
     position->second += coefficient;
     if (position->second == 0)
       terms_.erase(position);
+    else if (terms_.size() > most_terms)
+      throw Too_costly();
   }
 
   Multiquadratic_field* field_;
