@@ -97,5 +97,5 @@ int main()
   const auto values =
     IT::interpolate_intrinsic_values(overlay, positions, t.connectivity(), distance);
   std::cout << values.size() << " values on the overlay of " << n * n << " vertices\n";
-  return error < 2 && values.size() > n * n ? EXIT_SUCCESS : EXIT_FAILURE;
+  return error < 1 && values.size() > n * n ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -190,6 +190,7 @@ TEST(Parallel, other_traits)
     const auto t = flipped<decltype(traits), Parallel_tag>(mesh, 2);
     EXPECT_EQ(t.report().status, Flip_status::DELAUNAY);
     EXPECT_GT(t.report().flips, 10000u);
+    EXPECT_TRUE(IT::verify_Delaunay(t).is_Delaunay());
   };
   expect_Delaunay(IT::Edge_length_traits<long double>());
   expect_Delaunay(IT::Half_angle_traits<double>());

@@ -84,6 +84,7 @@ TEST(Coplanar_hinge, NearTies)
 {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> jitter(-1, 1);
+  std::array<int, 7> hinges{};
   for (int n = 0; n < 20000; ++n) {
     const double center = n % 3 == 0 ? 0 : jitter(random), epsilon = std::pow(2., -(n % 60));
     const auto on_circle = [&](double angle) {
@@ -96,9 +97,13 @@ TEST(Coplanar_hinge, NearTies)
     const auto is_left_turn = [](const Point_2& a, const Point_2& b, const Point_2& c) {
       return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 1e-15;
     };
-    if (is_left_turn(p[0], p[1], p[2]) && is_left_turn(p[1], p[0], p[3]))
+    if (is_left_turn(p[0], p[1], p[2]) && is_left_turn(p[1], p[0], p[3])) {
       expect_the_sign_of_the_determinant(p);
+      ++hinges[std::size_t(n % 7)];
+    }
   }
+  for (int number : hinges) // of each width
+    EXPECT_GT(number, 300);
 }
 
 // Rectangles with sides along two directions that are no axes: exact ties with many bits.

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -332,13 +331,11 @@ TEST(Repair_polygons, asks_before_each_polygon_whether_to_go_on)
     }
   }
   std::vector<double> fractions;
-  const auto begin = std::chrono::steady_clock::now();
   EXPECT_EQ(IT::repair_polygons(points, crowns, [&](double fraction) {
               fractions.push_back(fraction);
               return true;
             }).triangles.size(),
             30u * 998);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
   ASSERT_GE(fractions.size(), 32u);
   EXPECT_EQ(fractions.front(), 0);
   EXPECT_EQ(fractions.back(), 1);
