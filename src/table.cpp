@@ -12,7 +12,7 @@
 #include "triangulate.h"
 
 #include <CGAL/Intrinsic_triangulations/condition_number.h>
-#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/weight_histogram.h>
 
 #include <nlohmann/json.hpp>

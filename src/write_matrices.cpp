@@ -6,7 +6,7 @@
 #include "finite_weights.h"
 #include "text.h"
 
-#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 
 namespace idt {
 namespace {

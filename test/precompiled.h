@@ -7,7 +7,7 @@
 #define INTRINSIC_TRIANGULATIONS_TEST_PRECOMPILED_H
 
 #include <CGAL/Intrinsic_triangulations.h>
-#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 
 #include <CGAL/Interval_nt.h>

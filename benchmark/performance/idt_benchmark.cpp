@@ -23,7 +23,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 
 #include <CGAL/Heat_method_3/internal/Intrinsic_Delaunay_triangulation_3.h>
@@ -79,7 +79,7 @@ Run run_package(const Mesh& mesh)
   Run run{};
   const auto t = timed(
     [&] {
-      return IT::intrinsic_delaunay_triangulation<ConcurrencyTag>(
+      return IT::intrinsic_Delaunay_triangulation<ConcurrencyTag>(
         mesh, CGAL::parameters::geom_traits(Traits()));
     },
     run.seconds);

@@ -9,8 +9,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 
@@ -34,7 +34,7 @@ BOOST_NOINLINE auto counted(const Function& f)
 template <class Traits>
 auto triangulate(const Mesh& mesh)
 {
-  return IT::intrinsic_delaunay_triangulation(mesh, CGAL::parameters::geom_traits(Traits()));
+  return IT::intrinsic_Delaunay_triangulation(mesh, CGAL::parameters::geom_traits(Traits()));
 }
 
 } // namespace

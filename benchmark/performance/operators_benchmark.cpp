@@ -14,8 +14,8 @@
 
 #include "benchmark_meshes.h"
 
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 
 #include <CGAL/Heat_method_3/internal/Intrinsic_Delaunay_triangulation_3.h>
@@ -57,17 +57,17 @@ double seconds_of_heat_method(const Mesh& mesh)
 
 void measure(const std::string& name, const Mesh& mesh)
 {
-  const auto triangulation = IT::intrinsic_delaunay_triangulation(mesh);
+  const auto triangulation = IT::intrinsic_Delaunay_triangulation(mesh);
   const std::vector<std::pair<const char*, std::function<double()>>> methods = {
     {"Heat_method_3, triangulation alone", [&] { return seconds_of_heat_method(mesh); }},
     {"stiffness_matrix", [&] { return seconds([&] { return IT::stiffness_matrix(triangulation); }); }},
     {"cotangent_weights", [&] { return seconds([&] { return IT::cotangent_weights(triangulation); }); }},
     {"lumped_mass_matrix",
      [&] { return seconds([&] { return IT::lumped_mass_matrix(triangulation); }); }},
-    {"galerkin_mass_matrix",
-     [&] { return seconds([&] { return IT::galerkin_mass_matrix(triangulation); }); }},
+    {"Galerkin_mass_matrix",
+     [&] { return seconds([&] { return IT::Galerkin_mass_matrix(triangulation); }); }},
     {"mesh -> triangulation, L, M",
-     [&] { return seconds([&] { return IT::intrinsic_delaunay_laplacian(mesh); }); }}};
+     [&] { return seconds([&] { return IT::intrinsic_Delaunay_Laplacian(mesh); }); }}};
   std::vector<std::vector<double>> times(methods.size());
   for (std::size_t round = 0; round <= rounds; ++round)
     for (std::size_t i = 0; i < methods.size(); ++i) {

@@ -18,7 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 
 #include <CGAL/Heat_method_3/internal/Intrinsic_Delaunay_triangulation_3.h>
@@ -111,8 +111,8 @@ Costs measure(const Mesh& mesh, int rounds, bool with_heat_method)
   std::vector<double> graph, positions, triangulation, without, with, integers, input, heat_method;
   Costs costs;
   for (int round = 0; round <= rounds; ++round) {
-    std::optional<decltype(IT::intrinsic_delaunay_triangulation(mesh))> t;
-    triangulation.push_back(seconds([&] { t.emplace(IT::intrinsic_delaunay_triangulation(mesh)); }));
+    std::optional<decltype(IT::intrinsic_Delaunay_triangulation(mesh))> t;
+    triangulation.push_back(seconds([&] { t.emplace(IT::intrinsic_Delaunay_triangulation(mesh)); }));
     without.push_back(seconds_in_double(mesh, false));
     with.push_back(seconds_in_double(mesh, true));
     integers.push_back(seconds_for_integers(mesh));

@@ -6,13 +6,13 @@
 //   scaling [SIDE...]   tori of SIDE by SIDE vertices (100, 316, 1000, 3162)
 //
 // Memory is the peak of the resident set, less what was resident when the mesh was ready: all that
-// intrinsic_delaunay_triangulation() takes beside its input. (Linux; elsewhere it is not printed.)
+// intrinsic_Delaunay_triangulation() takes beside its input. (Linux; elsewhere it is not printed.)
 
 #include "benchmark_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 
 #include <CGAL/tags.h>
@@ -51,7 +51,7 @@ void measure(const char* name, const Mesh& mesh)
     std::ofstream("/proc/self/clear_refs") << "5"; // the peak begins anew
     const double before = resident("VmRSS:");
     const auto start = std::chrono::steady_clock::now();
-    const auto t = IT::intrinsic_delaunay_triangulation<ConcurrencyTag>(
+    const auto t = IT::intrinsic_Delaunay_triangulation<ConcurrencyTag>(
       mesh, CGAL::parameters::geom_traits(Traits()));
     seconds.push_back(
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

@@ -8,7 +8,7 @@
 // Δ²u = 0. The rows of the sheet are shifted against each other, so that its triangles are long
 // and obtuse, while its points are spread well: the intrinsic operator feels the points alone.
 
-#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -43,7 +43,7 @@ Mesh mesh_of(const IT::Indexed_triangles& sample)
 }
 
 // Solves for the free entries of u; the others are kept.
-void minimize_bi_laplacian(const IT::Laplace_beltrami_operator& laplacian,
+void minimize_bi_laplacian(const IT::Laplace_Beltrami_operator& laplacian,
                            const std::vector<bool>& is_free, Eigen::VectorXd& u)
 {
   const Eigen::VectorXd inverse_mass =
@@ -62,7 +62,7 @@ void minimize_bi_laplacian(const IT::Laplace_beltrami_operator& laplacian,
 }
 
 // The largest error of the sheet that is bent by its rim.
-double error(const Mesh& mesh, const IT::Laplace_beltrami_operator& laplacian, std::size_t columns,
+double error(const Mesh& mesh, const IT::Laplace_Beltrami_operator& laplacian, std::size_t columns,
              std::size_t rows)
 {
   Eigen::VectorXd exact(Eigen::Index(mesh.number_of_vertices()));
@@ -93,7 +93,7 @@ int main()
   }
   const Mesh mesh = mesh_of(sheet);
   const double extrinsic = error(mesh, IT::extrinsic_laplacian(mesh), columns, rows),
-               intrinsic = error(mesh, IT::intrinsic_delaunay_laplacian(mesh), columns, rows);
+               intrinsic = error(mesh, IT::intrinsic_Delaunay_Laplacian(mesh), columns, rows);
   std::cout << "largest error of the bent sheet: extrinsic " << extrinsic << ", intrinsic "
             << intrinsic << '\n';
   return intrinsic < 0.02 && intrinsic < extrinsic / 5 ? EXIT_SUCCESS : EXIT_FAILURE;

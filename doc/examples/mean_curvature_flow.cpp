@@ -7,7 +7,7 @@
 // position is an average of old ones: none leaves their bounding box, and a spike leaves no
 // dent around it.
 
-#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -45,7 +45,7 @@ Eigen::MatrixXd positions(const Mesh& mesh)
   return x;
 }
 
-Eigen::MatrixXd flow(const IT::Laplace_beltrami_operator& laplacian, const Eigen::MatrixXd& x,
+Eigen::MatrixXd flow(const IT::Laplace_Beltrami_operator& laplacian, const Eigen::MatrixXd& x,
                      double h)
 {
   const Eigen::SimplicialLDLT<Matrix> solver(laplacian.mass + h * laplacian.stiffness);
@@ -54,7 +54,7 @@ Eigen::MatrixXd flow(const IT::Laplace_beltrami_operator& laplacian, const Eigen
 
 // How far below zero the flow makes a function that is 1 at one vertex and 0 at all others, at
 // the worst of all vertices.
-double worst_dent(const IT::Laplace_beltrami_operator& laplacian, double h)
+double worst_dent(const IT::Laplace_Beltrami_operator& laplacian, double h)
 {
   const Eigen::Index n = laplacian.mass.rows();
   return std::min(0., flow(laplacian, Eigen::MatrixXd::Identity(n, n), h).minCoeff());
@@ -65,8 +65,8 @@ double worst_dent(const IT::Laplace_beltrami_operator& laplacian, double h)
 int main()
 {
   const Mesh mesh = mesh_of(IT::bumpy_sphere(40, 21)); // needles and obtuse triangles
-  const IT::Laplace_beltrami_operator extrinsic = IT::extrinsic_laplacian(mesh),
-                                      intrinsic = IT::intrinsic_delaunay_laplacian(mesh);
+  const IT::Laplace_Beltrami_operator extrinsic = IT::extrinsic_laplacian(mesh),
+                                      intrinsic = IT::intrinsic_Delaunay_Laplacian(mesh);
   const double h = 1e-3;
   const Eigen::MatrixXd before = positions(mesh), after = flow(intrinsic, before, h);
   const double dent_extrinsic = worst_dent(extrinsic, h), dent_intrinsic = worst_dent(intrinsic, h);

@@ -7,7 +7,7 @@
 // circles, between which a catenoid would hang; the start is a lantern of flat obtuse
 // triangles.
 
-#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -48,7 +48,7 @@ Eigen::MatrixXd positions(const Mesh& mesh)
 double area(const Mesh& mesh) { return IT::extrinsic_laplacian(mesh).mass.sum(); }
 
 // One step: the harmonic map of the surface with the given operator, with the boundary in place.
-void step(Mesh& mesh, const IT::Laplace_beltrami_operator& laplacian)
+void step(Mesh& mesh, const IT::Laplace_Beltrami_operator& laplacian)
 {
   std::vector<Eigen::Triplet<double>> entries;
   int columns = 0;
@@ -84,7 +84,7 @@ int main()
 
   Mesh intrinsic = lantern;
   for (int i = 0; i < 100; ++i)
-    step(intrinsic, IT::intrinsic_delaunay_laplacian(intrinsic));
+    step(intrinsic, IT::intrinsic_Delaunay_Laplacian(intrinsic));
   std::cout << "intrinsic: area " << start << " -> " << area(intrinsic) << " in 100 steps\n";
   const bool is_fine = area(intrinsic) < 0.75 * start && area(extrinsic) >= 2 * start;
   return is_fine ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -4,7 +4,7 @@
 // The overlay of a mesh and its intrinsic Delaunay triangulation as an ordinary mesh: a function
 // that is linear on the intrinsic triangles is linear on each of its faces.
 
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -28,7 +28,7 @@ int main()
              k = mesh.add_vertex({2, 1, 0}), l = mesh.add_vertex({2, 0, 1});
   mesh.add_face(i, j, k);
   mesh.add_face(j, i, l);
-  const auto idt = IT::intrinsic_delaunay_triangulation(mesh);
+  const auto idt = IT::intrinsic_Delaunay_triangulation(mesh);
 
   Mesh overlay = IT::overlay_to_surface_mesh(idt, mesh);
   const auto input_face = overlay.property_map<Mesh::Face_index, std::uint32_t>("f:input_face").first;

@@ -4,7 +4,7 @@
 // The same surface as a Polyhedron_3 and as a Surface_mesh: any model of CGAL's graph concepts is
 // an input, and the result does not depend on which. The Polyhedron_3 has another kernel, too.
 
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -28,7 +28,7 @@ namespace {
 template <class TriangleMesh>
 std::vector<double> sorted_lengths(const TriangleMesh& mesh)
 {
-  const auto idt = IT::intrinsic_delaunay_triangulation(mesh);
+  const auto idt = IT::intrinsic_Delaunay_triangulation(mesh);
   std::vector<double> lengths;
   for (IT::Edge_index e : idt.connectivity().edges())
     lengths.push_back(idt.length(e));

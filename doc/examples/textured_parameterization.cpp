@@ -6,7 +6,7 @@
 // so on the faces of the overlay: these are the mesh.
 
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
 #include <CGAL/Intrinsic_triangulations/parameterization_quality.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
@@ -33,7 +33,7 @@ int main(int argc, char* argv[])
     mesh.add_vertex({p[0], p[1], p[2]});
   for (const auto& t : sample.triangles)
     mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
-  const auto idt = IT::intrinsic_delaunay_triangulation(mesh);
+  const auto idt = IT::intrinsic_Delaunay_triangulation(mesh);
   const IT::Planar_points uv = IT::harmonic_parameterization(idt);
   std::vector<double> us, vs;
   for (const std::array<double, 2>& p : uv) {

@@ -4,7 +4,7 @@
 // From a CGAL::Surface_mesh to its intrinsic Delaunay triangulation, and what can be asked
 // of the result.
 
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 
@@ -30,7 +30,7 @@ int main()
   for (const auto& t : sample.triangles)
     mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
 
-  const auto idt = IT::intrinsic_delaunay_triangulation(mesh);
+  const auto idt = IT::intrinsic_Delaunay_triangulation(mesh);
 
   const IT::Flip_report& report = idt.report();
   std::cout << "vertices " << mesh.number_of_vertices() << ", edges " << mesh.number_of_edges()

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/condition_number.h>
 #include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
-#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/parameterization_quality.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 #include <CGAL/Intrinsic_triangulations/weight_histogram.h>
@@ -57,7 +57,7 @@ void mass(const Surface& surface)
   const Triangulation t = Delaunay_triangulation(surface);
   const double area = sum(IT::face_areas(t));
   expect_near(IT::lumped_mass_matrix(t).sum(), area, 1e-9 * area, "lumped mass");
-  expect_near(IT::galerkin_mass_matrix(t).sum(), area, 1e-9 * area, "Galerkin mass");
+  expect_near(IT::Galerkin_mass_matrix(t).sum(), area, 1e-9 * area, "Galerkin mass");
 }
 
 void condition_number(const Surface& surface)

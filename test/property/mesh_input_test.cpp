@@ -8,7 +8,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
@@ -116,13 +116,13 @@ auto test_traits()
 TYPED_TEST(Mesh_input, leads_to_the_same_triangulation)
 {
   const auto mesh = mesh_of<TypeParam>(sphere());
-  const auto t = IT::intrinsic_delaunay_triangulation(
+  const auto t = IT::intrinsic_Delaunay_triangulation(
     mesh, CGAL::parameters::geom_traits(Double_traits()));
   EXPECT_EQ(t.report().status, IT::Flip_status::DELAUNAY);
   EXPECT_GT(t.report().flips, 100u);
   EXPECT_TRUE(are_same_edges(edge_records(t), expected_edges(sphere()), 1e-12));
 
-  const auto filtered = IT::intrinsic_delaunay_triangulation(mesh, test_traits<TypeParam>());
+  const auto filtered = IT::intrinsic_Delaunay_triangulation(mesh, test_traits<TypeParam>());
   EXPECT_TRUE(are_same_edges(edge_records(filtered), expected_edges(sphere()), 1e-12));
 
   // Elements keep the numbers that they have in the mesh.
@@ -145,7 +145,7 @@ TYPED_TEST(Mesh_input, leads_to_the_same_triangulation)
 
 TYPED_TEST(Mesh_input, helical_tube_has_58_loops)
 {
-  const auto t = IT::intrinsic_delaunay_triangulation(mesh_of<TypeParam>(IT::helical_tube()),
+  const auto t = IT::intrinsic_Delaunay_triangulation(mesh_of<TypeParam>(IT::helical_tube()),
                                                       test_traits<TypeParam>());
   const IT::Delta_complex& c = t.connectivity();
   EXPECT_EQ(t.report().status, IT::Flip_status::DELAUNAY);
@@ -178,7 +178,7 @@ TYPED_TEST(Mesh_input, polygons_are_refused)
     typename TypeParam::Mesh mesh;
     CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, polygons, mesh);
     try {
-      IT::intrinsic_delaunay_triangulation(mesh, test_traits<TypeParam>());
+      IT::intrinsic_Delaunay_triangulation(mesh, test_traits<TypeParam>());
       FAIL();
     } catch (const IT::Invalid_surface_error& error) {
       EXPECT_EQ(error.defect(), IT::Invalid_surface_error::Defect::NOT_A_TRIANGLE);
@@ -199,9 +199,9 @@ TYPED_TEST(Mesh_input, vertex_point_map_is_used)
     points.emplace(v, get(CGAL::vertex_point, mesh, v));
     put(CGAL::vertex_point, mesh, v, Point(0, 0, 0));
   }
-  EXPECT_THROW(IT::intrinsic_delaunay_triangulation(mesh, test_traits<TypeParam>()),
+  EXPECT_THROW(IT::intrinsic_Delaunay_triangulation(mesh, test_traits<TypeParam>()),
                IT::Invalid_surface_error);
-  const auto t = IT::intrinsic_delaunay_triangulation(
+  const auto t = IT::intrinsic_Delaunay_triangulation(
     mesh, test_traits<TypeParam>().vertex_point_map(
             boost::make_function_property_map<Vertex>([&](Vertex v) { return points.at(v); })));
   EXPECT_TRUE(are_same_edges(edge_records(t), expected_edges(sphere()), 1e-12));
@@ -212,22 +212,22 @@ TYPED_TEST(Mesh_input, visitor_constraints_and_budget_arrive)
   const auto visitor = [](const auto& v) { return test_traits<TypeParam>().visitor(v); };
   const auto mesh = mesh_of<TypeParam>(sphere());
   Counter by_reference, by_value, by_boost_reference;
-  const auto t = IT::intrinsic_delaunay_triangulation(mesh, visitor(std::ref(by_reference)));
+  const auto t = IT::intrinsic_Delaunay_triangulation(mesh, visitor(std::ref(by_reference)));
   EXPECT_EQ(by_reference.flips, t.report().flips);
-  IT::intrinsic_delaunay_triangulation(mesh, visitor(boost::ref(by_boost_reference)));
+  IT::intrinsic_Delaunay_triangulation(mesh, visitor(boost::ref(by_boost_reference)));
   EXPECT_EQ(by_boost_reference.flips, t.report().flips);
-  IT::intrinsic_delaunay_triangulation(mesh, visitor(by_value));
+  IT::intrinsic_Delaunay_triangulation(mesh, visitor(by_value));
   EXPECT_EQ(by_value.flips, 0u); // a copy was told
   by_value.limit = 7;
-  const auto cancelled = IT::intrinsic_delaunay_triangulation(mesh, visitor(by_value));
+  const auto cancelled = IT::intrinsic_Delaunay_triangulation(mesh, visitor(by_value));
   EXPECT_EQ(cancelled.report().status, IT::Flip_status::CANCELLED);
   EXPECT_EQ(cancelled.report().tests, 7u);
 
   const auto stopped =
-    IT::intrinsic_delaunay_triangulation(mesh, test_traits<TypeParam>().maximum_number(std::uint64_t(3)));
+    IT::intrinsic_Delaunay_triangulation(mesh, test_traits<TypeParam>().maximum_number(std::uint64_t(3)));
   EXPECT_EQ(stopped.report().status, IT::Flip_status::BUDGET_EXHAUSTED);
   EXPECT_EQ(stopped.report().flips, 3u);
-  const auto constrained = IT::intrinsic_delaunay_triangulation(
+  const auto constrained = IT::intrinsic_Delaunay_triangulation(
     mesh, test_traits<TypeParam>().edge_is_constrained_map(
             boost::make_function_property_map<IT::Edge_index>([](IT::Edge_index) { return true; })));
   EXPECT_EQ(constrained.report().status, IT::Flip_status::DELAUNAY);

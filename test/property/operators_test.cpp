@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/condition_number.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
-#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/parameterization_quality.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 
@@ -138,12 +138,12 @@ Eigen::VectorXd spectrum(const Matrix& stiffness, const Matrix& mass)
 }
 
 // The largest relative error of the eigenvalues 1 to 8 of the sphere: l (l + 1), 2 l + 1 times.
-double sphere_error(std::size_t rows, bool is_galerkin)
+double sphere_error(std::size_t rows, bool is_Galerkin)
 {
-  const auto t = IT::intrinsic_delaunay_triangulation(
+  const auto t = IT::intrinsic_Delaunay_triangulation(
     mesh_of(IT::latitude_longitude_sphere(2 * rows, rows)));
   const Eigen::VectorXd values = spectrum(
-    IT::stiffness_matrix(t), is_galerkin ? IT::galerkin_mass_matrix(t) : IT::lumped_mass_matrix(t));
+    IT::stiffness_matrix(t), is_Galerkin ? IT::Galerkin_mass_matrix(t) : IT::lumped_mass_matrix(t));
   EXPECT_NEAR(values[0], 0, 1e-9);
   double error = 0;
   for (Eigen::Index i = 1; i < 9; ++i)
@@ -153,7 +153,7 @@ double sphere_error(std::size_t rows, bool is_galerkin)
 
 // The same for the flat torus of circumferences 1, whose eigenvalues are 4 π² (a² + b²), from
 // n × n points that are joined along long diagonals: lengths alone, which no space is needed for.
-double torus_error(std::size_t n, bool is_galerkin)
+double torus_error(std::size_t n, bool is_Galerkin)
 {
   const std::size_t shear = 3;
   std::vector<std::array<std::size_t, 2>> gluing;
@@ -181,9 +181,9 @@ double torus_error(std::size_t n, bool is_galerkin)
   Triangulation t = Triangulation::from_lengths(complex, lengths);
   EXPECT_EQ(IT::flip_to_Delaunay(t).status, IT::Flip_status::DELAUNAY);
   const Eigen::VectorXd values = spectrum(
-    IT::stiffness_matrix(t), is_galerkin ? IT::galerkin_mass_matrix(t) : IT::lumped_mass_matrix(t));
+    IT::stiffness_matrix(t), is_Galerkin ? IT::Galerkin_mass_matrix(t) : IT::lumped_mass_matrix(t));
   EXPECT_NEAR(values[0], 0, 1e-9);
-  if (!is_galerkin) {
+  if (!is_Galerkin) {
     // On the square grid, which the flips lead to, with the masses 1/n² all of it is known.
     const auto wave = [n](std::size_t a) { return 2 - 2 * std::cos(2 * M_PI * double(a) / double(n)); };
     std::vector<double> expected;
@@ -223,7 +223,7 @@ TEST(Operators, linear_functions_on_a_plane_mesh_are_harmonic)
     p[1] += 0.1 * std::sin(5 * p[0]);
   const Mesh mesh = mesh_of(sheet);
   for (const Matrix& stiffness : {IT::extrinsic_laplacian(mesh).stiffness,
-                                  IT::intrinsic_delaunay_laplacian(mesh).stiffness}) {
+                                  IT::intrinsic_Delaunay_Laplacian(mesh).stiffness}) {
     Eigen::VectorXd u(stiffness.rows());
     for (Mesh::Vertex_index v : mesh.vertices())
       u[v.idx()] = 2 * mesh.point(v).x() - 3 * mesh.point(v).y() + 1;
@@ -239,8 +239,8 @@ TEST(Operators, linear_functions_on_a_plane_mesh_are_harmonic)
 
 TEST(Operators, spectrum_of_the_sphere)
 {
-  for (bool is_galerkin : {false, true}) {
-    const double coarse = sphere_error(9, is_galerkin), fine = sphere_error(18, is_galerkin);
+  for (bool is_Galerkin : {false, true}) {
+    const double coarse = sphere_error(9, is_Galerkin), fine = sphere_error(18, is_Galerkin);
     EXPECT_LE(fine, 0.03);
     EXPECT_LE(fine, 0.35 * coarse); // of second order
   }
@@ -248,8 +248,8 @@ TEST(Operators, spectrum_of_the_sphere)
 
 TEST(Operators, spectrum_of_the_flat_torus)
 {
-  for (bool is_galerkin : {false, true}) {
-    const double coarse = torus_error(10, is_galerkin), fine = torus_error(20, is_galerkin);
+  for (bool is_Galerkin : {false, true}) {
+    const double coarse = torus_error(10, is_Galerkin), fine = torus_error(20, is_Galerkin);
     EXPECT_LE(fine, 0.05);
     EXPECT_LE(fine, 0.3 * coarse);
   }
@@ -262,7 +262,7 @@ TEST(Operators, condition_ratios_of_the_paper)
   const auto ratio = [](const char* name) {
     const Mesh mesh = read(evaluation_data() / "table1" / name);
     const Triangulation input = IT::intrinsic_triangulation(mesh);
-    const auto result = IT::intrinsic_delaunay_triangulation(mesh);
+    const auto result = IT::intrinsic_Delaunay_triangulation(mesh);
     return IT::extreme_eigenvalues(result.connectivity(), IT::stiffness_matrix(result)).condition_number() /
            IT::extreme_eigenvalues(input.connectivity(), IT::stiffness_matrix(input)).condition_number();
   };
@@ -287,7 +287,7 @@ TEST(Operators, distortion_of_the_disks_of_the_paper)
     SCOPED_TRACE(row.name);
     const Mesh mesh = read(evaluation_data() / "table1" / row.name);
     const Triangulation input = IT::intrinsic_triangulation(mesh);
-    const auto result = IT::intrinsic_delaunay_triangulation(mesh);
+    const auto result = IT::intrinsic_Delaunay_triangulation(mesh);
     const IT::Planar_points uv = IT::harmonic_parameterization(result);
     const IT::Distortion_summary extrinsic = distortion(input, IT::harmonic_parameterization(input)),
                                  intrinsic = distortion(result, uv);
@@ -320,7 +320,7 @@ TEST(Operators, circle_patterns_of_the_disks_of_the_paper_and_of_a_surface_cut_o
     const Mesh whole = read(evaluation_data() / "table1" / row.name);
     const Mesh mesh = row.is_cut ? upper_half(whole) : whole;
     const Triangulation input = IT::intrinsic_triangulation(mesh);
-    const auto result = IT::intrinsic_delaunay_triangulation(mesh);
+    const auto result = IT::intrinsic_Delaunay_triangulation(mesh);
     const IT::Circle_pattern clipped = IT::circle_pattern_parameterization(input),
                              pattern = IT::circle_pattern_parameterization(result);
     EXPECT_LE(clipped.gradient, 1e-10);
@@ -354,7 +354,7 @@ TEST(Operators, no_triangle_of_a_disk_is_flipped_with_the_intrinsic_operator)
       continue;
     }
     ++disks;
-    const auto result = IT::intrinsic_delaunay_triangulation(mesh);
+    const auto result = IT::intrinsic_Delaunay_triangulation(mesh);
     const std::vector<double> weights = IT::cotangent_weights(result);
     for (IT::Edge_index e : result.connectivity().edges())
       if (!result.connectivity().is_border(e)) {

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/sample_gluings.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
@@ -169,13 +169,13 @@ TEST(Parallel_results, weights_areas_and_matrices)
     SCOPED_TRACE(name);
     const std::vector<double> weights = IT::cotangent_weights(t), areas = IT::face_areas(t);
     const Matrix stiffness = IT::stiffness_matrix(t), lumped = IT::lumped_mass_matrix(t),
-                 Galerkin = IT::galerkin_mass_matrix(t);
+                 Galerkin = IT::Galerkin_mass_matrix(t);
     for_each_number_of_threads([&, &t = t] {
       EXPECT_TRUE(are_same(IT::cotangent_weights<Parallel_tag>(t), weights));
       EXPECT_TRUE(are_same(IT::face_areas<Parallel_tag>(t), areas));
       expect_same_matrix(stiffness, IT::stiffness_matrix<Parallel_tag>(t));
       expect_same_matrix(lumped, IT::lumped_mass_matrix<Parallel_tag>(t));
-      expect_same_matrix(Galerkin, IT::galerkin_mass_matrix<Parallel_tag>(t));
+      expect_same_matrix(Galerkin, IT::Galerkin_mass_matrix<Parallel_tag>(t));
     });
   }
 }

@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
@@ -63,7 +63,7 @@ auto flipped(const Mesh& mesh, int number_of_threads)
 {
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
                                     std::size_t(number_of_threads));
-  return IT::intrinsic_delaunay_triangulation<ConcurrencyTag>(mesh,
+  return IT::intrinsic_Delaunay_triangulation<ConcurrencyTag>(mesh,
                                                               CGAL::parameters::geom_traits(Traits()));
 }
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -70,13 +70,13 @@ protected:
 
 TEST_P(Table_1, flips_and_weights_in_double)
 {
-  expect_Delaunay(IT::intrinsic_delaunay_triangulation(
+  expect_Delaunay(IT::intrinsic_Delaunay_triangulation(
     mesh_, CGAL::parameters::geom_traits(IT::Edge_length_traits<double>())));
 }
 
 TEST_P(Table_1, flips_weights_and_overlay_with_exact_decisions)
 {
-  const auto t = IT::intrinsic_delaunay_triangulation(
+  const auto t = IT::intrinsic_Delaunay_triangulation(
     mesh_, CGAL::parameters::geom_traits(IT::Filtered_edge_length_traits()));
   expect_Delaunay(t);
   std::int64_t simple = 0, longest = 0, crossings = 0;

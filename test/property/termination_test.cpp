@@ -79,7 +79,7 @@ public:
     const Number s_ij = s_[e.idx()], s_jk = s(complex_.next(h)), s_ki = s(complex_.prev(h)),
                  s_il = s(complex_.next(g)), s_lj = s(complex_.prev(g));
     const Number a_k = a_[f_k.idx()], a_l = a_[f_l.idx()];
-    const Number value = IT::delaunay_value(IT::twice_scalar_product(s_jk, s_ki, s_ij), a_k,
+    const Number value = IT::Delaunay_value(IT::twice_scalar_product(s_jk, s_ki, s_ij), a_k,
                                             IT::twice_scalar_product(s_il, s_lj, s_ij), a_l);
     const Number before = potential(f_k) + potential(f_l);
     Number s_kl, a_ilk, a_jkl;

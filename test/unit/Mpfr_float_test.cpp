@@ -5,7 +5,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Mpfr_float.h>
 
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -56,7 +56,7 @@ void expect_triangulation_of(int bits)
 {
   const Mpfr_precision guard(bits);
   const auto sphere = squeezed_sphere<Kernel>();
-  const auto idt = IT::intrinsic_delaunay_triangulation(
+  const auto idt = IT::intrinsic_Delaunay_triangulation(
     sphere, CGAL::parameters::geom_traits(IT::Edge_length_traits<Mpfr_float>()));
   EXPECT_EQ(idt.report().status, IT::Flip_status::DELAUNAY);
   EXPECT_GT(idt.report().flips, 0u);

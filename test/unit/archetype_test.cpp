@@ -4,7 +4,7 @@
 // The algorithms with types that offer what the concepts grant, and nothing else. That this
 // compiles is the test; what it computes shows that the code is reached.
 
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
@@ -306,7 +306,7 @@ TYPED_TEST(Archetype, front_door)
   CGAL::make_icosahedron(mesh, Point(0, 0, 0), 2.);
   for (auto v : mesh.vertices())
     mesh.point(v) = Point(mesh.point(v).x(), 0.2 * mesh.point(v).y(), mesh.point(v).z());
-  const auto idt = IT::intrinsic_delaunay_triangulation(
+  const auto idt = IT::intrinsic_Delaunay_triangulation(
     mesh, CGAL::parameters::geom_traits(Traits(0)).visitor(archetype::Visitor(100000)));
   EXPECT_EQ(idt.report().status, IT::Flip_status::DELAUNAY);
   EXPECT_GT(idt.report().flips, 0u);

@@ -61,7 +61,7 @@ Flipped<FT> flipped(const Numbers<FT>& n)
 template <class FT>
 FT value(const Numbers<FT>& n)
 {
-  return IT::delaunay_value(IT::twice_scalar_product(n.s_jk, n.s_ki, n.s_ij), n.a_ijk,
+  return IT::Delaunay_value(IT::twice_scalar_product(n.s_jk, n.s_ki, n.s_ij), n.a_ijk,
                             IT::twice_scalar_product(n.s_il, n.s_lj, n.s_ij), n.a_jil);
 }
 

@@ -6,7 +6,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
 #include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
@@ -130,7 +130,7 @@ std::array<int, 4> count_labels(const Mesh& mesh)
 TEST(Overlay_to_surface_mesh, kite)
 {
   const Mesh input = kite();
-  const auto t = IT::intrinsic_delaunay_triangulation(input);
+  const auto t = IT::intrinsic_Delaunay_triangulation(input);
   ASSERT_EQ(t.report().flips, 1u);
   Mesh mesh = IT::overlay_to_surface_mesh(t, input);
   ASSERT_TRUE(mesh.is_valid());
@@ -166,7 +166,7 @@ TEST(Overlay_to_surface_mesh, sample_surfaces)
   for (const IT::Indexed_triangles& sample :
        {IT::prism(12, 1), IT::helical_tube(), IT::bad_torus(12, 12), IT::latitude_longitude_sphere(10, 8)}) {
     const Mesh input = mesh_of(sample);
-    const auto t = IT::intrinsic_delaunay_triangulation(input);
+    const auto t = IT::intrinsic_Delaunay_triangulation(input);
     Mesh mesh = IT::overlay_to_surface_mesh(t, input);
     ASSERT_TRUE(mesh.is_valid());
     const auto euler = [](const Mesh& m) {
@@ -200,7 +200,7 @@ TEST(Overlay_to_surface_mesh, exact_kernel_and_point_map)
   using V = CGAL::SM_Vertex_index;
   input.add_face(V(0), V(1), V(2));
   input.add_face(V(1), V(0), V(3));
-  const auto t = IT::intrinsic_delaunay_triangulation(input);
+  const auto t = IT::intrinsic_Delaunay_triangulation(input);
   auto moved = input.add_property_map<V, Exact_point>("v:moved").first;
   for (V v : input.vertices())
     moved[v] = input.point(v) + CGAL::Exact_predicates_exact_constructions_kernel::Vector_3(0, 0, 5);
@@ -233,7 +233,7 @@ TEST(Overlay_to_surface_mesh, keeps_loops_and_multiple_edges_apart)
 TEST(Overlay_to_surface_mesh, refuses_a_wrong_number_of_points)
 {
   const Mesh input = kite();
-  const auto t = IT::intrinsic_delaunay_triangulation(input);
+  const auto t = IT::intrinsic_Delaunay_triangulation(input);
   Mesh more = input;
   more.add_vertex(Point(1, 1, 1));
   EXPECT_THROW(IT::overlay_to_surface_mesh(t, more), IT::Invalid_surface_error);

@@ -5,7 +5,7 @@
 
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -142,7 +142,7 @@ TEST(To_surface_mesh, carries_the_metric_and_the_points_of_the_input)
     const Point p = sphere.point(v);
     sphere.point(v) = Point(p.x(), 0.2 * p.y(), p.z());
   }
-  const auto idt = IT::intrinsic_delaunay_triangulation(sphere);
+  const auto idt = IT::intrinsic_Delaunay_triangulation(sphere);
   ASSERT_GT(idt.report().flips, 0u);
   const auto from_mesh = IT::to_surface_mesh(idt, sphere);
   expect_same_links(from_mesh, idt.connectivity());

@@ -148,12 +148,12 @@ public:
   /// opposite angles are π.
   struct Is_locally_Delaunay
   {
-    /// decides by the sign of `delaunay_value()`.
+    /// decides by the sign of `Delaunay_value()`.
     Boolean operator()(const Hinge_data& h) const
     {
       const FT p_k = twice_scalar_product(h.jk, h.ki, h.ij);
       const FT p_l = twice_scalar_product(h.il, h.lj, h.ij);
-      const FT value = delaunay_value(p_k, h.ijk, p_l, h.jil);
+      const FT value = Delaunay_value(p_k, h.ijk, p_l, h.jil);
       if (certainly(value == FT(0)) && certainly(h.ijk == FT(0)) && certainly(h.jil == FT(0))) {
         const Boolean is_k_sharp = p_k >= FT(0), is_l_sharp = p_l >= FT(0);
         return is_k_sharp | is_l_sharp;

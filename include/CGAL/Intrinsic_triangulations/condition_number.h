@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/Sparse_cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/Sparse_Cholesky.h>
 
 #include <CGAL/assertions.h>
 
@@ -168,7 +168,7 @@ public:
 
 private:
   const Spectrum_domain& domain_;
-  Sparse_cholesky cholesky_;
+  Sparse_Cholesky cholesky_;
 };
 
 template <class Operator>

@@ -115,7 +115,7 @@ bool violate_triangle_inequality(FT a, FT b, FT c)
 ///
 /// It needs neither a division nor a square root.
 template <class FT>
-FT delaunay_value(const FT& p_k, const FT& a_ijk, const FT& p_l, const FT& a_jil)
+FT Delaunay_value(const FT& p_k, const FT& a_ijk, const FT& p_l, const FT& a_jil)
 {
   return p_k * a_jil + p_l * a_ijk;
 }

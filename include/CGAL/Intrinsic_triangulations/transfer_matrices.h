@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
-#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/overlay_areas.h>
 
@@ -93,7 +93,7 @@ intrinsic_interpolation_matrix(const Overlay& overlay, const Overlay_positions& 
 /// \brief the integrals of products of the hat functions of the two triangulations.
 struct Transfer_mass_matrices
 {
-  Eigen::SparseMatrix<double> input;     ///< both on the input: `galerkin_mass_matrix()`
+  Eigen::SparseMatrix<double> input;     ///< both on the input: `Galerkin_mass_matrix()`
   Eigen::SparseMatrix<double> intrinsic; ///< both on the intrinsic triangulation
   Eigen::SparseMatrix<double> mixed;     ///< rows: intrinsic, columns: input
 };
@@ -144,8 +144,8 @@ Transfer_mass_matrices transfer_mass_matrices(const Intrinsic_triangulation<Trai
   Eigen::SparseMatrix<double> mixed(intrinsic_complex.number_of_vertices(),
                                     input_complex.number_of_vertices());
   mixed.setFromTriplets(entries.begin(), entries.end());
-  return {galerkin_mass_matrix(input_complex, areas.input),
-          galerkin_mass_matrix(intrinsic_complex, areas.intrinsic), std::move(mixed)};
+  return {Galerkin_mass_matrix(input_complex, areas.input),
+          Galerkin_mass_matrix(intrinsic_complex, areas.intrinsic), std::move(mixed)};
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer

@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
-#include <CGAL/Intrinsic_triangulations/intrinsic_delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/assemble_symmetric_matrix.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -167,7 +167,7 @@ Eigen::SparseMatrix<double> lumped_mass_matrix(const Intrinsic_triangulation<Tra
 /// \pre there is an area for each face
 /// \tparam ConcurrencyTag as for `stiffness_matrix()`
 template <class ConcurrencyTag = Sequential_tag>
-Eigen::SparseMatrix<double> galerkin_mass_matrix(const Delta_complex& complex,
+Eigen::SparseMatrix<double> Galerkin_mass_matrix(const Delta_complex& complex,
                                                  const std::vector<double>& areas)
 {
   CGAL_precondition(areas.size() == complex.number_of_faces());
@@ -186,15 +186,15 @@ Eigen::SparseMatrix<double> galerkin_mass_matrix(const Delta_complex& complex,
 /// \tparam ConcurrencyTag as above
 template <class ConcurrencyTag = Sequential_tag, class Traits>
 Eigen::SparseMatrix<double>
-galerkin_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)
+Galerkin_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)
 {
-  return galerkin_mass_matrix<ConcurrencyTag>(triangulation.connectivity(),
+  return Galerkin_mass_matrix<ConcurrencyTag>(triangulation.connectivity(),
                                               face_areas<ConcurrencyTag>(triangulation));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief stiffness matrix `L` and lumped mass matrix `M`: `L u = λ M u` is the eigenvalue problem of `−Δ`.
-struct Laplace_beltrami_operator
+struct Laplace_Beltrami_operator
 {
   Eigen::SparseMatrix<double> stiffness; ///< with `Stiffness_factor::HALF`
   Eigen::SparseMatrix<double> mass;      ///< lumped
@@ -204,28 +204,28 @@ struct Laplace_beltrami_operator
 /// \brief returns the intrinsic Laplace-Beltrami operator of a triangle mesh, a replacement for
 /// its cotangent matrix.
 ///
-///     auto [L, M] = intrinsic_delaunay_laplacian(mesh);
+///     auto [L, M] = intrinsic_Delaunay_Laplacian(mesh);
 ///
 /// The i-th row belongs to the i-th vertex of the mesh. The conventions are those of
-/// `stiffness_matrix()`, parameters and exceptions those of `intrinsic_delaunay_triangulation()`.
+/// `stiffness_matrix()`, parameters and exceptions those of `intrinsic_Delaunay_triangulation()`.
 /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters>
-Laplace_beltrami_operator
-intrinsic_delaunay_laplacian(const TriangleMesh& mesh,
+Laplace_Beltrami_operator
+intrinsic_Delaunay_Laplacian(const TriangleMesh& mesh,
                              const NamedParameters& np = parameters::default_values())
 {
-  const auto triangulation = intrinsic_delaunay_triangulation<ConcurrencyTag>(mesh, np);
+  const auto triangulation = intrinsic_Delaunay_triangulation<ConcurrencyTag>(mesh, np);
   return {stiffness_matrix<ConcurrencyTag>(triangulation), lumped_mass_matrix<ConcurrencyTag>(triangulation)};
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the extrinsic operator, from the unchanged triangles of the mesh; otherwise
-/// as `intrinsic_delaunay_laplacian()`.
+/// as `intrinsic_Delaunay_Laplacian()`.
 /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters>
-Laplace_beltrami_operator
+Laplace_Beltrami_operator
 extrinsic_laplacian(const TriangleMesh& mesh,
                     const NamedParameters& np = parameters::default_values())
 {

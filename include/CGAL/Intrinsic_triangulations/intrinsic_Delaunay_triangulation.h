@@ -39,7 +39,7 @@ namespace Intrinsic_triangulations {
 /// \brief an intrinsic triangulation together with the report of how it was made Delaunay.
 /// \tparam Traits a model of `IntrinsicTriangulationTraits`
 template <class Traits>
-class Intrinsic_delaunay_triangulation : public Intrinsic_triangulation<Traits>
+class Intrinsic_Delaunay_triangulation : public Intrinsic_triangulation<Traits>
 {
 public:
   /// the triangulation without the report
@@ -49,7 +49,7 @@ public:
   /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
   template <class NamedParameters = parameters::Default_named_parameters,
             class ConcurrencyTag = Sequential_tag>
-  explicit Intrinsic_delaunay_triangulation(Base triangulation,
+  explicit Intrinsic_Delaunay_triangulation(Base triangulation,
                                             const NamedParameters& np = parameters::default_values(),
                                             ConcurrencyTag = ConcurrencyTag())
     : Base(std::move(triangulation)),
@@ -115,7 +115,7 @@ using Default_intrinsic_triangulation_traits = std::conditional_t<
 ///
 /// The i-th vertex, edge and face of the result are the i-th of the mesh's ranges. `ConcurrencyTag` and the
 /// named parameters `vertex_point_map` and `geom_traits` are as for
-/// `intrinsic_delaunay_triangulation()`.
+/// `intrinsic_Delaunay_triangulation()`.
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters>
 auto intrinsic_triangulation(const TriangleMesh& mesh,
@@ -200,12 +200,12 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.2.
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters>
-auto intrinsic_delaunay_triangulation(const TriangleMesh& mesh,
+auto intrinsic_Delaunay_triangulation(const TriangleMesh& mesh,
                                       const NamedParameters& np = parameters::default_values())
 {
   auto triangulation = intrinsic_triangulation<ConcurrencyTag>(mesh, np);
   using Traits = typename decltype(triangulation)::Traits;
-  return Intrinsic_delaunay_triangulation<Traits>(std::move(triangulation), np, ConcurrencyTag());
+  return Intrinsic_Delaunay_triangulation<Traits>(std::move(triangulation), np, ConcurrencyTag());
 }
 
 } // namespace Intrinsic_triangulations

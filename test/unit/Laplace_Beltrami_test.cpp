@@ -8,7 +8,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
-#include <CGAL/Intrinsic_triangulations/laplace_beltrami.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -80,7 +80,7 @@ template <class Triangulation>
 void expect_finite_elements(const Triangulation& t)
 {
   const Finite_elements expected = finite_elements(t);
-  const Matrix stiffness = IT::stiffness_matrix(t), galerkin = IT::galerkin_mass_matrix(t),
+  const Matrix stiffness = IT::stiffness_matrix(t), galerkin = IT::Galerkin_mass_matrix(t),
                lumped = IT::lumped_mass_matrix(t);
   expect_sorted_and_complete(stiffness);
   expect_sorted_and_complete(galerkin);
@@ -98,7 +98,7 @@ void expect_finite_elements(const Triangulation& t)
 
 } // namespace
 
-TEST(Laplace_beltrami, finite_elements_before_and_after_flips)
+TEST(Laplace_Beltrami, finite_elements_before_and_after_flips)
 {
   for (const Surface& surface : generic_surfaces(false)) {
     SCOPED_TRACE(surface.name);
@@ -113,23 +113,23 @@ TEST(Laplace_beltrami, finite_elements_before_and_after_flips)
   }
 }
 
-TEST(Laplace_beltrami, one_vertex_leaves_nothing_of_the_stiffness)
+TEST(Laplace_Beltrami, one_vertex_leaves_nothing_of_the_stiffness)
 {
   const auto t = triangulation<Filtered>(from_gluing("", IT::one_vertex_torus()));
-  const Matrix stiffness = IT::stiffness_matrix(t), mass = IT::galerkin_mass_matrix(t);
+  const Matrix stiffness = IT::stiffness_matrix(t), mass = IT::Galerkin_mass_matrix(t);
   EXPECT_EQ(stiffness.nonZeros(), 1);
   EXPECT_EQ(stiffness.coeff(0, 0), 0);
   EXPECT_NEAR(mass.coeff(0, 0), 2 * t.area(IT::Face_index(0)), 1e-12);
 }
 
-TEST(Laplace_beltrami, a_vertex_without_faces_has_a_zero_on_the_diagonal)
+TEST(Laplace_Beltrami, a_vertex_without_faces_has_a_zero_on_the_diagonal)
 {
   using Kernel = CGAL::Simple_cartesian<double>;
   CGAL::Surface_mesh<Kernel::Point_3> mesh;
   const auto v = mesh.add_vertex({0, 0, 0}), w = mesh.add_vertex({1, 0, 0});
   mesh.add_vertex({5, 5, 5});
   mesh.add_face(v, w, mesh.add_vertex({0, 1, 0}));
-  const auto [L, M] = IT::intrinsic_delaunay_laplacian(mesh);
+  const auto [L, M] = IT::intrinsic_Delaunay_Laplacian(mesh);
   ASSERT_EQ(L.rows(), 4);
   EXPECT_EQ(L.coeff(2, 2), 0);
   EXPECT_EQ(M.coeff(2, 2), 0);
@@ -140,7 +140,7 @@ TEST(Laplace_beltrami, a_vertex_without_faces_has_a_zero_on_the_diagonal)
   EXPECT_NEAR(M.coeff(0, 0), 1. / 6, 1e-15);
 }
 
-TEST(Laplace_beltrami, the_flipped_edge_is_in_the_intrinsic_operator_alone)
+TEST(Laplace_Beltrami, the_flipped_edge_is_in_the_intrinsic_operator_alone)
 {
   using Kernel = CGAL::Simple_cartesian<double>;
   CGAL::Surface_mesh<Kernel::Point_3> mesh;
@@ -149,7 +149,7 @@ TEST(Laplace_beltrami, the_flipped_edge_is_in_the_intrinsic_operator_alone)
   mesh.add_face(i, j, k);
   mesh.add_face(j, i, l);
   const Matrix extrinsic = IT::extrinsic_laplacian(mesh).stiffness,
-               intrinsic = IT::intrinsic_delaunay_laplacian(mesh).stiffness;
+               intrinsic = IT::intrinsic_Delaunay_Laplacian(mesh).stiffness;
   EXPECT_NEAR(extrinsic.coeff(0, 1), 0.75, 1e-14); // both opposite angles have cotangent -3/4
   EXPECT_EQ(extrinsic.coeff(2, 3), 0);
   EXPECT_EQ(intrinsic.coeff(0, 1), 0);

@@ -27,13 +27,13 @@ namespace internal {
 
 // With CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD the factors are those of SuiteSparse, which is
 // faster for large systems; whoever defines it links with cholmod.
-class Sparse_cholesky
+class Sparse_Cholesky
 {
 public:
   using Matrix = Eigen::SparseMatrix<double>;
 
   // \param what names the matrix in the message of the exception
-  Sparse_cholesky(const Matrix& matrix, const char* what) : what_(what)
+  Sparse_Cholesky(const Matrix& matrix, const char* what) : what_(what)
   {
     if (matrix.rows() > 0)
       solver_.analyzePattern(matrix);
