@@ -262,10 +262,8 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
 
   if (wanted.needs_input() && !triangulation.keeps_input())
     triangulation.keep_input(input_metric(job.surface));
-  if (triangulation.keeps_input()) {
-    triangulation.set_tie_proof(job.options.tie_proof);
+  if (triangulation.keeps_input())
     triangulation.set_interruption(job.go_on_deciding);
-  }
   if (wanted.weights || wanted.input_numbers) {
     const auto ask = [&](const Triangulation& input) {
       if (wanted.weights)
@@ -284,6 +282,8 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
       ask(triangulation);
   }
 
+  if (triangulation.keeps_input())
+    triangulation.set_tie_proof(job.options.tie_proof);
   if (wanted.wrong_decisions) {
     Decision_counter<Triangulation> counter(triangulation);
     flip(counter, job, outcome);
@@ -294,6 +294,9 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
 
   if (wanted.needs_input())
     relate_to_input(triangulation, job, outcome);
+  // Proofs were demanded of decisions: to find a weight, a tie is not proven once more.
+  if (triangulation.keeps_input())
+    triangulation.set_tie_proof(IT::Tie_proof::PROBABLE_IF_COSTLY);
   if (wanted.weights)
     outcome.weights_after = summarize_weights(triangulation);
   if (wanted.lengths)

@@ -38,7 +38,7 @@ TEST_F(Compare_command, has_a_row_for_each_number_type)
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "");
   const std::vector<std::string> text = lines(run.out);
-  ASSERT_EQ(text.size(), 15u); // two lines, the titles, twelve number types
+  ASSERT_EQ(text.size(), 16u); // two lines, the titles, thirteen number types
   for (std::size_t i = 3; i < text.size(); ++i)
     EXPECT_EQ(text[i].size(), text[2].size()) << text[i];
 

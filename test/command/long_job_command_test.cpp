@@ -186,7 +186,7 @@ TEST_F(Command_long_job, can_be_interrupted_while_polygons_are_cut)
 
 TEST_F(Command_long_job, shows_progress_on_a_terminal_and_nowhere_else)
 {
-  write_sheet("sheet.ply", 600, 1);
+  write_sheet("sheet.ply", 1000, 1);
   const std::string arguments = "triangulate sheet.ply --overlay result.ply";
   EXPECT_EQ(idt(arguments).err, "");
 

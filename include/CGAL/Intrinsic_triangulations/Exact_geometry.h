@@ -154,6 +154,9 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
+  // For work that makes many short decisions.
+  void check_interruption() { settings_.interruption.check(); }
+
   // The input as the images of its metric see it. \pre `prepare()` was called
   internal::Input_surface& input_surface() const { return *surface_; }
   /// \endcond
@@ -189,11 +192,11 @@ public:
       return decided(Stage::RATIONAL, internal::sign_of_cotangents(
                                         internal::rational_corner(complex, metric_.points(), h),
                                         internal::rational_corner(complex, metric_.points(), g)));
-    if (is_tie_by_images(complex, e, *corners))
-      return decided(Stage::MODULAR, ZERO);
+    if (const std::optional<Sign> tie = sign_by_images(complex, e, *corners))
+      return decided(Stage::MODULAR, *tie);
     const auto decision =
       late_stages(complex).sign_of_cotangents(internal::corners_beside(complex, e));
-    if (decision.sign == ZERO && decision.is_rational && !images_)
+    if (decision.is_rational && !images_)
       carry_images();
     return decided(decision.stage, decision.sign);
   }
@@ -487,12 +490,12 @@ private:
     return image([&] { return internal::image_of_straight_corner(complex, metric_.points(), h, images_->rings); });
   }
 
-  // Whether images that were carried along tell that the edge is a tie: `false` says nothing.
-  bool is_tie_by_images(const Delta_complex& complex, Edge_index e, const Opposite_corners& corners) const
+  // The sign of the sum of cotangents, if images that were carried along tell that the edge is a tie, or that both
+  // faces have no area.
+  std::optional<Sign> sign_by_images(const Delta_complex& complex, Edge_index e, const Opposite_corners& corners) const
   {
-    if (!images_ || !surface_->accepts_probable_ties() || !is_positive(corners.k.four_areas) ||
-        !is_positive(corners.l.four_areas))
-      return false;
+    if (!images_ || !surface_->accepts_probable_ties())
+      return std::nullopt;
     const auto find = [&](Halfedge_index h) {
       const Face_index f = complex.face(h);
       return is_straight(f)                 ? image_of_straight_corner(complex, h)
@@ -501,9 +504,16 @@ private:
     };
     const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
     const std::optional<Image_corner> k = find(h), l = k ? find(g) : std::nullopt;
-    return k && l && (k->p * l->four_areas + l->p * k->four_areas).is_zero() && images_->rings.is_defined() &&
-           internal::Residue_rings::certainty(number_of_quantities(complex, h) + number_of_quantities(complex, g),
-                                              surface_->largest_size()) >= 128;
+    if (!k || !l || !(k->p * l->four_areas + l->p * k->four_areas).is_zero() || !images_->rings.is_defined() ||
+        internal::Residue_rings::certainty(number_of_quantities(complex, h) + number_of_quantities(complex, g),
+                                           surface_->largest_size()) < 128)
+      return std::nullopt;
+    if (is_positive(corners.k.four_areas) && is_positive(corners.l.four_areas))
+      return ZERO;
+    const Uncertain<Sign> p_k = corners.k.p.sign(), p_l = corners.l.p.sign();
+    if (k->four_areas.is_zero() && l->four_areas.is_zero() && is_certain(p_k) && is_certain(p_l))
+      return internal::sign_of_tie(get_certain(p_k), get_certain(p_l));
+    return std::nullopt;
   }
 
   static bool is_positive(const Double_double& x) { return certainly(x.sign() == POSITIVE); }

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/Flat_geometry.h>
@@ -19,8 +20,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -72,15 +76,30 @@ public:
   {
     Input_metric m;
     m.squared_lengths_ = std::move(squared_lengths);
-    double largest = 0;
-    for (const Rational& s : m.squared_lengths_)
-      largest = (std::max)(largest, s.convert_to<double>());
-    m.exponent_ = internal::unit_exponent<double>(std::sqrt(largest));
-    if (m.exponent_ != 0)
-      for (Rational& s : m.squared_lengths_) {
-        const double factor = std::ldexp(1., -m.exponent_);
-        s *= Rational(factor) * Rational(factor);
+    // The largest is below 2^largest, and at least a quarter of it, or no length is positive.
+    long largest = (std::numeric_limits<long>::min)();
+    std::size_t edge = 0;
+    for (std::size_t e = 0; e < m.squared_lengths_.size(); ++e) {
+      const auto* const s = internal::data(m.squared_lengths_[e]);
+      const long size = long(mpz_sizeinbase(mpq_numref(s), 2)) - long(mpz_sizeinbase(mpq_denref(s), 2)) + 1;
+      if (mpq_sgn(s) > 0 && size > largest) {
+        largest = size;
+        edge = e;
       }
+    }
+    if (largest == (std::numeric_limits<long>::min)())
+      return m;
+    using Limits = std::numeric_limits<double>;
+    if (largest > 2 * Limits::max_exponent || largest < 2 * Limits::min_exponent)
+      throw Invalid_surface_error(internal::Defect::OUT_OF_RANGE, edge, 1,
+                                  "edge " + std::to_string(edge) +
+                                    ", the longest: its length leaves the range of double; scale the squared lengths");
+    m.exponent_ = internal::unit_exponent<double>(std::ldexp(1., int((largest - 1) / 2)));
+    for (Rational& s : m.squared_lengths_)
+      if (m.exponent_ > 0)
+        mpq_div_2exp(s.backend().data(), s.backend().data(), 2 * mp_bitcnt_t(m.exponent_));
+      else if (m.exponent_ < 0)
+        mpq_mul_2exp(s.backend().data(), s.backend().data(), 2 * mp_bitcnt_t(-m.exponent_));
     return m;
   }
 
@@ -172,9 +191,13 @@ public:
         add_number(p[i]);
     for (double l : lengths_)
       add_number(l);
+    const auto add_integer = [&add](mpz_srcptr n) {
+      for (std::size_t i = 0; i < mpz_size(n); ++i)
+        add(mpz_getlimbn(n, mp_size_t(i)));
+    };
     for (const Rational& s : squared_lengths_) {
-      add(mpz_get_ui(mpq_numref(internal::data(s))));
-      add(mpz_get_ui(mpq_denref(internal::data(s))));
+      add_integer(mpq_numref(internal::data(s)));
+      add_integer(mpq_denref(internal::data(s)));
     }
     return result;
   }

@@ -57,7 +57,8 @@ struct Delaunay_verification
 /// \cgalNamedParamsEnd
 ///
 /// \pre `triangulation.keeps_input()`
-/// \exception Undecided_error where a sign is beyond every stage
+/// \exception Undecided_error if a proof is demanded of each tie (see `Tie_proof`), and takes too long
+/// \exception Cancelled_error if the function that was given to `set_interruption()` says so
 ///
 /// Cost: O(size + crossings) arithmetic operations in the ordinary case.
 template <class Triangulation, class NamedParameters = parameters::Default_named_parameters>
@@ -73,13 +74,16 @@ Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
   const Delta_complex& complex = triangulation.connectivity();
   Exact_geometry& geometry = triangulation.exact_geometry();
   Delaunay_verification result;
-  for (Face_index f : complex.faces())
+  for (Face_index f : complex.faces()) {
+    geometry.check_interruption();
     if (geometry.sign_of_area(complex, f) == NEGATIVE)
       result.inverted.push_back(f);
+  }
   for (Edge_index e : complex.edges()) {
     if (!complex.is_flippable(e) || get(is_constrained, e))
       continue;
     ++result.tests;
+    geometry.check_interruption();
     const Sign sign = geometry.sign_by_unfolding(complex, e);
     if (sign == NEGATIVE)
       result.not_Delaunay.push_back(e);

@@ -57,8 +57,9 @@ public:
     if (!is_zero_in_finite_fields())
       return {sign_of_nonzero(), Stage::MULTIPRECISION};
     const bool is_proof_demanded = !surface_.accepts_probable_ties();
-    if (is_proven_zero(is_proof_demanded ? large_work : small_work))
-      return {ZERO, Stage::ALGEBRAIC};
+    if (const auto is_zero = is_zero_by_expansion(is_proof_demanded ? large_work : small_work))
+      return *is_zero ? Exact_decision{ZERO, Stage::ALGEBRAIC}
+                      : Exact_decision{sign_of_nonzero(), Stage::MULTIPRECISION};
     if (is_proof_demanded)
       throw Undecided_error(what() + " cannot be proven: too many independent square roots. Without the demand for "
                                      "a proof, zero is accepted with an error below 2^-128");
@@ -87,14 +88,15 @@ private:
     }
   }
 
-  bool is_proven_zero(std::size_t work) const
+  // A proof either way, if there is one for so much work.
+  std::optional<bool> is_zero_by_expansion(std::size_t work) const
   {
     try {
       Multiquadratic_field field(surface_.interruption(), work);
       Multiquadratic_metric metric(surface_, {field}, largest_count());
       return evaluate_(metric).is_zero();
     } catch (const Too_costly&) {
-      return false;
+      return std::nullopt;
     }
   }
 

@@ -126,8 +126,9 @@ public:
   }
 
   // The middle of an interval around evaluate(corner opposite to h) that is narrow enough, as
-  // is_narrow(width, magnitude) says.
+  // is_narrow(width, magnitude) says. What is too small for a double is rounded away from zero.
   // \pre the face of h has positive area, or evaluate() does not divide by it
+  // \exception Invalid_surface_error if the number leaves the range of double
   template <class Evaluate, class IsNarrow>
   double number_of_corner(Halfedge_index h, const Evaluate& evaluate, const IsNarrow& is_narrow)
   {
@@ -138,6 +139,9 @@ public:
       const double magnitude = (std::max)(std::abs(low), std::abs(high));
       if (magnitude < std::numeric_limits<double>::infinity() && is_narrow(high - low, magnitude))
         return low + (high - low) / 2;
+      if (is_tiny(x))
+        return get_certain(x.sign()) * smallest;
+      require_range(x, complex_.face(h));
     }
   }
 
@@ -151,16 +155,33 @@ public:
       const Mpfr_interval sum = c.k.p / c.k.four_areas + c.l.p / c.l.four_areas;
       if (!is_certain(sum.sign()))
         continue;
-      const double low = sum.lower_double(), high = sum.upper_double();
-      const double smallest = std::numeric_limits<double>::denorm_min(); // what is smaller is not 0, either
-      if (high <= smallest && low >= -smallest)
+      if (is_tiny(sum)) // and not 0
         return get_certain(sum.sign()) * smallest;
+      require_range(sum, complex_.face(corners.opposite_to_k));
+      const double low = sum.lower_double(), high = sum.upper_double();
       if (high - low <= (std::max)(2 * smallest, 0x1p-50 * (std::max)(std::abs(low), std::abs(high))))
         return low + (high - low) / 2;
     }
   }
 
 private:
+  static constexpr double smallest = std::numeric_limits<double>::denorm_min();
+
+  static bool is_tiny(const Mpfr_interval& x)
+  {
+    return is_certain(x.sign()) && x.lower_double() >= -smallest && x.upper_double() <= smallest;
+  }
+
+  static void require_range(const Mpfr_interval& x, Face_index f)
+  {
+    const double largest = (std::numeric_limits<double>::max)();
+    if (x.lower_double() >= largest || x.upper_double() <= -largest)
+      throw Invalid_surface_error(Defect::OUT_OF_RANGE, f.idx(), 1,
+                                  "face " + std::to_string(f.idx()) +
+                                    " is so thin that a cotangent leaves the range of double: remove it, or mollify "
+                                    "the lengths first");
+  }
+
   template <class Metric>
   Unfolding<Metric> unfolding(Metric& metric)
   {

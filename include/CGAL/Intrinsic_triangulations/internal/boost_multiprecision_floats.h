@@ -22,6 +22,7 @@ namespace CGAL {
 
 // CGAL 5.5 declares these templates for all numbers of Boost.Multiprecision, with and without
 // expression templates, and defines them for integers and rationals.
+/// \cond SKIP_IN_MANUAL
 
 template <class NT>
 struct AST_boost_mp<NT, boost::mpl::int_<boost::multiprecision::number_kind_floating_point>>
@@ -53,6 +54,7 @@ struct RET_boost_mp<NT, boost::mpl::int_<boost::multiprecision::number_kind_floa
   };
 };
 
+/// \endcond
 } // namespace CGAL
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_BOOST_MULTIPRECISION_FLOATS_H
