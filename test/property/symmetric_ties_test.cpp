@@ -119,13 +119,12 @@ TEST(Symmetric_ties, are_decided)
 {
   for (const Family& family : families())
     for (int folds : {4, 6, 8, 10, 14, 20, 50, 100, 200}) {
-      if (family.stage == IT::Stage::MODULAR && folds > 50) // four times as many folds, and more
-        continue;
       SCOPED_TRACE(std::string(family.name) + " " + std::to_string(folds));
       const Surface surface = family.make(folds);
       const Developed_disk disk(connectivity(surface), squared_lengths(surface));
       expect_tie(from_points(surface), surface, disk, family.stage);
-      expect_tie(from_lengths(surface, squared_lengths(surface)), surface, disk, family.stage);
+      if (folds <= 50)
+        expect_tie(from_lengths(surface, squared_lengths(surface)), surface, disk, family.stage);
     }
 }
 
