@@ -7,6 +7,9 @@
 #ifndef IDT_TEST_PROPERTY_SYMMETRIC_SURFACES_H
 #define IDT_TEST_PROPERTY_SYMMETRIC_SURFACES_H
 
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/sample_surface_types.h>
 
 #include <array>
@@ -15,6 +18,7 @@
 #include <cstdint>
 #include <functional>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace symmetric_surfaces {
@@ -29,6 +33,41 @@ struct Surface
   // Vertices on a circle, counterclockwise; no other vertex is inside of it.
   std::array<std::uint32_t, 4> corners{};
 };
+
+inline IT::Delta_complex connectivity(const Surface& surface)
+{
+  return IT::make_Delta_complex_from_triangles(surface.mesh.points.size(), surface.mesh.triangles);
+}
+
+using Rational = IT::Input_metric::Rational;
+
+// By edges.
+inline std::vector<Rational> squared_lengths(const Surface& surface)
+{
+  const IT::Delta_complex complex = connectivity(surface);
+  std::vector<Rational> result;
+  for (IT::Edge_index e : complex.edges()) {
+    const IT::Halfedge_index h = complex.halfedge(e);
+    const Point &p = surface.mesh.points[complex.source(h).idx()], &q = surface.mesh.points[complex.target(h).idx()];
+    Rational s = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      s += (Rational(p[i]) - Rational(q[i])) * (Rational(p[i]) - Rational(q[i]));
+    result.push_back(s);
+  }
+  return result;
+}
+
+// The edge that is a diagonal of the corners, or none.
+inline IT::Edge_index diagonal_of_corners(const IT::Delta_complex& complex, const Surface& surface)
+{
+  for (IT::Edge_index e : complex.edges()) {
+    const std::uint32_t p = complex.source(complex.halfedge(e)).idx(), q = complex.target(complex.halfedge(e)).idx();
+    for (std::size_t i = 0; i < 4; ++i)
+      if (p == surface.corners[i] && q == surface.corners[(i + 2) % 4])
+        return e;
+  }
+  return {};
+}
 
 // A fold from bottom to top, with a vertex on it or none.
 struct Column

@@ -10,19 +10,16 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,8 +27,9 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using developed_disk::Developed_disk;
-using IT::Input_metric;
-using Rational = Input_metric::Rational;
+using symmetric_surfaces::connectivity;
+using symmetric_surfaces::Rational;
+using symmetric_surfaces::squared_lengths;
 using symmetric_surfaces::Surface;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
@@ -54,43 +52,11 @@ const std::vector<Family>& families()
   return result;
 }
 
-IT::Delta_complex connectivity(const Surface& surface)
-{
-  return IT::make_Delta_complex_from_triangles(surface.mesh.points.size(), surface.mesh.triangles);
-}
-
-std::vector<Rational> squared_lengths(const Surface& surface)
-{
-  const IT::Delta_complex complex = connectivity(surface);
-  std::vector<Rational> result;
-  for (IT::Edge_index e : complex.edges()) {
-    const IT::Halfedge_index h = complex.halfedge(e);
-    const auto &p = surface.mesh.points[complex.source(h).idx()], &q = surface.mesh.points[complex.target(h).idx()];
-    Rational s = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      s += (Rational(p[i]) - Rational(q[i])) * (Rational(p[i]) - Rational(q[i]));
-    result.push_back(s);
-  }
-  return result;
-}
-
 Triangulation from_points(const Surface& surface) { return {connectivity(surface), surface.mesh.points}; }
 
 Triangulation from_lengths(const Surface& surface, const std::vector<Rational>& squared_lengths)
 {
   return Triangulation::from_squared_lengths(connectivity(surface), squared_lengths);
-}
-
-// The edge that is a diagonal of the four corners.
-std::optional<IT::Edge_index> diagonal(const IT::Delta_complex& complex, const std::array<std::uint32_t, 4>& corners)
-{
-  for (IT::Edge_index e : complex.edges()) {
-    const std::uint32_t p = complex.source(complex.halfedge(e)).idx(), q = complex.target(complex.halfedge(e)).idx();
-    for (std::size_t i = 0; i < 2; ++i)
-      if ((p == corners[i] && q == corners[i + 2]) || (q == corners[i] && p == corners[i + 2]))
-        return e;
-  }
-  return std::nullopt;
 }
 
 CGAL::Sign reference_sign(const Developed_disk& disk, const IT::Delta_complex& complex, IT::Edge_index e)
@@ -103,11 +69,11 @@ CGAL::Sign reference_sign(const Developed_disk& disk, const IT::Delta_complex& c
 void expect_tie(Triangulation t, const Surface& surface, const Developed_disk& disk, IT::Stage stage)
 {
   ASSERT_EQ(IT::flip_to_Delaunay(t).status, IT::Flip_status::DELAUNAY);
-  const auto e = diagonal(t.connectivity(), surface.corners);
-  ASSERT_TRUE(e);
-  EXPECT_EQ(reference_sign(disk, t.connectivity(), *e), CGAL::ZERO);
-  EXPECT_EQ(t.sign_of_cotangent_weight(*e), CGAL::ZERO);
-  EXPECT_EQ(t.cotangent_weight(*e), 0);
+  const IT::Edge_index e = symmetric_surfaces::diagonal_of_corners(t.connectivity(), surface);
+  ASSERT_NE(e, IT::Edge_index());
+  EXPECT_EQ(reference_sign(disk, t.connectivity(), e), CGAL::ZERO);
+  EXPECT_EQ(t.sign_of_cotangent_weight(e), CGAL::ZERO);
+  EXPECT_EQ(t.cotangent_weight(e), 0);
   EXPECT_GE(t.stage_counts()[stage], 1u);
   EXPECT_GE(t.stage_counts().ties, 1u);
   const IT::Delaunay_verification verification = IT::verify_Delaunay(t);
@@ -135,16 +101,16 @@ void expect_signs_of_reference(Triangulation t, const Surface& surface, const st
   const Developed_disk disk(connectivity(surface), squared_lengths);
   ASSERT_EQ(IT::flip_to_Delaunay(t).status, IT::Flip_status::DELAUNAY);
   EXPECT_TRUE(IT::verify_Delaunay(t).is_Delaunay());
-  const auto e = diagonal(t.connectivity(), surface.corners);
-  ASSERT_TRUE(e);
-  EXPECT_EQ(reference_sign(disk, t.connectivity(), *e), CGAL::POSITIVE);
-  EXPECT_EQ(t.sign_of_cotangent_weight(*e), CGAL::POSITIVE);
-  const IT::Halfedge_index h = t.connectivity().halfedge(*e);
+  const IT::Edge_index e = symmetric_surfaces::diagonal_of_corners(t.connectivity(), surface);
+  ASSERT_NE(e, IT::Edge_index());
+  EXPECT_EQ(reference_sign(disk, t.connectivity(), e), CGAL::POSITIVE);
+  EXPECT_EQ(t.sign_of_cotangent_weight(e), CGAL::POSITIVE);
+  const IT::Halfedge_index h = t.connectivity().halfedge(e);
   const std::uint32_t end = t.connectivity().source(h).idx();
   ++number_of_diagonals[end == surface.corners[0] || end == surface.corners[2] ? 0 : 1];
-  ASSERT_EQ(t.flip(*e), Triangulation::Flip_outcome::FLIPPED);
-  EXPECT_EQ(reference_sign(disk, t.connectivity(), *e), CGAL::NEGATIVE);
-  EXPECT_EQ(t.sign_of_cotangent_weight(*e), CGAL::NEGATIVE);
+  ASSERT_EQ(t.flip(e), Triangulation::Flip_outcome::FLIPPED);
+  EXPECT_EQ(reference_sign(disk, t.connectivity(), e), CGAL::NEGATIVE);
+  EXPECT_EQ(t.sign_of_cotangent_weight(e), CGAL::NEGATIVE);
   EXPECT_EQ(IT::flip_to_Delaunay(t).flips, 1u);
 }
 

@@ -86,6 +86,7 @@ TEST(Prime_field, agrees_with_integers)
     EXPECT_EQ(integer(f, f.one()), 1);
     for (const auto a : numbers(f, random)) {
       EXPECT_EQ(integer(f, f.negative(a)), modulo(f, -integer(f, a)));
+      EXPECT_LT(f.negative(a), f.prime());
       if (a != 0) {
         EXPECT_EQ(f.product(a, f.inverse(a)), f.one());
       }
@@ -94,7 +95,9 @@ TEST(Prime_field, agrees_with_integers)
         EXPECT_EQ(integer(f, f.sum(a, b)), modulo(f, x + y));
         EXPECT_EQ(integer(f, f.difference(a, b)), modulo(f, x - y));
         EXPECT_EQ(integer(f, f.product(a, b)), modulo(f, x * y));
-        EXPECT_LT(f.product(a, b), f.prime());
+        // Numbers are compared as they are kept.
+        for (const auto c : {f.sum(a, b), f.difference(a, b), f.product(a, b)})
+          EXPECT_LT(c, f.prime());
       }
     }
     const Integer p(f.prime());
