@@ -162,7 +162,7 @@ TEST(Mirror_symmetry, agrees_with_finite_fields_where_lengths_coincide)
 {
   std::mt19937 random(2);
   Counts counts;
-  for (std::uint64_t seed = 0; seed < 2000 && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 0; seed < 4000 && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     const IT::Glued_triangles gluing = IT::random_gluing(2 + 2 * (seed % 5), seed, seed % 3 == 0);
     IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
@@ -172,13 +172,13 @@ TEST(Mirror_symmetry, agrees_with_finite_fields_where_lengths_coincide)
     Triangulation t = Triangulation::from_squared_lengths(std::move(complex), squared_lengths);
     expect_agreement(t, counts);
     for (int i = 0; i < 3; ++i) {
-      flip_at_random(t, 2, random);
+      flip_at_random(t, 3, random);
       expect_agreement(t, counts);
     }
   }
-  EXPECT_GT(counts.symmetric, 1000);
+  EXPECT_GT(counts.symmetric, 150);
+  EXPECT_GT(counts.other_ties, 1000);
   EXPECT_GT(counts.bent, 10000);
-  std::printf("%d %d %d\n", counts.symmetric, counts.other_ties, counts.bent);
 }
 
 } // namespace
