@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Fields with p² elements keep the laws of a field, agree with integers modulo p, and have square roots.
+
+#include <CGAL/Intrinsic_triangulations/internal/Prime_field.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using IT::internal::data;
+using IT::internal::Gaussian_residue;
+using IT::internal::Integer;
+using IT::internal::Prime_field;
+using IT::internal::Random_bits;
+
+// x for the number that is kept for x: what is kept is a product with the number 1.
+Integer integer(const Prime_field& f, Prime_field::Number a) { return Integer(f.product(a, 1)); }
+
+Integer modulo(const Prime_field& f, const Integer& x)
+{
+  const Integer p(f.prime());
+  return ((x % p) + p) % p;
+}
+
+bool are_equal(Gaussian_residue a, Gaussian_residue b) { return a.x == b.x && a.y == b.y; }
+
+// Numbers at the ends of the range among random ones.
+std::vector<Prime_field::Number> numbers(const Prime_field& f, Random_bits& random)
+{
+  std::vector<Prime_field::Number> result{0, 1, 2, f.one(), f.negative(f.one()), f.prime() - 1, f.prime() - 2,
+                                          f.prime() / 2, f.prime() / 2 + 1};
+  for (int i = 0; i < 8; ++i)
+    result.push_back(random() % f.prime());
+  return result;
+}
+
+std::vector<Gaussian_residue> elements(const Prime_field& f, Random_bits& random)
+{
+  std::vector<Gaussian_residue> result;
+  const auto parts = numbers(f, random);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    result.push_back({parts[i], 0});
+    result.push_back({0, parts[i]});
+    result.push_back({parts[i], parts[(i + 3) % parts.size()]});
+  }
+  return result;
+}
+
+TEST(Prime_field, primes_are_random_and_have_the_size_and_residue_that_are_promised)
+{
+  Random_bits random(1);
+  std::set<std::uint64_t> primes;
+  for (int i = 0; i < 200; ++i) {
+    const std::uint64_t p = Prime_field(random).prime();
+    EXPECT_EQ(p % 4, 3u);
+    EXPECT_GT(p, std::uint64_t(1) << 61);
+    EXPECT_LT(p, std::uint64_t(1) << 62);
+    EXPECT_GT(mpz_probab_prime_p(data(Integer(p)), 40), 0);
+    primes.insert(p);
+  }
+  EXPECT_EQ(primes.size(), 200u);
+}
+
+TEST(Prime_field, the_same_seed_gives_the_same_fields)
+{
+  Random_bits first(7), again(7), other(8);
+  for (int i = 0; i < 5; ++i) {
+    const std::uint64_t p = Prime_field(first).prime();
+    EXPECT_EQ(p, Prime_field(again).prime());
+    EXPECT_NE(p, Prime_field(other).prime());
+  }
+}
+
+TEST(Prime_field, agrees_with_integers)
+{
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Random_bits random(seed);
+    const Prime_field f(random);
+    EXPECT_EQ(integer(f, f.one()), 1);
+    for (const auto a : numbers(f, random)) {
+      EXPECT_EQ(integer(f, f.negative(a)), modulo(f, -integer(f, a)));
+      EXPECT_LT(f.negative(a), f.prime());
+      if (a != 0) {
+        EXPECT_EQ(f.product(a, f.inverse(a)), f.one());
+      }
+      for (const auto b : numbers(f, random)) {
+        const Integer x = integer(f, a), y = integer(f, b);
+        EXPECT_EQ(integer(f, f.sum(a, b)), modulo(f, x + y));
+        EXPECT_EQ(integer(f, f.difference(a, b)), modulo(f, x - y));
+        EXPECT_EQ(integer(f, f.product(a, b)), modulo(f, x * y));
+        // Numbers are compared as they are kept.
+        for (const auto c : {f.sum(a, b), f.difference(a, b), f.product(a, b)})
+          EXPECT_LT(c, f.prime());
+      }
+    }
+    const Integer p(f.prime());
+    for (const Integer& x : {Integer(0), Integer(1), Integer(-1), p, Integer(-p), Integer(p - 1), Integer(p * p * p + 5),
+                             Integer(-p * p - 7), Integer(Integer(1) << 5000)})
+      EXPECT_EQ(integer(f, f.from_integer(x)), modulo(f, x)) << x;
+    EXPECT_EQ(f.power(f.from_integer(3), 0), f.one());
+    EXPECT_EQ(f.power(f.from_integer(3), 100), f.from_integer(boost::multiprecision::pow(Integer(3), 100)));
+    EXPECT_EQ(f.power(f.from_integer(3), f.prime() - 1), f.one());
+  }
+}
+
+TEST(Prime_field, the_extension_is_a_field)
+{
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    Random_bits random(seed);
+    const Prime_field f(random);
+    const Gaussian_residue zero, one{f.one(), 0}, w{0, f.one()};
+    EXPECT_TRUE(are_equal(product(f, w, w), difference(f, zero, one)));
+    const std::vector<Gaussian_residue> all = elements(f, random);
+    for (const auto a : all) {
+      EXPECT_TRUE(are_equal(sum(f, a, zero), a));
+      EXPECT_TRUE(are_equal(product(f, a, one), a));
+      EXPECT_TRUE(difference(f, a, a).is_zero());
+      if (!a.is_zero()) {
+        EXPECT_TRUE(are_equal(product(f, a, inverse(f, a)), one));
+      }
+      for (const auto b : all) {
+        EXPECT_TRUE(are_equal(sum(f, a, b), sum(f, b, a)));
+        EXPECT_TRUE(are_equal(product(f, a, b), product(f, b, a)));
+        EXPECT_EQ(product(f, a, b).is_zero(), a.is_zero() || b.is_zero());
+        EXPECT_TRUE(are_equal(sum(f, difference(f, a, b), b), a));
+        for (const auto c : all) {
+          EXPECT_TRUE(are_equal(sum(f, sum(f, a, b), c), sum(f, a, sum(f, b, c))));
+          EXPECT_TRUE(are_equal(product(f, product(f, a, b), c), product(f, a, product(f, b, c))));
+          EXPECT_TRUE(are_equal(product(f, a, sum(f, b, c)), sum(f, product(f, a, b), product(f, a, c))));
+        }
+      }
+    }
+  }
+}
+
+TEST(Prime_field, each_integer_has_a_square_root)
+{
+  int in_the_prime_field = 0, beside_it = 0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    Random_bits random(seed);
+    const Prime_field f(random);
+    for (int i = -100; i <= 100; ++i) {
+      const Prime_field::Number q = f.from_integer(i);
+      const Gaussian_residue r = square_root(f, q);
+      EXPECT_TRUE(are_equal(product(f, r, r), {q, 0})) << i;
+      const bool is_square = mpz_kronecker(data(Integer(i)), data(Integer(f.prime()))) >= 0;
+      EXPECT_EQ(r.y == 0, is_square) << i;
+      ++(is_square ? in_the_prime_field : beside_it);
+    }
+  }
+  EXPECT_GT(in_the_prime_field, 500);
+  EXPECT_GT(beside_it, 500);
+}
+
+} // namespace
