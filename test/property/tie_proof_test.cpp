@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -145,7 +146,10 @@ TEST(Tie_proof, a_function_ends_a_decision)
   EXPECT_EQ(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN).visitor(Impatient_visitor())).status,
             Flip_status::CANCELLED);
   EXPECT_EQ(questions, 5);
-  t.set_interruption({});
+  const std::function<bool()> function = t.set_interruption({}); // the visitor was taken away, and it stayed
+  ASSERT_TRUE(function);
+  EXPECT_FALSE(function());
+  EXPECT_EQ(questions, 6);
   EXPECT_EQ(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROBABLE_IF_COSTLY)).status, Flip_status::DELAUNAY);
   expect_same_result(t, uninterrupted);
 
