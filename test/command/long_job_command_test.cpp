@@ -5,6 +5,8 @@
 
 #include "Command_test.h"
 
+#include "property/symmetric_surfaces.h"
+
 #include <nlohmann/json.hpp>
 
 #include <fcntl.h>
@@ -15,11 +17,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <iomanip>
 #include <random>
 #include <thread>
 
 namespace {
 
+namespace IT = CGAL::Intrinsic_triangulations;
 using Json = nlohmann::json;
 
 class Command_long_job : public Command_test
@@ -50,7 +56,7 @@ protected:
   }
 
   // Runs the command and interrupts it after a while; returns the exit status.
-  int interrupt(const std::vector<std::string>& arguments, double seconds) const
+  int interrupt(const std::vector<std::string>& arguments, double seconds, int signal = SIGINT) const
   {
     std::vector<std::string> words = {command_path()};
     words.insert(words.end(), arguments.begin(), arguments.end());
@@ -69,7 +75,7 @@ protected:
       ::_exit(127);
     }
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
-    ::kill(child, SIGINT);
+    ::kill(child, signal);
     int status = 0;
     ::waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
@@ -132,6 +138,32 @@ TEST_F(Command_long_job, can_be_interrupted_at_any_time)
     }
   }
   EXPECT_GT(interrupted, 0u);
+}
+
+// To prove this tie takes half a minute, and then there is no proof.
+TEST_F(Command_long_job, can_be_interrupted_within_a_decision)
+{
+  const IT::Indexed_triangles sheet = symmetric_surfaces::quarter_turns(12).mesh;
+  std::ofstream off(folder_ / "tie.off");
+  off << "OFF\n"
+      << sheet.points.size() << ' ' << sheet.triangles.size() << " 0\n"
+      << std::setprecision(17);
+  for (const auto& p : sheet.points)
+    off << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  for (const auto& t : sheet.triangles)
+    off << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  off.close();
+  for (int signal : {SIGTERM, SIGINT}) {
+    remove_results();
+    EXPECT_EQ(interrupt({"triangulate", "tie.off", "--tie-proof", "proven", "--edges", "result.csv", "--stats", "result.json"},
+                        1, signal),
+              4);
+    EXPECT_TRUE(contains(content(folder_ / ".err"), "cancelled")) << content(folder_ / ".err");
+    const Json json = Json::parse(content(folder_ / "result.json"));
+    EXPECT_EQ(json["status"], "interrupted");
+    EXPECT_EQ(lines(content(folder_ / "result.csv")).size(), json["edges"].get<std::size_t>() + 1);
+    expect_nothing_temporary();
+  }
 }
 
 TEST_F(Command_long_job, can_be_interrupted_while_a_map_is_found)

@@ -99,4 +99,47 @@ TEST(Extreme_lengths, SmallSurfacesAreScaledUpAsFarAsPossible)
   EXPECT_NEAR(in_input, expected, 1e-9 * expected);
 }
 
+// The angle at the apex is about 1e-310, and its cotangent no double.
+TEST(Extreme_lengths, OfAThinFaceHaveCotangentsThatAreRefusedOrRight)
+{
+  using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+  const std::vector<std::array<int, 3>> triangles{{0, 1, 2}, {1, 0, 3}};
+  for (double z : {1e-310, 5e-324, 1e-307}) {
+    const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {0.5, z, 0}, {0.5, -1, 0.25}};
+    const Triangulation t(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
+    for (IT::Face_index f : t.connectivity().faces())
+      EXPECT_GT(t.area(f), 0);
+    std::size_t refused = 0;
+    for (IT::Halfedge_index h : t.connectivity().halfedges())
+      try {
+        if (!t.connectivity().is_border(h))
+          EXPECT_TRUE(std::isfinite(t.cotangent(h)));
+      } catch (const IT::Invalid_surface_error& error) {
+        EXPECT_EQ(error.defect(), Defect::OUT_OF_RANGE) << error.what();
+        EXPECT_EQ(error.element(), 0u) << error.what();
+        ++refused;
+      }
+    EXPECT_EQ(refused, z < 1e-308 ? 3u : 0u);
+  }
+}
+
+TEST(Extreme_lengths, AsExactSquaresAreRefusedBeyondTheRangeOfDoubleAlone)
+{
+  using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+  for (int exponent : {-3000, -2000, -1000, 1000, 2000, 3000}) {
+    const Rational unit = exponent < 0 ? Rational(1, IT::internal::Integer(1) << -exponent)
+                                       : Rational(IT::internal::Integer(1) << exponent);
+    const std::vector<Rational> squared_lengths{unit, unit, 2 * unit, unit, unit, 3 * unit};
+    try {
+      const Triangulation t = Triangulation::from_squared_lengths(two_triangles(), squared_lengths);
+      EXPECT_LE(std::abs(exponent), 2000);
+      EXPECT_EQ(t.length(IT::Edge_index(0)), std::ldexp(1., exponent / 2));
+    } catch (const IT::Invalid_surface_error& error) {
+      EXPECT_GT(std::abs(exponent), 2000) << error.what();
+      EXPECT_EQ(error.defect(), Defect::OUT_OF_RANGE) << error.what();
+      EXPECT_EQ(error.element(), 5u) << error.what();
+    }
+  }
+}
+
 } // namespace

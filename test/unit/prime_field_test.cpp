@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <set>
 #include <vector>
@@ -30,6 +31,8 @@ Integer modulo(const Prime_field& f, const Integer& x)
 }
 
 bool are_equal(Gaussian_residue a, Gaussian_residue b) { return a.x == b.x && a.y == b.y; }
+
+Prime_field::Number image(const Prime_field& f, const Integer& x) { return f.from_integer(IT::internal::data(x)); }
 
 // Numbers at the ends of the range among random ones.
 std::vector<Prime_field::Number> numbers(const Prime_field& f, Random_bits& random)
@@ -103,10 +106,25 @@ TEST(Prime_field, agrees_with_integers)
     const Integer p(f.prime());
     for (const Integer& x : {Integer(0), Integer(1), Integer(-1), p, Integer(-p), Integer(p - 1), Integer(p * p * p + 5),
                              Integer(-p * p - 7), Integer(Integer(1) << 5000)})
-      EXPECT_EQ(integer(f, f.from_integer(x)), modulo(f, x)) << x;
-    EXPECT_EQ(f.power(f.from_integer(3), 0), f.one());
-    EXPECT_EQ(f.power(f.from_integer(3), 100), f.from_integer(boost::multiprecision::pow(Integer(3), 100)));
-    EXPECT_EQ(f.power(f.from_integer(3), f.prime() - 1), f.one());
+      EXPECT_EQ(integer(f, image(f, x)), modulo(f, x)) << x;
+    EXPECT_EQ(f.power(image(f, 3), 0), f.one());
+    EXPECT_EQ(f.power(image(f, 3), 100), image(f, boost::multiprecision::pow(Integer(3), 100)));
+    EXPECT_EQ(f.power(image(f, 3), f.prime() - 1), f.one());
+  }
+}
+
+// A double is an integer times a power of two.
+TEST(Prime_field, a_double_goes_where_its_numerator_over_its_denominator_goes)
+{
+  Random_bits random(3);
+  const Prime_field f(random);
+  std::vector<double> doubles{0., -0., 1., -1., 0.1, 3., 0x1p62, 0x1p-1022, 0x1p-1074, -3 * 0x1p-1074, 0x1.fffffffffffffp1023};
+  for (int i = 0; i < 200; ++i)
+    doubles.push_back(std::ldexp(double(std::int64_t(random())), int(random() % 1900) - 1000));
+  for (double x : doubles) {
+    const IT::internal::Rational q(x);
+    const auto denominator = image(f, boost::multiprecision::denominator(q));
+    EXPECT_EQ(f.product(f.from_double(x), denominator), image(f, boost::multiprecision::numerator(q))) << x;
   }
 }
 
@@ -147,7 +165,7 @@ TEST(Prime_field, each_integer_has_a_square_root)
     Random_bits random(seed);
     const Prime_field f(random);
     for (int i = -100; i <= 100; ++i) {
-      const Prime_field::Number q = f.from_integer(i);
+      const Prime_field::Number q = image(f, i);
       const Gaussian_residue r = square_root(f, q);
       EXPECT_TRUE(are_equal(product(f, r, r), {q, 0})) << i;
       const bool is_square = mpz_kronecker(data(Integer(i)), data(Integer(f.prime()))) >= 0;

@@ -67,8 +67,7 @@ public:
   bool turns_left(std::size_t pair) const { return turns_[pair] == LEFT; }
 
 private:
-  // Far more than meshes need. With so many a decision can take a minute, and what is kept for each
-  // pair takes 33 bytes.
+  // Far more than meshes need: what is kept for each pair takes 33 bytes.
   static constexpr std::int64_t largest_number = std::int64_t(1) << 20;
 
   enum Turn : std::uint8_t {
