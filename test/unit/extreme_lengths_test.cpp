@@ -110,15 +110,17 @@ TEST(Extreme_lengths, OfAThinFaceHaveCotangentsThatAreRefusedOrRight)
     for (IT::Face_index f : t.connectivity().faces())
       EXPECT_GT(t.area(f), 0);
     std::size_t refused = 0;
-    for (IT::Halfedge_index h : t.connectivity().halfedges())
+    for (IT::Halfedge_index h : t.connectivity().halfedges()) {
+      if (t.connectivity().is_border(h))
+        continue;
       try {
-        if (!t.connectivity().is_border(h))
-          EXPECT_TRUE(std::isfinite(t.cotangent(h)));
+        EXPECT_TRUE(std::isfinite(t.cotangent(h)));
       } catch (const IT::Invalid_surface_error& error) {
         EXPECT_EQ(error.defect(), Defect::OUT_OF_RANGE) << error.what();
         EXPECT_EQ(error.element(), 0u) << error.what();
         ++refused;
       }
+    }
     EXPECT_EQ(refused, z < 1e-308 ? 3u : 0u);
   }
 }
