@@ -108,7 +108,7 @@ TEST(Extreme_lengths, OfAThinFaceHaveCotangentsThatAreRefusedOrRight)
     const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {0.5, z, 0}, {0.5, -1, 0.25}};
     const Triangulation t(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
     for (IT::Face_index f : t.connectivity().faces())
-      EXPECT_GT(t.area(f), 0);
+      EXPECT_GE(t.area(f), 0.99 * (z / 2));
     std::size_t refused = 0;
     for (IT::Halfedge_index h : t.connectivity().halfedges()) {
       if (t.connectivity().is_border(h))
@@ -139,7 +139,7 @@ TEST(Extreme_lengths, AsExactSquaresAreRefusedBeyondTheRangeOfDoubleAlone)
     } catch (const IT::Invalid_surface_error& error) {
       EXPECT_GT(std::abs(exponent), 2000) << error.what();
       EXPECT_EQ(error.defect(), Defect::OUT_OF_RANGE) << error.what();
-      EXPECT_EQ(error.element(), 5u) << error.what();
+      EXPECT_EQ(error.element(), 2u) << error.what();
     }
   }
 }

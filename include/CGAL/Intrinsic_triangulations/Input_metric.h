@@ -93,7 +93,7 @@ public:
     if (largest > 2 * Limits::max_exponent || largest < 2 * Limits::min_exponent)
       throw Invalid_surface_error(internal::Defect::OUT_OF_RANGE, edge, 1,
                                   "edge " + std::to_string(edge) +
-                                    ", the longest: its length leaves the range of double; scale the squared lengths");
+                                    ": its length leaves the range of double; scale the squared lengths");
     m.exponent_ = internal::unit_exponent<double>(std::ldexp(1., int((largest - 1) / 2)));
     for (Rational& s : m.squared_lengths_)
       if (m.exponent_ > 0)

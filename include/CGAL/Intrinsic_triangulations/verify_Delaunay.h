@@ -41,7 +41,7 @@ struct Delaunay_verification
 /// connectivity alone.
 ///
 /// Nothing that the traits stored is used: lengths and angles come from the unfolding over
-/// the input triangles, and each sign is proven. So the check holds for a result that was
+/// the input triangles, and each sign is exact (for ties see `Tie_proof`). So the check holds for a result that was
 /// made with any number type.
 ///
 /// \tparam Triangulation an `Intrinsic_triangulation`
