@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
 
 #include <cstddef>
@@ -122,7 +123,26 @@ private:
   {
     surface_.interruption().check();
     const Edge_index d = input_.edge(h), e = input_.edge(g);
-    return d == e || surface_.metric().squared_length(input_, d) == surface_.metric().squared_length(input_, e);
+    const Input_metric& metric = surface_.metric();
+    if (d == e || (!metric.points().empty() && are_mirrored_in_space(h, g)))
+      return true;
+    const auto sign =
+      (metric.squared_length_double_double(input_, d) - metric.squared_length_double_double(input_, e)).sign();
+    return is_certain(sign) && get_certain(sign) != ZERO ? false
+                                                         : metric.squared_length(input_, d) == metric.squared_length(input_, e);
+  }
+
+  // Whether two edges have the same extent along each axis, as they have if a plane between two axes mirrors them. A
+  // difference of doubles is exact.
+  bool are_mirrored_in_space(Halfedge_index h, Halfedge_index g) const
+  {
+    const auto& points = surface_.metric().points();
+    const auto u = difference<Double_double>(points, input_.source(h), input_.target(h)),
+               v = difference<Double_double>(points, input_.source(g), input_.target(g));
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!(u[i].hi == v[i].hi && u[i].lo == v[i].lo) && !(u[i].hi == -v[i].hi && u[i].lo == -v[i].lo))
+        return false;
+    return true;
   }
 
   // Whether the strip of h, read from its source, is the mirror image of that of g.
