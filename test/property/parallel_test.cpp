@@ -185,11 +185,15 @@ TEST(Parallel, rounded_decisions)
 // Numbers that threads cannot share are left to one of them; the tag is allowed.
 TEST(Parallel, other_traits)
 {
-  const Mesh mesh = mesh_of(IT::bad_torus(160, 160));
+  const IT::Indexed_triangles torus = IT::bad_torus(160, 160);
+  const Mesh mesh = mesh_of(torus);
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 2);
   const auto expect_Delaunay = [&](auto traits) {
-    const auto t = flipped<decltype(traits), Parallel_tag>(mesh, 2);
-    EXPECT_EQ(t.report().status, Flip_status::DELAUNAY);
-    EXPECT_GT(t.report().flips, 10000u);
+    auto t = IT::intrinsic_triangulation<Parallel_tag>(mesh, CGAL::parameters::geom_traits(traits));
+    t.keep_input(IT::Input_metric::from_points({torus.points.begin(), torus.points.end()}));
+    const Flip_report report = IT::flip_to_Delaunay<Parallel_tag>(t);
+    EXPECT_EQ(report.status, Flip_status::DELAUNAY);
+    EXPECT_GT(report.flips, 10000u);
     EXPECT_TRUE(IT::verify_Delaunay(t).is_Delaunay());
   };
   expect_Delaunay(IT::Edge_length_traits<long double>());

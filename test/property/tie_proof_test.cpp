@@ -38,7 +38,7 @@ Triangulation triangulation(const Surface& surface)
           surface.mesh.points};
 }
 
-// Its tie has so many roots that the expansion takes a minute and is given up then.
+// Its tie has so many roots that an expansion is given up.
 Surface costly_surface() { return symmetric_surfaces::quarter_turns(12); }
 
 // Strips of different widths between parallel folds: each has a root, but no product of roots arises, so that
