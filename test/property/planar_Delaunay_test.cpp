@@ -60,7 +60,7 @@ IT::Intrinsic_triangulation<Traits> lifted(const std::vector<Point>& points)
     IT::make_Delta_complex_from_triangles(points.size(), triangles), coordinates);
 }
 
-Edge_set edges(const IT::Delta_complex& c)
+Edge_set edge_set(const IT::Delta_complex& c)
 {
   Edge_set result;
   for (IT::Edge_index e : c.edges()) {
@@ -71,7 +71,7 @@ Edge_set edges(const IT::Delta_complex& c)
   return result;
 }
 
-Edge_set edges(const Delaunay_triangulation& t)
+Edge_set edge_set(const Delaunay_triangulation& t)
 {
   Edge_set result;
   for (const auto& e : t.finite_edges())
@@ -113,7 +113,7 @@ void expect_the_edges_of_the_plane(const std::vector<Point>& points)
   const IT::Flip_report report = IT::flip_to_Delaunay(t);
   EXPECT_EQ(report.status, IT::Flip_status::DELAUNAY);
   EXPECT_GT(report.flips, points.size());
-  EXPECT_EQ(edges(t.connectivity()), edges(inserted<Delaunay_triangulation>(points)));
+  EXPECT_EQ(edge_set(t.connectivity()), edge_set(inserted<Delaunay_triangulation>(points)));
 }
 
 } // namespace
@@ -142,8 +142,8 @@ TEST(Planar_Delaunay, edges_of_grid_points_differ_at_exact_ties_alone)
       EXPECT_EQ(report.status, IT::Flip_status::DELAUNAY);
       const IT::Delta_complex& c = t.connectivity();
       ASSERT_TRUE(c.is_valid(true));
-      const Edge_set expected = edges(inserted<Delaunay_triangulation>(points));
-      EXPECT_EQ(edges(c).size(), expected.size());
+      const Edge_set expected = edge_set(inserted<Delaunay_triangulation>(points));
+      EXPECT_EQ(edge_set(c).size(), expected.size());
       std::size_t ties = 0;
       for (IT::Edge_index e : c.edges()) {
         if (c.is_border(e))
