@@ -63,7 +63,7 @@ bool has_time_to_decide()
   if (!is_interrupted())
     return true;
   static const Stopwatch since_interruption;
-  return since_interruption.seconds() < 0.5;
+  return since_interruption.seconds() < 0.25;
 }
 
 } // namespace idt

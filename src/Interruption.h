@@ -19,7 +19,7 @@ void occupy_standard_descriptors();
 // Whether an end was asked for.
 bool is_interrupted();
 
-// Whether decisions that take long may still be made: until half a second after the first call that
+// Whether decisions that take long may still be made: until a quarter of a second after the first call that
 // finds that an end was asked for. What they are for is then left out.
 bool has_time_to_decide();
 

@@ -121,7 +121,7 @@ public:
     const std::int64_t n = correspondence_.coordinates().number_of_crossings(complex_.edge(h));
     bool turns_left = false;
     for (std::int64_t crossing = 0;; ++crossing) {
-      if (crossing % 1024 == 1023)
+      if (crossing % 64 == 63)
         metric_.interruption().check();
       if (metric_.is_flat(crossed))
         ++run.length;
