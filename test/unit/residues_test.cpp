@@ -157,6 +157,15 @@ TEST(Residues, products_of_five_roots_expand)
               is_zero ? 100 : 0);
 }
 
+TEST(Residues, a_first_division_by_zero_leaves_nothing_defined)
+{
+  Interruption none;
+  Residue_rings rings(random_prime_fields(0), none);
+  EXPECT_TRUE(rings.is_defined());
+  rings.rational(1) / rings.rational(0);
+  EXPECT_FALSE(rings.is_defined());
+}
+
 // Signs are drawn for each root and each prime: none is always the same, and no two always go together.
 TEST(Residues, the_signs_of_roots_are_random)
 {

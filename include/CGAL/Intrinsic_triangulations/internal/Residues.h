@@ -89,7 +89,7 @@ public:
                 std::size_t maximum_number_of_roots = Square_root_basis::unlimited)
     : fields_(fields), basis_(interruption, maximum_number_of_roots)
   {
-    last_divisor_.rings_ = inverse_.rings_ = this;
+    last_divisor_ = inverse_ = map([](const Prime_field& f) { return Gaussian_residue{f.one(), 0}; });
   }
   Residue_rings(const Residue_rings&) = delete;
   Residue_rings& operator=(const Residue_rings&) = delete;
