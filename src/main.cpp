@@ -3,11 +3,11 @@
 //
 // The command `idt`: intrinsic Delaunay triangulations of surfaces.
 
-#include "Exit_status.h"
-#include "Interruption.h"
-#include "Output_file.h"
-#include "command_line.h"
-#include "commands.h"
+#include "system/Exit_status.h"
+#include "system/Interruption.h"
+#include "output/Output_file.h"
+#include "commands/command_line.h"
+#include "commands/commands.h"
 
 #include <CLI/CLI.hpp>
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+#include "samples/sample_surfaces.h"
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Simple_cartesian.h>

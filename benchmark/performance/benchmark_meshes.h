@@ -6,7 +6,7 @@
 #ifndef IDT_BENCHMARK_MESHES_H
 #define IDT_BENCHMARK_MESHES_H
 
-#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+#include "samples/sample_surfaces.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

@@ -8,7 +8,7 @@
 //
 // Times are processor times of one thread, each the median of seven rounds.
 
-#include "read_surface.h"
+#include "input/read_surface.h"
 
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>

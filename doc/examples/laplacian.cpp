@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+#include "samples/sample_surfaces.h"
 
 #include <Eigen/SparseCholesky>
 

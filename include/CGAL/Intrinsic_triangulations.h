@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Everything in the package that needs neither Eigen nor a GPL part of CGAL. The GPL headers, for
+// Everything in the package that needs neither Eigen nor a GPL part of CGAL, but for Mpfr_float.h. The GPL headers, for
 // Surface_mesh and for the repair of polygons, are named in LICENSE.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_H
@@ -18,7 +18,6 @@
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
 #include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Mpfr_float.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
@@ -32,7 +31,6 @@
 #include <CGAL/Intrinsic_triangulations/overlay_areas.h>
 #include <CGAL/Intrinsic_triangulations/overlay_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/point_location.h>
-#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>

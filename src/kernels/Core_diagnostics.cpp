@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Core_diagnostics.h"
+#include "kernels/Core_diagnostics.h"
 
-#include "../temporary_folder.h"
+#include "system/temporary_folder.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -7,8 +7,8 @@
 #ifndef IDT_KERNELS_KERNEL_H
 #define IDT_KERNELS_KERNEL_H
 
-#include "../Number_type.h"
-#include "../Surface.h"
+#include "kernels/Number_type.h"
+#include "input/Surface.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>

@@ -6,7 +6,7 @@
 #ifndef IDT_KERNELS_NUMBER_COLLECTOR_H
 #define IDT_KERNELS_NUMBER_COLLECTOR_H
 
-#include "Kernel.h"
+#include "kernels/Kernel.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Core_diagnostics.h"
-#include "run_kernel.h"
+#include "kernels/Core_diagnostics.h"
+#include "kernels/run_kernel.h"
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "run_kernel.h"
+#include "kernels/run_kernel.h"
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 

@@ -6,7 +6,7 @@
 #ifndef IDT_KERNELS_FIND_OVERLAY_H
 #define IDT_KERNELS_FIND_OVERLAY_H
 
-#include "Kernel.h"
+#include "kernels/Kernel.h"
 
 namespace idt {
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Kernel.h"
+#include "kernels/Kernel.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 

@@ -7,12 +7,12 @@
 #ifndef IDT_KERNELS_RUN_KERNEL_H
 #define IDT_KERNELS_RUN_KERNEL_H
 
-#include "Decision_counter.h"
-#include "Kernel.h"
-#include "Number_collector.h"
-#include "find_overlay.h"
+#include "kernels/Decision_counter.h"
+#include "kernels/Kernel.h"
+#include "kernels/Number_collector.h"
+#include "kernels/find_overlay.h"
 
-#include "../Stopwatch.h"
+#include "system/Stopwatch.h"
 
 #include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
@@ -20,8 +20,8 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/metric_construction.h>
-#include <CGAL/Intrinsic_triangulations/internal/number_conversion.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/number_utils.h>

@@ -4,10 +4,10 @@
 // A file of any content, in any format that the command reads: it is refused with a message
 // that names it, or it is a surface that can be made Delaunay.
 
-#include "Surface.h"
+#include "input/Surface.h"
 #include "check_core.h"
 #include "fuzz_target.h"
-#include "temporary_folder.h"
+#include "system/temporary_folder.h"
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>

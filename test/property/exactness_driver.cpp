@@ -6,7 +6,7 @@
 #include "reference/compare_with_reference.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+#include "samples/sample_surfaces.h"
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>

@@ -6,7 +6,7 @@
 
 #include "reference/compare_with_reference.h"
 
-#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+#include "samples/sample_surfaces.h"
 
 #include <gtest/gtest.h>
 

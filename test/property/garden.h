@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/sample_surface_types.h>
+#include "samples/sample_surface_types.h"
 
 #include <gtest/gtest.h>
 

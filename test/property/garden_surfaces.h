@@ -8,7 +8,7 @@
 
 #include "property/garden.h"
 
-#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+#include "samples/sample_surfaces.h"
 
 #include <array>
 #include <cmath>

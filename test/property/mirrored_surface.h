@@ -6,7 +6,7 @@
 #ifndef IDT_TEST_PROPERTY_MIRRORED_SURFACE_H
 #define IDT_TEST_PROPERTY_MIRRORED_SURFACE_H
 
-#include <CGAL/Intrinsic_triangulations/sample_surface_types.h>
+#include "samples/sample_surface_types.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include "evaluation_data.h"
 #include "property/overlay_geometry.h"
 
-#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+#include "samples/sample_surfaces.h"
 
 #include <CGAL/IO/OFF.h>
 #include <CGAL/Simple_cartesian.h>

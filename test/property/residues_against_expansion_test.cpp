@@ -5,9 +5,9 @@
 // expansion in a multiquadratic field proves to be zero, and nothing else.
 
 #include <CGAL/Intrinsic_triangulations/Planar_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/Multiquadratic.h>
-#include <CGAL/Intrinsic_triangulations/internal/Residues.h>
-#include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Multiquadratic.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 //
 // The in-circle test of two coplanar faces, against the determinant in rational numbers.
 
-#include <CGAL/Intrinsic_triangulations/internal/Coplanar_hinge.h>
-#include <CGAL/Intrinsic_triangulations/internal/Rational.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Coplanar_hinge.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <gtest/gtest.h>

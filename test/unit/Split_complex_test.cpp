@@ -3,10 +3,10 @@
 //
 // The arithmetic behind the positions of crossings keeps the bounds that its users count on.
 
-#include <CGAL/Intrinsic_triangulations/internal/Rational.h>
-#include <CGAL/Intrinsic_triangulations/internal/Split_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/Split_double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/Two_doubles.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #ifndef IDT_TEST_SURFACE_FILE_TEST_H
 #define IDT_TEST_SURFACE_FILE_TEST_H
 
-#include "read_surface.h"
+#include "input/read_surface.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
 #include <CGAL/Intrinsic_triangulations/Mpfr_float.h>
-#include <CGAL/Intrinsic_triangulations/internal/triangle_formulas_3.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 
 #include <boost/multiprecision/mpfr.hpp>
 

@@ -5,8 +5,8 @@
 // line and with what to do.
 
 #include "Surface_file_test.h"
-#include "gluing_file.h"
-#include "read_surface.h"
+#include "input/gluing_file.h"
+#include "input/read_surface.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 

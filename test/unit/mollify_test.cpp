@@ -3,8 +3,8 @@
 
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
-#include <CGAL/Intrinsic_triangulations/sample_gluings.h>
-#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+#include "samples/sample_gluings.h"
+#include "samples/sample_surfaces.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 //
 // Fields with p² elements keep the laws of a field, agree with integers modulo p, and have square roots.
 
-#include <CGAL/Intrinsic_triangulations/internal/Prime_field.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Prime_field.h>
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 // its own message; the collection of bad files, if it is there.
 
 #include "Surface_file_test.h"
-#include "mesh_file.h"
-#include "read_surface.h"
+#include "input/mesh_file.h"
+#include "input/read_surface.h"
 
 #include <gtest/gtest.h>
 

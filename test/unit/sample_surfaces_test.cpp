@@ -4,7 +4,7 @@
 // The sample surfaces are what they claim to be: oriented manifolds of the
 // stated counts and topology, with a metric, and with the stated badness.
 
-#include <CGAL/Intrinsic_triangulations/sample_surfaces.h>
+#include "samples/sample_surfaces.h"
 
 #include <gtest/gtest.h>
 

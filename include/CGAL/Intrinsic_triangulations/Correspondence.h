@@ -10,8 +10,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/internal/Flip_journal.h>
-#include <CGAL/Intrinsic_triangulations/internal/Rotation_system.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Flip_journal.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Rotation_system.h>
 
 #include <CGAL/assertions.h>
 

@@ -12,8 +12,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H
 
 #include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/prefetch.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/prefetch.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>

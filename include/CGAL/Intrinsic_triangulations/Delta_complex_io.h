@@ -11,7 +11,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/Delta_complex_builder.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
 
 #include <CGAL/assertions.h>
 

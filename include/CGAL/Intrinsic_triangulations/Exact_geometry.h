@@ -14,13 +14,13 @@
 #include <CGAL/Intrinsic_triangulations/Stage_counts.h>
 #include <CGAL/Intrinsic_triangulations/Tie_proof.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/internal/Coplanar_hinge.h>
-#include <CGAL/Intrinsic_triangulations/internal/Developed_faces.h>
-#include <CGAL/Intrinsic_triangulations/internal/Late_stages.h>
-#include <CGAL/Intrinsic_triangulations/internal/Straight_faces.h>
-#include <CGAL/Intrinsic_triangulations/internal/area_in_input_unit.h>
-#include <CGAL/Intrinsic_triangulations/internal/corner_signs.h>
-#include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Coplanar_hinge.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Developed_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Straight_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/corner_signs.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>

@@ -9,10 +9,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_FILTERED_EDGE_LENGTH_TRAITS_H
 
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/Cotangent_bounds.h>
-#include <CGAL/Intrinsic_triangulations/internal/Two_doubles.h>
-#include <CGAL/Intrinsic_triangulations/internal/triangle_formulas_3.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/tags.h>

@@ -9,8 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_HALF_ANGLE_TRAITS_H
 
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/Number_type_with_roots.h>
-#include <CGAL/Intrinsic_triangulations/internal/triangle_formulas_3.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Number_type_with_roots.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>

@@ -10,8 +10,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/internal/Dynamic_overlay_graph.h>
-#include <CGAL/Intrinsic_triangulations/internal/Incremental_overlay_check.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/Incremental_overlay_check.h>
 
 #include <CGAL/assertions.h>
 

@@ -11,11 +11,11 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/Bounded_double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/Flat_geometry.h>
-#include <CGAL/Intrinsic_triangulations/internal/Prime_field.h>
-#include <CGAL/Intrinsic_triangulations/internal/Rational.h>
-#include <CGAL/Intrinsic_triangulations/internal/metric_construction.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Prime_field.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
 
 #include <algorithm>
 #include <array>

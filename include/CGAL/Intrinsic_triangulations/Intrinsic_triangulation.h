@@ -11,10 +11,10 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/Cotangent_bounds.h>
-#include <CGAL/Intrinsic_triangulations/internal/metric_construction.h>
-#include <CGAL/Intrinsic_triangulations/internal/number_conversion.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>

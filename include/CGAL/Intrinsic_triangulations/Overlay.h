@@ -12,10 +12,9 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
-#include <CGAL/Intrinsic_triangulations/internal/Overlay_arrays.h>
-#include <CGAL/Intrinsic_triangulations/internal/Overlay_builder.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_arrays.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_builder.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/tags.h>
@@ -25,6 +24,9 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+template <class Traits>
+class Intrinsic_triangulation;
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {

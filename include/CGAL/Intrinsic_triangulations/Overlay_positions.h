@@ -12,10 +12,10 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
-#include <CGAL/Intrinsic_triangulations/internal/Crossing_locator.h>
-#include <CGAL/Intrinsic_triangulations/internal/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
-#include <CGAL/Intrinsic_triangulations/internal/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/Crossing_locator.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Planar_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
 
 #include <CGAL/assertions.h>
 

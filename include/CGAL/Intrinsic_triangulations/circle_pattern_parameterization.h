@@ -15,7 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/disk_boundary.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/Sparse_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 
 #include <boost/math/constants/constants.hpp>
 

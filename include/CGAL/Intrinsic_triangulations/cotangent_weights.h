@@ -13,8 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/area_in_input_unit.h>
-#include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>

@@ -11,8 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Flip_report.h>
 #include <CGAL/Intrinsic_triangulations/Tie_proof.h>
-#include <CGAL/Intrinsic_triangulations/internal/Delaunay_flipper.h>
-#include <CGAL/Intrinsic_triangulations/internal/Block_flipper.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Delaunay_flipper.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Block_flipper.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

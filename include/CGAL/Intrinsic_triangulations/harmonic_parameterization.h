@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/disk_boundary.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/internal/Sparse_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 
 #include <CGAL/assertions.h>
 

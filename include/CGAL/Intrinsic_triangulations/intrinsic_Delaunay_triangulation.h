@@ -13,11 +13,11 @@
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/check_triangles.h>
-#include <CGAL/Intrinsic_triangulations/internal/copy_face_graph.h>
-#include <CGAL/Intrinsic_triangulations/internal/for_each_block.h>
-#include <CGAL/Intrinsic_triangulations/internal/number_conversion.h>
-#include <CGAL/Intrinsic_triangulations/internal/number_kinds.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/check_triangles.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/copy_face_graph.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_kinds.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <CGAL/Kernel_traits.h>

@@ -10,9 +10,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/Delta_complex_builder.h>
-#include <CGAL/Intrinsic_triangulations/internal/check_triangles.h>
-#include <CGAL/Intrinsic_triangulations/internal/copy_face_graph.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/check_triangles.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/copy_face_graph.h>
 
 #include <cstddef>
 

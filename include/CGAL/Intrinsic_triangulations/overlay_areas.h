@@ -11,9 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
-#include <CGAL/Intrinsic_triangulations/internal/area_in_input_unit.h>
-#include <CGAL/Intrinsic_triangulations/internal/affine_image.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay_layers.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/affine_image.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
 #include <cmath>
 #include <cstddef>

@@ -13,8 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/convex_polygon_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay_layers.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/convex_polygon_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -14,10 +14,10 @@
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/Chord_search.h>
-#include <CGAL/Intrinsic_triangulations/internal/affine_image.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact_side.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay_layers.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/Chord_search.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/affine_image.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/exact_side.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
 #include <algorithm>
 #include <cmath>

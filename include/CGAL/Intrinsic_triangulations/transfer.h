@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay_layers.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
 #include <CGAL/assertions.h>
 

@@ -11,10 +11,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Surface_report.h>
-#include <CGAL/Intrinsic_triangulations/internal/Length_range.h>
-#include <CGAL/Intrinsic_triangulations/internal/Surface_examiner.h>
-#include <CGAL/Intrinsic_triangulations/internal/are_collinear.h>
-#include <CGAL/Intrinsic_triangulations/internal/unit_of_length.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Length_range.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/Surface_examiner.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
 
 #include <CGAL/number_utils.h>
 

@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/sample_surface_types.h>
+#include "samples/sample_surface_types.h"
 
 #include <boost/property_map/property_map.hpp>
 

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Unevaluated sums of two doubles, about 106 bits, and the exact operations they are made of.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DOUBLE_DOUBLE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DOUBLE_DOUBLE_H
+
+#include <boost/config.hpp>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// s + e is exactly a + b (Knuth). A `Number` is double, or several of them.
+template <class Number>
+BOOST_FORCEINLINE void two_sum(const Number& a, const Number& b, Number& s, Number& e)
+{
+  s = a + b;
+  const Number bb = s - a;
+  e = (a - (s - bb)) + (b - bb);
+}
+
+// As two_sum, for |a| >= |b| or a == 0 (Dekker).
+template <class Number>
+BOOST_FORCEINLINE void fast_two_sum(const Number& a, const Number& b, Number& s, Number& e)
+{
+  s = a + b;
+  e = b - (s - a);
+}
+
+// p + e is exactly a * b (Dekker, Veltkamp), unless something over- or underflows.
+inline void two_product(double a, double b, double& p, double& e)
+{
+  constexpr double splitter = 134217729.0; // 2^27 + 1
+  const double ca = splitter * a, cb = splitter * b;
+  const double ah = ca - (ca - a), al = a - ah;
+  const double bh = cb - (cb - b), bl = b - bh;
+  p = a * b;
+  e = ((ah * bh - p) + ah * bl + al * bh) + al * bl;
+}
+
+// Additions and multiplications are good to 2^-103 of the result; who uses them bounds the
+// error of the whole expression.
+struct Double_double
+{
+  double hi = 0, lo = 0;
+
+  static Double_double difference(double a, double b)
+  {
+    Double_double r;
+    two_sum(a, -b, r.hi, r.lo);
+    return r;
+  }
+
+  friend Double_double operator-(const Double_double& a) { return {-a.hi, -a.lo}; }
+  friend Double_double operator+(const Double_double& a, const Double_double& b)
+  {
+    double s, e, t, f;
+    two_sum(a.hi, b.hi, s, e);
+    two_sum(a.lo, b.lo, t, f);
+    Double_double r;
+    fast_two_sum(s, e + t, r.hi, r.lo);
+    fast_two_sum(r.hi, r.lo + f, r.hi, r.lo);
+    return r;
+  }
+  friend Double_double operator-(const Double_double& a, const Double_double& b) { return a + -b; }
+  friend Double_double operator*(const Double_double& a, const Double_double& b)
+  {
+    double p, e;
+    two_product(a.hi, b.hi, p, e);
+    Double_double r;
+    fast_two_sum(p, e + (a.hi * b.lo + a.lo * b.hi), r.hi, r.lo);
+    return r;
+  }
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DOUBLE_DOUBLE_H

@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Intervals with MPFR end points, rounded outward.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_MPFR_INTERVAL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_MPFR_INTERVAL_H
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <gmp.h>
+#include <mpfr.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// A real number known to lie in [lower, upper]. A result has the larger precision of its
+// operands. A division by an interval that contains zero gives the whole line.
+class Mpfr_interval
+{
+public:
+  explicit Mpfr_interval(mpfr_prec_t precision = MPFR_PREC_MIN)
+  {
+    mpfr_init2(lower_, precision);
+    mpfr_init2(upper_, precision);
+    mpfr_set_zero(lower_, 1);
+    mpfr_set_zero(upper_, 1);
+  }
+  Mpfr_interval(mpq_srcptr x, mpfr_prec_t precision) : Mpfr_interval(precision)
+  {
+    mpfr_set_q(lower_, x, MPFR_RNDD);
+    mpfr_set_q(upper_, x, MPFR_RNDU);
+  }
+  Mpfr_interval(const Mpfr_interval& other) : Mpfr_interval(other.precision())
+  {
+    mpfr_set(lower_, other.lower_, MPFR_RNDD);
+    mpfr_set(upper_, other.upper_, MPFR_RNDU);
+  }
+  Mpfr_interval(Mpfr_interval&& other) noexcept : Mpfr_interval() { swap(other); }
+  Mpfr_interval& operator=(Mpfr_interval other) noexcept
+  {
+    swap(other);
+    return *this;
+  }
+  ~Mpfr_interval()
+  {
+    mpfr_clear(lower_);
+    mpfr_clear(upper_);
+  }
+
+  mpfr_prec_t precision() const { return mpfr_get_prec(lower_); }
+  double lower_double() const { return mpfr_get_d(lower_, MPFR_RNDD); }
+  double upper_double() const { return mpfr_get_d(upper_, MPFR_RNDU); }
+  mpfr_srcptr lower() const { return lower_; }
+  mpfr_srcptr upper() const { return upper_; }
+
+  friend Mpfr_interval operator-(const Mpfr_interval& a)
+  {
+    Mpfr_interval r(a.precision());
+    mpfr_neg(r.lower_, a.upper_, MPFR_RNDD);
+    mpfr_neg(r.upper_, a.lower_, MPFR_RNDU);
+    return r;
+  }
+  friend Mpfr_interval operator+(const Mpfr_interval& a, const Mpfr_interval& b)
+  {
+    Mpfr_interval r(common_precision(a, b));
+    mpfr_add(r.lower_, a.lower_, b.lower_, MPFR_RNDD);
+    mpfr_add(r.upper_, a.upper_, b.upper_, MPFR_RNDU);
+    return r;
+  }
+  friend Mpfr_interval operator-(const Mpfr_interval& a, const Mpfr_interval& b)
+  {
+    Mpfr_interval r(common_precision(a, b));
+    mpfr_sub(r.lower_, a.lower_, b.upper_, MPFR_RNDD);
+    mpfr_sub(r.upper_, a.upper_, b.lower_, MPFR_RNDU);
+    return r;
+  }
+  friend Mpfr_interval operator*(const Mpfr_interval& a, const Mpfr_interval& b)
+  {
+    Mpfr_interval r(common_precision(a, b));
+    if (mpfr_sgn(a.lower_) >= 0 && mpfr_sgn(b.lower_) >= 0) {
+      mpfr_mul(r.lower_, a.lower_, b.lower_, MPFR_RNDD);
+      mpfr_mul(r.upper_, a.upper_, b.upper_, MPFR_RNDU);
+      return r;
+    }
+    // The extremes are among the four products of end points.
+    Mpfr_interval product(r.precision());
+    bool is_first = true;
+    for (mpfr_srcptr x : {mpfr_srcptr(a.lower_), mpfr_srcptr(a.upper_)})
+      for (mpfr_srcptr y : {mpfr_srcptr(b.lower_), mpfr_srcptr(b.upper_)}) {
+        mpfr_mul(product.lower_, x, y, MPFR_RNDD);
+        mpfr_mul(product.upper_, x, y, MPFR_RNDU);
+        if (is_first || mpfr_less_p(product.lower_, r.lower_))
+          mpfr_set(r.lower_, product.lower_, MPFR_RNDD);
+        if (is_first || mpfr_greater_p(product.upper_, r.upper_))
+          mpfr_set(r.upper_, product.upper_, MPFR_RNDU);
+        is_first = false;
+      }
+    return r;
+  }
+  friend Mpfr_interval operator/(const Mpfr_interval& a, const Mpfr_interval& b)
+  {
+    Mpfr_interval inverse(common_precision(a, b));
+    if (mpfr_sgn(b.lower_) <= 0 && mpfr_sgn(b.upper_) >= 0) {
+      mpfr_set_inf(inverse.lower_, -1);
+      mpfr_set_inf(inverse.upper_, 1);
+      return inverse;
+    }
+    mpfr_ui_div(inverse.lower_, 1, b.upper_, MPFR_RNDD);
+    mpfr_ui_div(inverse.upper_, 1, b.lower_, MPFR_RNDU);
+    return a * inverse;
+  }
+  // The argument is known to be non-negative.
+  friend Mpfr_interval sqrt(const Mpfr_interval& a)
+  {
+    Mpfr_interval r(a.precision());
+    if (mpfr_sgn(a.lower_) > 0)
+      mpfr_sqrt(r.lower_, a.lower_, MPFR_RNDD);
+    if (mpfr_sgn(a.upper_) > 0)
+      mpfr_sqrt(r.upper_, a.upper_, MPFR_RNDU);
+    return r;
+  }
+
+  // For what is built on top: sets the interval to [0, upper end of x], ...
+  void set_upper(const Mpfr_interval& x)
+  {
+    mpfr_set_zero(lower_, 1);
+    mpfr_set(upper_, x.upper_, MPFR_RNDU);
+  }
+  // ... to [−upper end, upper end], ...
+  void make_symmetric() { mpfr_neg(lower_, upper_, MPFR_RNDD); }
+  // ... or to its lower end; returns what that cuts off, as [0, width].
+  Mpfr_interval collapse_to_lower()
+  {
+    Mpfr_interval width(precision());
+    mpfr_sub(width.upper_, upper_, lower_, MPFR_RNDU);
+    mpfr_set(upper_, lower_, MPFR_RNDU);
+    return width;
+  }
+
+  // NaN, which only an overflow of the exponent range could make, gives no sign.
+  Uncertain<Sign> sign() const
+  {
+    if (mpfr_nan_p(lower_) || mpfr_nan_p(upper_))
+      return Uncertain<Sign>::indeterminate();
+    const int low = mpfr_sgn(lower_), high = mpfr_sgn(upper_);
+    if (low > 0)
+      return POSITIVE;
+    if (high < 0)
+      return NEGATIVE;
+    if (low == 0 && high == 0)
+      return ZERO;
+    return Uncertain<Sign>::indeterminate();
+  }
+
+private:
+  static mpfr_prec_t common_precision(const Mpfr_interval& a, const Mpfr_interval& b)
+  {
+    return (std::max)(a.precision(), b.precision());
+  }
+  void swap(Mpfr_interval& other) noexcept
+  {
+    mpfr_swap(lower_, other.lower_);
+    mpfr_swap(upper_, other.upper_);
+  }
+
+  mpfr_t lower_, upper_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_MPFR_INTERVAL_H

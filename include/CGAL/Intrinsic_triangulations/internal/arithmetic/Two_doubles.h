@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Two doubles with which the processor computes at once.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_TWO_DOUBLES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_TWO_DOUBLES_H
+
+#include <CGAL/FPU.h>
+
+#include <boost/config.hpp>
+
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Each operation is done on both numbers, and rounded as it is on one: formulas that are written for
+// a number type give, bit for bit, what they give for `double` twice.
+class Two_doubles
+{
+public:
+  Two_doubles() = default;
+#ifdef CGAL_HAS_SSE2
+  Two_doubles(double both) : v_(_mm_set1_pd(both))
+  {}
+  Two_doubles(double first, double second) : v_(_mm_set_pd(second, first)) {}
+  static Two_doubles at(const double* p) { return _mm_loadu_pd(p); }
+  double first() const { return _mm_cvtsd_f64(v_); }
+  double second() const { return _mm_cvtsd_f64(_mm_unpackhi_pd(v_, v_)); }
+  // rounded
+  std::array<float, 2> floats() const
+  {
+    const __m128 f = _mm_cvtpd_ps(v_);
+    return {_mm_cvtss_f32(f), _mm_cvtss_f32(_mm_shuffle_ps(f, f, 1))};
+  }
+
+  friend Two_doubles operator+(Two_doubles a, Two_doubles b) { return _mm_add_pd(a.v_, b.v_); }
+  friend Two_doubles operator-(Two_doubles a, Two_doubles b) { return _mm_sub_pd(a.v_, b.v_); }
+  friend Two_doubles operator*(Two_doubles a, Two_doubles b) { return _mm_mul_pd(a.v_, b.v_); }
+  friend Two_doubles operator/(Two_doubles a, Two_doubles b) { return _mm_div_pd(a.v_, b.v_); }
+  friend Two_doubles operator-(Two_doubles a) { return _mm_xor_pd(_mm_set1_pd(-0.), a.v_); }
+  friend Two_doubles sqrt(Two_doubles a) { return _mm_sqrt_pd(a.v_); }
+  friend Two_doubles abs(Two_doubles a) { return _mm_andnot_pd(_mm_set1_pd(-0.), a.v_); }
+  // the larger, or smaller, of each two; b where one of them is no number
+  friend Two_doubles max_of(Two_doubles a, Two_doubles b) { return _mm_max_pd(a.v_, b.v_); }
+  friend Two_doubles min_of(Two_doubles a, Two_doubles b) { return _mm_min_pd(a.v_, b.v_); }
+  // the first numbers of both, the second ones, and the two numbers of one the other way round
+  friend Two_doubles firsts(Two_doubles a, Two_doubles b) { return _mm_unpacklo_pd(a.v_, b.v_); }
+  friend Two_doubles seconds(Two_doubles a, Two_doubles b) { return _mm_unpackhi_pd(a.v_, b.v_); }
+  friend Two_doubles swapped(Two_doubles a) { return _mm_shuffle_pd(a.v_, a.v_, 1); }
+  // x where a > b, else y
+  friend Two_doubles if_greater(Two_doubles a, Two_doubles b, Two_doubles x, Two_doubles y)
+  {
+    const __m128d is_greater = _mm_cmpgt_pd(a.v_, b.v_);
+    return _mm_or_pd(_mm_and_pd(is_greater, x.v_), _mm_andnot_pd(is_greater, y.v_));
+  }
+
+private:
+  Two_doubles(__m128d v) : v_(v) {}
+  __m128d v_;
+#else
+  Two_doubles(double both) : v_{both, both}
+  {}
+  Two_doubles(double first, double second) : v_{first, second} {}
+  static Two_doubles at(const double* p) { return {p[0], p[1]}; }
+  double first() const { return v_[0]; }
+  double second() const { return v_[1]; }
+  std::array<float, 2> floats() const { return {float(v_[0]), float(v_[1])}; }
+
+  friend Two_doubles operator+(Two_doubles a, Two_doubles b) { return {a.v_[0] + b.v_[0], a.v_[1] + b.v_[1]}; }
+  friend Two_doubles operator-(Two_doubles a, Two_doubles b) { return {a.v_[0] - b.v_[0], a.v_[1] - b.v_[1]}; }
+  friend Two_doubles operator*(Two_doubles a, Two_doubles b) { return {a.v_[0] * b.v_[0], a.v_[1] * b.v_[1]}; }
+  friend Two_doubles operator/(Two_doubles a, Two_doubles b) { return {a.v_[0] / b.v_[0], a.v_[1] / b.v_[1]}; }
+  friend Two_doubles operator-(Two_doubles a) { return {-a.v_[0], -a.v_[1]}; }
+  friend Two_doubles sqrt(Two_doubles a) { return {std::sqrt(a.v_[0]), std::sqrt(a.v_[1])}; }
+  friend Two_doubles abs(Two_doubles a) { return {std::abs(a.v_[0]), std::abs(a.v_[1])}; }
+  friend Two_doubles max_of(Two_doubles a, Two_doubles b) { return if_greater(a, b, a, b); }
+  friend Two_doubles min_of(Two_doubles a, Two_doubles b) { return if_greater(b, a, a, b); }
+  friend Two_doubles firsts(Two_doubles a, Two_doubles b) { return {a.v_[0], b.v_[0]}; }
+  friend Two_doubles seconds(Two_doubles a, Two_doubles b) { return {a.v_[1], b.v_[1]}; }
+  friend Two_doubles swapped(Two_doubles a) { return {a.v_[1], a.v_[0]}; }
+  friend Two_doubles if_greater(Two_doubles a, Two_doubles b, Two_doubles x, Two_doubles y)
+  {
+    return {a.v_[0] > b.v_[0] ? x.v_[0] : y.v_[0], a.v_[1] > b.v_[1] ? x.v_[1] : y.v_[1]};
+  }
+
+private:
+  double v_[2];
+#endif
+};
+
+using Two_points = std::array<Two_doubles, 3>;
+
+// Whether the functors of traits have `of_two()`, for two edges or faces at once. Traits that are derived
+// from such may have other functors, and do not count.
+template <class Traits>
+struct Takes_two_faces : std::false_type
+{};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_TWO_DOUBLES_H

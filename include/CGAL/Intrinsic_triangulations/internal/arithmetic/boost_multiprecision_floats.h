@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// What CGAL has to know of the floating-point numbers of Boost.Multiprecision.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_BOOST_MULTIPRECISION_FLOATS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_BOOST_MULTIPRECISION_FLOATS_H
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Real_embeddable_traits.h>
+#include <CGAL/boost_mp.h>
+#include <CGAL/functional.h>
+#include <CGAL/tags.h>
+
+#include <boost/math/special_functions/fpclassify.hpp>
+#include <boost/mpl/int.hpp>
+#include <boost/multiprecision/number.hpp>
+
+namespace CGAL {
+
+// CGAL 5.5 declares these templates for all numbers of Boost.Multiprecision, with and without
+// expression templates, and defines them for integers and rationals.
+/// \cond SKIP_IN_MANUAL
+
+template <class NT>
+struct AST_boost_mp<NT, boost::mpl::int_<boost::multiprecision::number_kind_floating_point>>
+  : Algebraic_structure_traits_base<NT, Field_with_sqrt_tag>
+{
+  using Type = NT;
+  using Is_exact = Tag_false;
+  using Is_numerical_sensitive = Tag_true;
+
+  struct Is_zero : CGAL::cpp98::unary_function<Type, bool>
+  {
+    bool operator()(const Type& x) const { return x.is_zero(); }
+  };
+  struct Sqrt : CGAL::cpp98::unary_function<Type, Type>
+  {
+    Type operator()(const Type& x) const { return boost::multiprecision::sqrt(x); }
+  };
+};
+
+template <class NT>
+struct RET_boost_mp<NT, boost::mpl::int_<boost::multiprecision::number_kind_floating_point>>
+  : RET_boost_mp_base<NT>
+{
+  using Type = NT;
+
+  struct Is_finite : CGAL::cpp98::unary_function<Type, bool>
+  {
+    bool operator()(const Type& x) const { return (boost::math::isfinite)(x); }
+  };
+};
+
+/// \endcond
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_BOOST_MULTIPRECISION_FLOATS_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// What kind of number a type is: machine number, interval, narrow exponent range, exact with roots.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_NUMBER_KINDS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_NUMBER_KINDS_H
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/tags.h>
+
+#include <boost/multiprecision/number.hpp>
+
+#include <limits>
+#include <type_traits>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+template <class FT>
+struct Is_interval : std::false_type
+{};
+template <bool b>
+struct Is_interval<Interval_nt<b>> : std::true_type
+{};
+
+// Not `std::is_floating_point`, which in the GNU dialects is true of `__float128` as well.
+template <class T>
+constexpr bool is_machine_number =
+  std::is_same<T, float>::value || std::is_same<T, double>::value || std::is_same<T, long double>::value;
+
+// The number type whose exponent range FT has, or FT itself.
+template <class FT>
+struct Machine_type
+{
+  using type = FT;
+};
+template <bool b>
+struct Machine_type<Interval_nt<b>>
+{
+  using type = double;
+};
+
+// Whether products of squared lengths may leave the range of FT although the lengths are doubles. Floats of
+// Boost have any range: that of `float`, or one that no double leaves.
+template <class FT>
+constexpr bool has_small_exponent_range =
+  is_machine_number<typename Machine_type<FT>::type> ||
+  (boost::multiprecision::is_number<FT>::value && !std::numeric_limits<FT>::is_exact &&
+   std::numeric_limits<FT>::max_exponent / 10 < std::numeric_limits<double>::max_exponent);
+
+// Roots of numbers beyond 2^150 come out of CORE with few correct digits, and beyond 2^160 it ends
+// the process with a division by zero. Small numbers do it no harm before 2^-1075, below which it
+// takes them for zero where they become `double`.
+template <class FT>
+constexpr bool has_exact_roots =
+  std::is_convertible<typename Algebraic_structure_traits<FT>::Is_exact, Tag_true>::value&&
+    std::is_convertible<typename Algebraic_structure_traits<FT>::Algebraic_category, Field_with_sqrt_tag>::value;
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_NUMBER_KINDS_H

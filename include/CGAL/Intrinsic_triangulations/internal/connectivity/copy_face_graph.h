@@ -1,0 +1,313 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Copies the connectivity of a face graph, numbering its elements in the order of its ranges.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_COPY_FACE_GRAPH_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_COPY_FACE_GRAPH_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// \cond SKIP_IN_MANUAL
+namespace CGAL {
+template <typename Point>
+class Surface_mesh;
+} // namespace CGAL
+/// \endcond
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Whether a graph is known to be numbered in the order of its ranges, without a look at its elements.
+template <class FaceGraph>
+bool has_no_garbage(const FaceGraph&)
+{
+  return false;
+}
+template <class Point>
+bool has_no_garbage(const Surface_mesh<Point>& mesh)
+{
+  return !mesh.has_garbage();
+}
+
+// In three steps, so that faces can be measured as soon as they are copied, when their records are still in
+// the processor's cache: `copy_vertices()`, `copy_faces()` until all are copied, and `finish()`.
+template <class FaceGraph>
+class Face_graph_copier
+{
+  using Graph_traits = boost::graph_traits<FaceGraph>;
+  using Vertex = typename Graph_traits::vertex_descriptor;
+  using Halfedge = typename Graph_traits::halfedge_descriptor;
+  using Edge = typename Graph_traits::edge_descriptor;
+  using Face = typename Graph_traits::face_descriptor;
+
+public:
+  explicit Face_graph_copier(const FaceGraph& graph)
+    : graph_(graph), vertex_index_map_(get_initialized_vertex_index_map(graph)),
+      halfedge_index_map_(get_initialized_halfedge_index_map(graph)),
+      face_index_map_(get_initialized_face_index_map(graph))
+  {}
+
+  // Returns the complex, whose halfedges and faces are filled in by the next steps.
+  template <class ConcurrencyTag>
+  Delta_complex copy_vertices()
+  {
+    number_of_vertices_ = num_vertices(graph_);
+    number_of_edges_ = num_edges(graph_);
+    number_of_faces_ = num_faces(graph_);
+    // Where the graph's own indices are the numbers already, as in a Surface_mesh without
+    // garbage, no table is needed.
+    const bool is_in_order = is_numbered_in_order<ConcurrencyTag>();
+    if (!is_in_order)
+      make_tables();
+    check_size(2 * number_of_edges_);
+    Delta_complex::Halfedge_vector records(2 * number_of_edges_, default_init);
+    Delta_complex::Descriptor_vector vertex_halfedges(number_of_vertices_, default_init),
+      face_halfedges(number_of_faces_, default_init);
+    records_ = records.data(); // of the complex's vectors, too
+    vertex_halfedges_ = vertex_halfedges.data();
+    face_halfedges_ = face_halfedges.data();
+    copies_faces_ = is_in_order && has_random_access;
+    if (copies_faces_) {
+      border_.resize(number_of_faces_ / elements_of_block + 1);
+      for_each_element<ConcurrencyTag>(vertices(graph_), number_of_vertices_,
+                                       [&](std::size_t first, std::size_t, auto v, auto end) {
+                                         for (Halfedge_index* to = vertex_halfedges_ + first; v != end; ++v, ++to)
+                                           *to = copy_of(halfedge(*v, graph_), own_halfedge_number());
+                                         return true;
+                                       });
+    } else if (is_in_order) {
+      copy_all(own_vertex_number(), own_halfedge_number(), own_face_number());
+    } else {
+      copy_all([&](Vertex v) { return vertex_number_[get(vertex_index_map_, v)]; },
+               [&](Halfedge h) { return halfedge_number_[get(halfedge_index_map_, h)]; },
+               [&](Face f) { return face_number_[get(face_index_map_, f)]; });
+    }
+    return Delta_complex(std::move(records), std::move(vertex_halfedges), std::move(face_halfedges));
+  }
+
+  // Copies the faces first to last, which are in one block, and the border at their sides. Threads may copy
+  // different blocks at once.
+  void copy_faces(std::size_t first, std::size_t last)
+  {
+    if constexpr (has_random_access) {
+      if (!copies_faces_)
+        return;
+      const bool has_border = 3 * number_of_faces_ != 2 * number_of_edges_;
+      auto f = faces(graph_).begin() + std::ptrdiff_t(first);
+      for (std::size_t number = first; number != last; ++number, ++f) {
+        const Halfedge h = halfedge(*f, graph_);
+        copy_face(h, std::uint32_t(number));
+        if (has_border)
+          copy_border_beside(h, border_[first / elements_of_block]);
+      }
+    }
+  }
+
+  void finish()
+  {
+    if (!copies_faces_)
+      return;
+    std::size_t number_of_copied = 3 * number_of_faces_;
+    for (const std::vector<std::uint32_t>& of_block : border_)
+      number_of_copied += of_block.size();
+    if (number_of_copied != 2 * number_of_edges_) // an edge without faces, or faces that are not triangles
+      copy_all(own_vertex_number(), own_halfedge_number(), own_face_number());
+    for (const std::vector<std::uint32_t>& of_block : border_)
+      link_to_border(of_block);
+  }
+
+private:
+  static constexpr bool has_random_access = std::is_convertible<
+    typename std::iterator_traits<typename Graph_traits::face_iterator>::iterator_category,
+    std::random_access_iterator_tag>::value;
+
+  auto own_vertex_number() const
+  {
+    return [this](Vertex v) { return std::uint32_t(get(vertex_index_map_, v)); };
+  }
+  auto own_halfedge_number() const
+  {
+    return [this](Halfedge h) { return std::uint32_t(get(halfedge_index_map_, h)); };
+  }
+  auto own_face_number() const
+  {
+    return [this](Face f) { return std::uint32_t(get(face_index_map_, f)); };
+  }
+
+  // Whether the graph's own indices are 0, 1, 2, ... in the order of its ranges.
+  template <class ConcurrencyTag>
+  bool is_numbered_in_order() const
+  {
+    const auto are_in_order = [](const auto& range, std::size_t n, const auto& has_number) {
+      return for_each_element<ConcurrencyTag>(
+        range, n, [&](std::size_t first, std::size_t last, auto element, auto end) {
+          bool result = true;
+          for (; element != end; ++element, ++first)
+            result &= has_number(*element, std::uint32_t(first));
+          return result && first == last;
+        });
+    };
+    if (has_no_garbage(graph_))
+      return true;
+    const auto vertex_number = own_vertex_number();
+    const auto halfedge_number = own_halfedge_number();
+    const auto face_number = own_face_number();
+    return are_in_order(vertices(graph_), number_of_vertices_,
+                        [&](Vertex v, std::uint32_t n) { return vertex_number(v) == n; }) &&
+           are_in_order(edges(graph_), number_of_edges_,
+                        [&](Edge e, std::uint32_t n) {
+                          const Halfedge h = halfedge(e, graph_);
+                          return halfedge_number(h) == 2 * n && halfedge_number(opposite(h, graph_)) == 2 * n + 1;
+                        }) &&
+           are_in_order(faces(graph_), number_of_faces_,
+                        [&](Face f, std::uint32_t n) { return face_number(f) == n; });
+  }
+
+  void copy_face(Halfedge h, std::uint32_t number)
+  {
+    const auto vertex_number = own_vertex_number();
+    const auto halfedge_number = own_halfedge_number();
+    const Halfedge after = next(h, graph_), last = next(after, graph_);
+    const std::uint32_t i = halfedge_number(h), j = halfedge_number(after), k = halfedge_number(last);
+    face_halfedges_[number] = Halfedge_index(i);
+    records_[i] = {j, halfedge_number(prev(h, graph_)), vertex_number(target(h, graph_)), number};
+    records_[j] = {k, i, vertex_number(target(after, graph_)), number};
+    records_[k] = {i, j, vertex_number(target(last, graph_)), number};
+    if (last != prev(h, graph_)) // no triangle, which is for others to find
+      for (Halfedge g = last; g != h; g = next(g, graph_))
+        records_[halfedge_number(g)] = record(g, vertex_number, halfedge_number, own_face_number());
+  }
+
+  void copy_border_beside(Halfedge h, std::vector<std::uint32_t>& border)
+  {
+    for (int side = 0; side < 3; ++side, h = next(h, graph_)) {
+      const Halfedge g = opposite(h, graph_);
+      if (face(g, graph_) != Graph_traits::null_face())
+        continue;
+      const std::uint32_t number = own_halfedge_number()(g);
+      records_[number] = record(g, own_vertex_number(), own_halfedge_number(), own_face_number());
+      border.push_back(number);
+    }
+  }
+
+  // All of the graph, at once.
+  template <class VertexNumber, class HalfedgeNumber, class FaceNumber>
+  void copy_all(const VertexNumber& vertex_number, const HalfedgeNumber& halfedge_number,
+                const FaceNumber& face_number)
+  {
+    std::vector<std::uint32_t> border;
+    std::uint32_t number = 0;
+    for (Edge e : edges(graph_)) {
+      Halfedge h = halfedge(e, graph_);
+      for (int side = 0; side < 2; ++side, ++number, h = opposite(h, graph_)) {
+        records_[number] = record(h, vertex_number, halfedge_number, face_number);
+        if (records_[number].face == Face_index::null_index())
+          border.push_back(number);
+      }
+    }
+    Halfedge_index* to = face_halfedges_;
+    for (Face f : faces(graph_))
+      *to++ = copy_of(halfedge(f, graph_), halfedge_number);
+    to = vertex_halfedges_;
+    for (Vertex v : vertices(graph_))
+      *to++ = copy_of(halfedge(v, graph_), halfedge_number);
+    link_to_border(border);
+  }
+
+  template <class VertexNumber, class HalfedgeNumber, class FaceNumber>
+  Delta_complex::Halfedge record(Halfedge h, const VertexNumber& vertex_number,
+                                 const HalfedgeNumber& halfedge_number, const FaceNumber& face_number) const
+  {
+    const Face f = face(h, graph_);
+    return {halfedge_number(next(h, graph_)), halfedge_number(prev(h, graph_)), vertex_number(target(h, graph_)),
+            f == Graph_traits::null_face() ? Face_index::null_index() : face_number(f)};
+  }
+
+  template <class HalfedgeNumber>
+  static Halfedge_index copy_of(Halfedge h, const HalfedgeNumber& halfedge_number)
+  {
+    return h == Graph_traits::null_halfedge() ? Halfedge_index() : Halfedge_index(halfedge_number(h));
+  }
+
+  // The halfedge of a vertex on the border is one of the border.
+  void link_to_border(const std::vector<std::uint32_t>& border)
+  {
+    for (std::uint32_t h : border)
+      vertex_halfedges_[records_[h].target] = Halfedge_index(h);
+  }
+
+  // The numbers of elements that a graph tells may be larger than those of its ranges.
+  void make_tables()
+  {
+    number_of_vertices_ = number_of_edges_ = number_of_faces_ = 0;
+    for (Vertex v : vertices(graph_))
+      set(vertex_number_, get(vertex_index_map_, v), number_of_vertices_++);
+    for (Edge e : edges(graph_)) {
+      const Halfedge h = halfedge(e, graph_);
+      set(halfedge_number_, get(halfedge_index_map_, h), 2 * number_of_edges_);
+      set(halfedge_number_, get(halfedge_index_map_, opposite(h, graph_)), 2 * number_of_edges_ + 1);
+      ++number_of_edges_;
+    }
+    for (Face f : faces(graph_))
+      set(face_number_, get(face_index_map_, f), number_of_faces_++);
+  }
+
+  static void set(std::vector<std::uint32_t>& table, std::size_t index, std::size_t number)
+  {
+    if (table.size() <= index)
+      table.resize(index + 1);
+    table[index] = std::uint32_t(number);
+  }
+
+  using Vertex_index_map = decltype(get_initialized_vertex_index_map(std::declval<const FaceGraph&>()));
+  using Halfedge_index_map = decltype(get_initialized_halfedge_index_map(std::declval<const FaceGraph&>()));
+  using Face_index_map = decltype(get_initialized_face_index_map(std::declval<const FaceGraph&>()));
+
+  const FaceGraph& graph_;
+  Vertex_index_map vertex_index_map_;
+  Halfedge_index_map halfedge_index_map_;
+  Face_index_map face_index_map_;
+  std::size_t number_of_vertices_ = 0, number_of_edges_ = 0, number_of_faces_ = 0;
+  std::vector<std::uint32_t> vertex_number_, halfedge_number_, face_number_; // if they are not in order
+  bool copies_faces_ = false;                                                // or copy_vertices() copies all
+  std::vector<std::vector<std::uint32_t>> border_;                           // of each block of faces
+  Delta_complex::Halfedge* records_ = nullptr;
+  Halfedge_index *vertex_halfedges_ = nullptr, *face_halfedges_ = nullptr;
+};
+
+// Its faces are still to be checked for being triangles.
+template <class ConcurrencyTag, class FaceGraph>
+Delta_complex copy_face_graph(const FaceGraph& graph)
+{
+  Face_graph_copier<FaceGraph> copier(graph);
+  Delta_complex complex = copier.template copy_vertices<ConcurrencyTag>();
+  for_each_block<ConcurrencyTag>(complex.number_of_faces(), elements_of_block,
+                                 [&](std::size_t first, std::size_t last) { copier.copy_faces(first, last); });
+  copier.finish();
+  return complex;
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_COPY_FACE_GRAPH_H

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Which faces of the current triangulation are triangles in space, and which of these lie in
+// one plane.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_STRAIGHT_FACES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_STRAIGHT_FACES_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// A face is known to be straight if it is the flat triangle in space between its corners:
+// at first all are, and the two faces of a flip are if those before were and lie in one
+// plane, one beyond the other. Then lengths and angles come from three points, however
+// many input edges are crossed. In the flat parts of a model, where ties are, this is what
+// keeps the exact stages cheap.
+//
+// What was once found to lie in one plane is remembered: a straight face has the number of a
+// plane, and numbers of the same plane are united. All faces with united numbers have one
+// oriented normal, so that two of them that share an edge lie on different sides of it.
+class Straight_faces
+{
+public:
+  Straight_faces() = default;
+  Straight_faces(std::size_t number_of_faces, std::size_t number_of_points)
+    : plane_(number_of_points != 0 ? number_of_faces : 0, default_init),
+      united_with_(plane_.size(), default_init)
+  {
+    for (std::size_t f = 0; f < plane_.size(); ++f)
+      plane_[f] = united_with_[f] = std::uint32_t(f);
+  }
+
+  bool operator()(Face_index f) const { return !plane_.empty() && plane_[f.idx()] != none; }
+
+  // Whether the faces of h are straight, lie in one plane, and on different sides of h.
+  // \pre h lies between two different faces
+  bool are_coplanar(const Delta_complex& complex, const Points& points, Halfedge_index h)
+  {
+    const Face_index f = complex.face(h), g = complex.face(complex.opposite(h));
+    if (!(*this)(f) || !(*this)(g))
+      return false;
+    const std::uint32_t p = united(plane_[f.idx()]), q = united(plane_[g.idx()]);
+    if (p == q)
+      return true;
+    if (!is_flat(complex, points, h))
+      return false;
+    united_with_[q] = p;
+    return true;
+  }
+
+  // To be called before the flip of the connectivity. Returns whether the new faces are straight.
+  bool flip(const Delta_complex& complex, const Points& points, Edge_index e)
+  {
+    if (plane_.empty())
+      return false;
+    const Halfedge_index h = complex.halfedge(e);
+    if (are_coplanar(complex, points, h))
+      return true;
+    plane_[complex.face(h).idx()] = plane_[complex.face(complex.opposite(h)).idx()] = none;
+    return false;
+  }
+
+private:
+  static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+
+  std::uint32_t united(std::uint32_t p)
+  {
+    while (united_with_[p] != p)
+      p = united_with_[p] = united_with_[united_with_[p]];
+    return p;
+  }
+
+  Large_vector<std::uint32_t> plane_;       // of each straight face, or none
+  Large_vector<std::uint32_t> united_with_; // for each plane another, or itself
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_STRAIGHT_FACES_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The sign of the sum of two cotangents, from what is known of the two corners.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_CORNER_SIGNS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_CORNER_SIGNS_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// In a tie the angles sum to 0, π or 2π; only in the last case are both obtuse.
+inline Sign sign_of_tie(Sign sign_k, Sign sign_l)
+{
+  return sign_k == NEGATIVE && sign_l == NEGATIVE ? NEGATIVE : ZERO;
+}
+
+// The sign of cot k + cot l; a zero is only certain with both areas positive, or with
+// the signs of both scalar products known.
+template <class Corner>
+Uncertain<Sign> sign_of_cotangents(const Corner& k, const Corner& l)
+{
+  const Uncertain<Sign> sign = (k.p * l.four_areas + l.p * k.four_areas).sign();
+  if (!is_certain(sign) || get_certain(sign) != ZERO)
+    return sign;
+  const Uncertain<Sign> sign_k = k.p.sign(), sign_l = l.p.sign();
+  if (!is_certain(sign_k) || !is_certain(sign_l))
+    return Uncertain<Sign>::indeterminate();
+  return sign_of_tie(get_certain(sign_k), get_certain(sign_l));
+}
+
+// Twice the scalar product and the square of four times the area, of a straight face.
+struct Rational_corner
+{
+  Exact_ring p;
+  Exact_ring q;
+};
+
+inline Rational_corner rational_corner(const Delta_complex& complex, const Points& points,
+                                       Halfedge_index ij)
+{
+  const Vertex_index i = complex.source(ij), j = complex.target(ij),
+                     k = complex.target(complex.next(ij));
+  const auto ki = difference<Exact_ring>(points, k, i), kj = difference<Exact_ring>(points, k, j);
+  const auto normal = cross_product(ki, kj);
+  return {Exact_ring(2) * scalar_product(ki, kj), Exact_ring(4) * scalar_product(normal, normal)};
+}
+
+// The sign of p_k √q_l + p_l √q_k.
+inline Sign sign_of_cotangents(const Rational_corner& k, const Rational_corner& l)
+{
+  const Sign p_k = CGAL::sign(k.p), p_l = CGAL::sign(l.p);
+  const Sign term_k = CGAL::is_zero(l.q) ? ZERO : p_k, term_l = CGAL::is_zero(k.q) ? ZERO : p_l;
+  if (term_k == ZERO || term_l == ZERO || term_k == term_l) {
+    const Sign sum = term_k == ZERO ? term_l : term_k;
+    return sum == ZERO ? sign_of_tie(p_k, p_l) : sum;
+  }
+  const Sign difference = CGAL::sign(Exact_ring(k.p * k.p * l.q - l.p * l.p * k.q));
+  return difference == ZERO ? ZERO : term_k * difference;
+}
+
+// Lengths and angles from three points.
+template <class Corner>
+Corner straight_corner(const Delta_complex& complex, const Points& points, Halfedge_index ij)
+{
+  using Real = Bounded_double_double;
+  const Vertex_index i = complex.source(ij), j = complex.target(ij),
+                     k = complex.target(complex.next(ij));
+  const auto ki = difference<Real>(points, k, i), kj = difference<Real>(points, k, j),
+             side = difference<Real>(points, i, j);
+  const auto normal = cross_product(ki, kj);
+  return {scalar_product(ki, kj).scaled(2), sqrt(scalar_product(normal, normal)).scaled(2),
+          scalar_product(ki, ki), scalar_product(kj, kj), scalar_product(side, side)};
+}
+
+// The same in finite fields.
+inline Unfolding<Residue_metric>::Corner image_of_straight_corner(const Delta_complex& complex, const Points& points,
+                                                                  Halfedge_index ij, Residue_rings& rings)
+{
+  const Vertex_index i = complex.source(ij), j = complex.target(ij),
+                     k = complex.target(complex.next(ij));
+  const auto normal = cross_product(difference<Rational>(points, k, i), difference<Rational>(points, k, j));
+  const auto vector = [&](Vertex_index from, Vertex_index to) {
+    const auto &p = points[from.idx()], &q = points[to.idx()];
+    return Vector_3<Residues>{rings.number(q[0]) - rings.number(p[0]), rings.number(q[1]) - rings.number(p[1]),
+                              rings.number(q[2]) - rings.number(p[2])};
+  };
+  const auto ki = vector(k, i), kj = vector(k, j), side = vector(i, j);
+  const Residues p = scalar_product(ki, kj);
+  return {p + p, rings.root(4 * scalar_product(normal, normal)), scalar_product(ki, ki), scalar_product(kj, kj),
+          scalar_product(side, side)};
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_CORNER_SIGNS_H

@@ -1,0 +1,360 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The metric of the input in the rings in which edges are unfolded (see Unfolding.h).
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_METRIC_IMAGES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_METRIC_IMAGES_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/Planar_vector.h>
+#include <CGAL/Intrinsic_triangulations/Tie_proof.h>
+#include <CGAL/Intrinsic_triangulations/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double_disk.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Mpfr_disk.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Mpfr_interval.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Multiquadratic.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Square_root_basis.h>
+
+#include <CGAL/enum.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// How exact decisions are made.
+struct Decision_settings
+{
+  Interruption interruption;
+  Tie_proof tie_proof = Tie_proof::PROBABLE_IF_COSTLY;
+};
+
+// The input as all images of its metric see it, with what they remember between calls.
+class Input_surface
+{
+public:
+  Input_surface(const Delta_complex& connectivity, const Input_metric& metric,
+                Decision_settings& settings)
+    : connectivity_(connectivity), metric_(metric), settings_(settings),
+      flatness_(metric.points().empty() ? 0 : connectivity.number_of_edges(), UNKNOWN),
+      ratios_(number_of_ratios(connectivity))
+  {}
+
+  const Delta_complex& connectivity() const { return connectivity_; }
+  const Input_metric& metric() const { return metric_; }
+
+  Interruption& interruption() { return settings_.interruption; }
+  bool accepts_probable_ties() const { return settings_.tie_proof == Tie_proof::PROBABLE_IF_COSTLY; }
+
+  // The number of `number` of a sequence of fields that are random, but the same in each run.
+  const Prime_fields& prime_fields(std::size_t number)
+  {
+    while (prime_fields_.size() <= number)
+      prime_fields_.push_back(random_prime_fields(metric_.hash() + prime_fields_.size()));
+    return prime_fields_[number];
+  }
+
+  // A bound on the sizes of the numbers of the metric (see Input_metric); found when first asked for.
+  double largest_size()
+  {
+    if (largest_size_ == 0)
+      largest_size_ = metric_.largest_size();
+    return largest_size_;
+  }
+
+  // Whether the faces of an edge lie in one plane; found when first asked for.
+  bool is_flat(Halfedge_index h)
+  {
+    if (flatness_.empty())
+      return false;
+    std::uint8_t& flatness = flatness_[connectivity_.edge(h).idx()];
+    if (flatness == UNKNOWN)
+      flatness =
+        connectivity_.is_flippable(connectivity_.edge(h)) &&
+            internal::is_flat(connectivity_, metric_.points(), h)
+          ? FLAT
+          : BENT;
+    return flatness == FLAT;
+  }
+
+  // Whether a vector in the plane of the face of h points to the left of h or to the right.
+  Sign side(Halfedge_index h, Vertex_index from, Vertex_index to) const
+  {
+    const Vertex_index i = connectivity_.source(h), j = connectivity_.target(h),
+                       k = connectivity_.target(connectivity_.next(h));
+    return sign_of_normals(metric_.points(), {i, j}, {from, to}, {i, j}, {i, k});
+  }
+
+  // A direct-mapped cache of corner ratios: neighbouring edges cross the same triangles.
+  template <class Compute>
+  const Corner_ratios<Double_double_disk>& remembered(Halfedge_index h, const Compute& compute)
+  {
+    Entry& entry = ratios_[h.idx() & (ratios_.size() - 1)];
+    if (entry.halfedge != h) {
+      entry.ratios = compute();
+      entry.halfedge = h;
+    }
+    return entry.ratios;
+  }
+
+private:
+  enum Flatness : std::uint8_t {
+    UNKNOWN,
+    FLAT,
+    BENT
+  };
+  // A power of two: one for each halfedge of a small surface.
+  static std::size_t number_of_ratios(const Delta_complex& connectivity)
+  {
+    std::size_t result = 16;
+    while (result < 4096 && result < 2 * std::size_t(connectivity.number_of_edges()))
+      result *= 2;
+    return result;
+  }
+  struct Entry
+  {
+    Halfedge_index halfedge;
+    Corner_ratios<Double_double_disk> ratios;
+  };
+
+  const Delta_complex& connectivity_;
+  const Input_metric& metric_;
+  Decision_settings& settings_;
+  std::deque<Prime_fields> prime_fields_;
+  double largest_size_ = 0;
+  Large_vector<std::uint8_t> flatness_;
+  std::vector<Entry> ratios_;
+};
+
+// In double-doubles with error bounds.
+class Double_double_metric
+{
+public:
+  using Real = Bounded_double_double;
+  using Vector = Double_double_disk;
+
+  explicit Double_double_metric(Input_surface& surface) : surface_(surface) {}
+
+  Real constant(double x) const { return Real(x); }
+  Real squared_length(Edge_index e) const
+  {
+    return surface_.metric().squared_length_double_double(surface_.connectivity(), e);
+  }
+  Real four_areas(Face_index f) const
+  {
+    return surface_.metric().four_areas_double_double(surface_.connectivity(), f);
+  }
+  template <class Compute>
+  const Corner_ratios<Vector>& remembered(Halfedge_index h, const Compute& compute)
+  {
+    return surface_.remembered(h, compute);
+  }
+  bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
+  Interruption& interruption() { return surface_.interruption(); }
+  Vector ratio_in_plane(Halfedge_index h, Vertex_index from, Vertex_index to) const
+  {
+    const Delta_complex& c = surface_.connectivity();
+    const Points& points = surface_.metric().points();
+    const auto u = difference<Real>(points, c.source(h), c.target(h)),
+               w = difference<Real>(points, from, to);
+    const auto normal = cross_product(u, w);
+    const Real s = scalar_product(u, u);
+    const Real height = sqrt(scalar_product(normal, normal)) / s;
+    return {scalar_product(u, w) / s, surface_.side(h, from, to) == NEGATIVE ? -height : height};
+  }
+
+private:
+  Input_surface& surface_;
+};
+
+// In a ring that is given by the images of the rationals and of their square roots, and of coordinates, which may
+// stay in a smaller ring until they meet roots. What was computed last is remembered. Each quantity that is
+// asked for is counted.
+template <class Image>
+class Rational_metric
+{
+public:
+  using Real = typename Image::Real;
+  using Vector = typename Image::Vector;
+
+  static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
+
+  // \param largest_count the number of quantities from which on Too_costly is thrown
+  Rational_metric(Input_surface& surface, Image image, std::size_t largest_count = unlimited)
+    : surface_(surface), image_(image), largest_count_(largest_count)
+  {}
+
+  std::size_t number_of_quantities() const { return count_; }
+
+  Real constant(double x)
+  {
+    count();
+    return image_.real(image_.coordinate(x));
+  }
+  Real squared_length(Edge_index e)
+  {
+    count();
+    const Delta_complex& c = surface_.connectivity();
+    if (surface_.metric().points().empty())
+      return image_.rational(surface_.metric().squared_length(c, e));
+    const auto u = vector(c.source(c.halfedge(e)), c.target(c.halfedge(e)));
+    return image_.real(scalar_product(u, u));
+  }
+  Real four_areas(Face_index f)
+  {
+    count();
+    return remembered_in(roots_, f, [&] {
+      return image_.root(surface_.metric().squared_four_areas(surface_.connectivity(), f));
+    });
+  }
+  template <class Compute>
+  const Corner_ratios<Vector>& remembered(Halfedge_index h, const Compute& compute)
+  {
+    count();
+    return remembered_in(ratios_, h, compute);
+  }
+  bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
+  Interruption& interruption() { return surface_.interruption(); }
+  Vector ratio_in_plane(Halfedge_index h, Vertex_index from, Vertex_index to)
+  {
+    count();
+    const Delta_complex& c = surface_.connectivity();
+    const Vertex_index i = c.source(h);
+    const auto u = vector(i, c.target(h)), v = vector(i, c.target(c.next(h))), w = vector(from, to);
+    const auto s = scalar_product(u, u), x = scalar_product(u, w), t = scalar_product(u, v);
+    // |u × v|², the square of half of four_areas, and (u × v)·(u × w).
+    const auto n = s * scalar_product(v, v) - t * t, y = s * scalar_product(v, w) - t * x, sn = s * n;
+    const Real divisor = image_.real(sn + sn);
+    return {image_.real((x + x) * n) / divisor, image_.real(y) * four_areas(c.face(h)) / divisor};
+  }
+
+private:
+  Vector_3<typename Image::Coordinate> vector(Vertex_index from, Vertex_index to) const
+  {
+    const auto& points = surface_.metric().points();
+    const std::array<double, 3>&p = points[from.idx()], &q = points[to.idx()];
+    const auto difference = [&](int i) { return image_.coordinate(q[i]) - image_.coordinate(p[i]); };
+    return {difference(0), difference(1), difference(2)};
+  }
+
+  void count()
+  {
+    surface_.interruption().check();
+    if (++count_ > largest_count_)
+      throw Too_costly();
+  }
+
+  // Forgets everything when there is much of it.
+  template <class Map, class Compute>
+  static const typename Map::mapped_type& remembered_in(Map& map, const typename Map::key_type& key,
+                                                        const Compute& compute)
+  {
+    const auto position = map.find(key);
+    if (position != map.end())
+      return position->second;
+    typename Map::mapped_type value = compute();
+    if (map.size() == 4096)
+      map.clear();
+    return map.emplace(key, std::move(value)).first->second;
+  }
+
+  Input_surface& surface_;
+  Image image_;
+  std::size_t largest_count_;
+  std::size_t count_ = 0;
+  std::unordered_map<Halfedge_index, Corner_ratios<Vector>> ratios_;
+  std::unordered_map<Face_index, Real> roots_;
+};
+
+// Multiple-precision intervals.
+struct Mpfr_image
+{
+  using Real = Mpfr_interval;
+  using Coordinate = Rational;
+  using Vector = Mpfr_disk;
+  Real rational(const Rational& x) const { return Real(data(x), precision); }
+  Rational coordinate(double x) const { return Rational(x); }
+  Real real(const Rational& x) const { return rational(x); }
+  Real root(const Rational& x) const { return sqrt(rational(x)); }
+  long precision;
+};
+
+// The multiquadratic field of the roots that are asked for.
+struct Multiquadratic_image
+{
+  using Real = Multiquadratic;
+  using Coordinate = Rational;
+  using Vector = Planar_vector<Real>;
+  Real rational(const Rational& x) const { return Real(&field, 0, x); }
+  Rational coordinate(double x) const { return Rational(x); }
+  Real real(const Rational& x) const { return rational(x); }
+  Real root(const Rational& x) const
+  {
+    const Square_root_basis::Root root = field.basis().root(x);
+    Multiquadratic_field::Mask mask = 0;
+    for (std::uint32_t i : root.generators)
+      mask |= Multiquadratic_field::Mask(1) << i;
+    return Real(&field, mask, root.coefficient);
+  }
+  Multiquadratic_field& field;
+};
+
+// Finite fields.
+struct Residue_image
+{
+  using Real = Residues;
+  using Coordinate = Residues;
+  using Vector = Planar_vector<Real>;
+  Residues coordinate(double x) const { return rings.number(x); }
+  Real real(const Residues& x) const { return x; }
+  Real rational(const Rational& x) const { return rings.rational(x); }
+  Real root(const Rational& x) const { return rings.root(x); }
+  Residue_rings& rings;
+};
+
+// The rationals themselves: wherever the roots that are asked for are rational, as on a surface
+// of rectangles, and much faster there than their field.
+struct Rational_image
+{
+  using Real = Rational;
+  using Coordinate = Rational;
+  using Vector = Planar_vector<Real>;
+  Real rational(const Rational& x) const { return x; }
+  Rational coordinate(double x) const { return Rational(x); }
+  Real real(const Rational& x) const { return x; }
+  Real root(const Rational& x) const
+  {
+    const Integer denominator = boost::multiprecision::denominator(x),
+                  n = boost::multiprecision::numerator(x) * denominator;
+    if (!mpz_perfect_square_p(data(n)))
+      throw Too_costly();
+    return Rational(Integer(boost::multiprecision::sqrt(n)), denominator);
+  }
+};
+
+using Mpfr_metric = Rational_metric<Mpfr_image>;
+using Multiquadratic_metric = Rational_metric<Multiquadratic_image>;
+using Residue_metric = Rational_metric<Residue_image>;
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_METRIC_IMAGES_H

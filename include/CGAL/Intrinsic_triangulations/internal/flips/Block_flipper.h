@@ -1,0 +1,235 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Flips on several threads.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_BLOCK_FLIPPER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_BLOCK_FLIPPER_H
+
+#include <CGAL/Intrinsic_triangulations/internal/flips/Delaunay_flipper.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Triangulation_block.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+struct Default_flip_visitor;
+
+namespace internal {
+
+// Asks one visitor on behalf of all blocks: one at a time, and not before each test.
+template <class Visitor>
+class Shared_visitor
+{
+  static constexpr bool is_trivial = std::is_same<Visitor, Default_flip_visitor>::value;
+
+public:
+  explicit Shared_visitor(Visitor& visitor) : visitor_(visitor) {}
+
+  // What one block sees of it.
+  class Of_block
+  {
+  public:
+    using Is_silent = Boolean_tag<is_trivial>;
+    explicit Of_block(Shared_visitor& shared) : shared_(shared) {}
+
+    bool go_further(std::uint64_t tests, std::uint64_t flips)
+    {
+      if constexpr (is_trivial)
+        return true;
+      if (--patience_ > 0)
+        return true;
+      patience_ = tests_between_questions;
+      const std::uint64_t more_tests = tests - tests_, more_flips = flips - flips_;
+      tests_ = tests;
+      flips_ = flips;
+      return shared_.go_further(more_tests, more_flips);
+    }
+    void after_flip(Edge_index e)
+    {
+      if constexpr (!is_trivial)
+        shared_.after_flip(e);
+    }
+
+  private:
+    static constexpr int tests_between_questions = 1024;
+
+    Shared_visitor& shared_;
+    int patience_ = 1;
+    std::uint64_t tests_ = 0, flips_ = 0; // that the visitor was told of
+  };
+
+  bool is_stopped() const { return is_stopped_.load(std::memory_order_relaxed); }
+  void stop() { is_stopped_.store(true, std::memory_order_relaxed); }
+
+private:
+  bool go_further(std::uint64_t more_tests, std::uint64_t more_flips)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    tests_ += more_tests;
+    flips_ += more_flips;
+    if (!is_stopped() && !visitor_.go_further(tests_, flips_))
+      stop();
+    return !is_stopped();
+  }
+  void after_flip(Edge_index e)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    visitor_.after_flip(e);
+  }
+
+  Visitor& visitor_;
+  std::mutex mutex_;
+  std::uint64_t tests_ = 0, flips_ = 0;
+  std::atomic<bool> is_stopped_{false};
+};
+
+// Settles what can be settled within blocks of consecutive edges on several threads, then what
+// can be within blocks that are shifted by half of their size, and then the few edges that
+// remain on one thread. The blocks do not depend on the number of threads, nor does the result.
+template <class Triangulation, class ConstraintMap, class Visitor>
+class Block_flipper
+{
+  using Block = Triangulation_block<Triangulation>;
+  using Block_visitor = typename Shared_visitor<Visitor>::Of_block;
+  using Flipper = Delaunay_flipper<Triangulation, ConstraintMap, Visitor>;
+
+  // In smaller blocks more hinges are not contained, larger ones are too few for many threads.
+  static constexpr int exponent = 16;
+  static constexpr std::size_t size = std::size_t(1) << exponent;
+
+public:
+  // The marks are all `CANDIDATE`.
+  Block_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained,
+                Visitor& visitor, std::uint64_t budget, Edge_marks& marks)
+    : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor),
+      budget_(budget), marks_(marks)
+  {}
+
+  // Otherwise it would do what a Delaunay_flipper does.
+  static bool is_useful(const Triangulation& triangulation)
+  {
+    return triangulation.connectivity().number_of_edges() > size && Block::are_possible(triangulation);
+  }
+
+  // Leads to a Delaunay triangulation; `flipper` makes the last flips, and has the report.
+  // Returns whether it came to an end.
+  bool settle_all(Flipper& flipper)
+  {
+    const std::size_t n = marks_.size(), number_of_blocks = (n + size - 1) / size;
+    // No block may use up what is there for all, nor fill the memory with its journal.
+    budget_of_block_ = (std::min)(budget_ / (2 * number_of_blocks + 1), 16 * std::uint64_t(size));
+
+    std::vector<std::vector<Hinge_halfedges>> journals;
+    std::exception_ptr exception;
+    for (std::size_t shift : {std::size_t(0), size / 2}) {
+      std::vector<Task> tasks = make_tasks(n, shift);
+      is_first_round_ = shift == 0;
+      for_each_block<Parallel_tag>(tasks.size(), 1,
+                                   [&](std::size_t i, std::size_t) { settle(tasks[i]); });
+      postponed_.clear();
+      for (Task& task : tasks) {
+        exception = exception ? exception : task.exception;
+        flipper.add(task.report);
+        triangulation_.count_as_tested(task.report.tests);
+        journals.push_back(std::move(task.journal));
+        postponed_.insert(postponed_.end(), task.postponed.begin(), task.postponed.end());
+      }
+      mark_postponed();
+      if (visitor_.is_stopped())
+        break;
+    }
+    Block::append(triangulation_, std::move(journals));
+    if (exception)
+      std::rethrow_exception(exception);
+    return !visitor_.is_stopped() &&
+           flipper.settle(postponed_.data(), postponed_.data() + postponed_.size());
+  }
+
+private:
+  struct Task
+  {
+    Edge_index::size_type first, last; // the edges of the block
+    std::vector<Edge_index> candidates;
+    Flip_report report;
+    std::vector<Hinge_halfedges> journal;
+    std::vector<Edge_index> postponed;
+    std::exception_ptr exception;
+  };
+
+  std::vector<Task> make_tasks(std::size_t n, std::size_t shift) const
+  {
+    std::vector<Task> tasks((n + shift + size - 1) / size);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      tasks[i].first = Edge_index::size_type((std::max)(i * size, shift) - shift);
+      tasks[i].last = Edge_index::size_type((std::min)((i + 1) * size - shift, n));
+    }
+    for (Edge_index e : postponed_)
+      tasks[(e.idx() + shift) / size].candidates.push_back(e);
+    return tasks;
+  }
+
+  void settle(Task& task)
+  {
+    if (visitor_.is_stopped())
+      return;
+    try {
+      Block block(triangulation_, task.first, task.last, task.journal);
+      Block_visitor visitor(visitor_);
+      Delaunay_flipper<Block, ConstraintMap, Block_visitor> flipper(block, is_constrained_, visitor,
+                                                                    budget_of_block_, marks_);
+      const bool is_settled =
+        is_first_round_ ? flipper.settle(task.first, task.last)
+                        : flipper.settle(task.candidates.data(),
+                                         task.candidates.data() + task.candidates.size());
+      task.report = flipper.report();
+      task.postponed = std::move(flipper.postponed());
+      if (!is_settled) // the budget did not suffice
+        for (Edge_index::size_type e = task.first; e < task.last; ++e)
+          if (marks_[e] != Edge_mark::SETTLED)
+            task.postponed.push_back(Edge_index(e));
+    } catch (...) {
+      task.exception = std::current_exception();
+      visitor_.stop();
+    }
+  }
+
+  // Marks them as candidates, and keeps each of them once.
+  void mark_postponed()
+  {
+    for (Edge_index e : postponed_)
+      marks_[e.idx()] = Edge_mark::SETTLED;
+    const auto is_marked = [&](Edge_index e) {
+      return std::exchange(marks_[e.idx()], Edge_mark::CANDIDATE) == Edge_mark::CANDIDATE;
+    };
+    postponed_.erase(std::remove_if(postponed_.begin(), postponed_.end(), is_marked), postponed_.end());
+  }
+
+  Triangulation& triangulation_;
+  const ConstraintMap& is_constrained_;
+  Shared_visitor<Visitor> visitor_;
+  std::uint64_t budget_, budget_of_block_ = 0;
+  Edge_marks& marks_;
+  bool is_first_round_ = true; // all edges are candidates then, and later, those postponed
+  std::vector<Edge_index> postponed_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_BLOCK_FLIPPER_H

@@ -1,0 +1,399 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The engine of flip_to_Delaunay().
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_DELAUNAY_FLIPPER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_DELAUNAY_FLIPPER_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Flip_report.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Triangulation_block.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+namespace internal {
+
+// A list whose entries are written before it is known whether they stay: without a branch
+// that nothing could predict.
+class Edge_list
+{
+public:
+  // makes room for n entries more, and one to be overwritten
+  void make_room(std::size_t n)
+  {
+    if (edges_.size() <= size_ + n)
+      edges_.resize(2 * size_ + n + 1);
+  }
+  void push_if(bool condition, Edge_index e)
+  {
+    edges_[size_] = e;
+    size_ += condition;
+  }
+  void clear() { size_ = 0; }
+  std::size_t size() const { return size_; }
+  const Edge_index* begin() const { return edges_.data(); }
+  const Edge_index* end() const { return edges_.data() + size_; }
+
+private:
+  std::vector<Edge_index> edges_;
+  std::size_t size_ = 0;
+};
+
+// Not a character type: stores of these may alias everything.
+enum class Edge_mark : std::uint8_t {
+  SETTLED,     // Delaunay, or not to be flipped
+  CANDIDATE,   // to be tested: in a list, or in a block still to come
+  NOT_DELAUNAY // tested, and its hinge has not changed since
+};
+using Edge_marks = Large_vector<Edge_mark>;
+
+// Whether a visitor never stops anything, so that it need not be asked.
+template <class Visitor, class = void>
+struct Is_silent : std::false_type
+{};
+template <class Visitor>
+struct Is_silent<Visitor, std::void_t<typename Visitor::Is_silent>> : Visitor::Is_silent
+{};
+
+// Whether a flipper has the triangulation to itself; see Triangulation_block.
+template <class Triangulation>
+struct Is_whole_triangulation : std::true_type
+{};
+template <class Triangulation>
+struct Is_whole_triangulation<Triangulation_block<Triangulation>> : std::false_type
+{};
+
+// The edges are settled group by group, and a group in rounds: all candidates are tested, those
+// that are not Delaunay are flipped, and what lies around them are the next candidates, as is
+// what a flip of the same round has changed. Most tests of a round do not depend on each other,
+// and neither do most flips, so that the processor works on several at once; with a stack,
+// each would wait for the one before. A group is small enough for its data to stay in the
+// cache until it is settled.
+//
+// Of a Triangulation_block, what cannot be settled there is listed as postponed.
+template <class Triangulation, class ConstraintMap, class Visitor>
+class Delaunay_flipper
+{
+  using Flip_outcome = typename Triangulation::Flip_outcome;
+  static constexpr bool is_whole = Is_whole_triangulation<Triangulation>::value;
+  // Whether the tests of several edges can be made at once.
+  static constexpr bool tests_together = Has_cotangent_bounds<typename Triangulation::Traits>::value && Is_silent<Visitor>::value &&
+                                         std::is_same<ConstraintMap, Static_boolean_property_map<Edge_index, false>>::value;
+
+  static constexpr Edge_index::size_type group_size = 1024;
+
+public:
+  // `marks` has one for each edge of the triangulation; those of edges that are to be flipped
+  // must be `CANDIDATE`, all others `SETTLED`.
+  Delaunay_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained,
+                   Visitor& visitor, std::uint64_t budget, Edge_marks& marks)
+    : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor),
+      budget_(budget), marks_(marks.data())
+  {}
+
+  const Flip_report& report() const { return report_; }
+
+  // Asks the visitor once more during a test.
+  bool goes_further() { return visitor_.go_further(report_.tests, report_.flips); }
+
+  // The edges, some of them more than once, that were left to others.
+  std::vector<Edge_index>& postponed() { return postponed_; }
+
+  // Takes over what others did before.
+  void add(const Flip_report& report)
+  {
+    report_.tests += report.tests;
+    report_.flips += report.flips;
+    if (report.status == Flip_status::CANCELLED)
+      report_.status = report.status;
+    add(report_.not_flippable, report.not_flippable);
+    add(report_.inconsistent, report.inconsistent);
+    add(report_.undecided, report.undecided);
+  }
+
+  // Settles the candidates among these edges and all that depends on them. Returns whether it
+  // came to an end; if not, the status says why.
+  bool settle(const Edge_index* begin, const Edge_index* end) { return settle_groups(begin, end); }
+  bool settle(Edge_index::size_type first, Edge_index::size_type last)
+  {
+    using Iterator = Delta_complex::Edge_iterator;
+    return settle_groups(Iterator(first), Iterator(last));
+  }
+
+  // Ends the run of a whole triangulation that was settled, or stopped.
+  Flip_report finish(bool is_settled)
+  {
+    const auto is_not_Delaunay = [&](Edge_index e) {
+      return !possibly(triangulation_.is_locally_Delaunay(e));
+    };
+    collect(report_.not_flippable, is_not_Delaunay);
+    collect(report_.inconsistent, is_not_Delaunay);
+    collect(report_.undecided, [&](Edge_index e) {
+      const auto answer = triangulation_.is_locally_Delaunay(e);
+      return !is_certain(answer) || !certainly(answer);
+    });
+    if (is_settled && !report_.undecided.empty())
+      report_.status = Flip_status::UNDECIDED;
+    else if (is_settled && !report_.not_flippable.empty())
+      report_.status = Flip_status::NOT_FLIPPABLE;
+    else if (is_settled && !report_.inconsistent.empty())
+      report_.status = Flip_status::INCONSISTENT;
+    return std::move(report_);
+  }
+
+private:
+  template <class Iterator>
+  bool settle_groups(Iterator begin, Iterator end)
+  {
+    try {
+      return settle_groups_unless_cancelled(begin, end);
+    } catch (const Cancelled_error&) { // within a test
+      report_.status = Flip_status::CANCELLED;
+      return false;
+    }
+  }
+
+  template <class Iterator>
+  bool settle_groups_unless_cancelled(Iterator begin, Iterator end)
+  {
+    while (begin != end) {
+      const Iterator middle = begin + (std::min)(end - begin, std::ptrdiff_t(group_size));
+      bool goes_on = test(begin, middle);
+      while (goes_on && not_Delaunay_.size() != 0) {
+        candidates_.clear();
+        goes_on = flip_found() && test(candidates_.begin(), candidates_.end());
+      }
+      if (!goes_on)
+        return false;
+      begin = middle;
+    }
+    return true;
+  }
+
+  // Finds the edges that are not Delaunay.
+  template <class Iterator>
+  bool test(Iterator begin, Iterator end)
+  {
+    suspects_.clear();
+    suspects_.make_room(std::size_t(end - begin));
+    if constexpr (tests_together && std::is_same<Iterator, Delta_complex::Edge_iterator>::value)
+      find_consecutive_suspects(begin, end);
+    else if (!find_suspects(begin, end))
+      return false;
+    return test_suspects();
+  }
+
+  // Leaves out those that are known to be Delaunay: on an ordinary surface, most.
+  template <class Iterator>
+  bool find_suspects(Iterator begin, Iterator end)
+  {
+    std::uint64_t number_of_known = 0;
+    bool goes_on = true;
+    for (; begin != end; ++begin) {
+      const Edge_index e = *begin;
+      marks_[e.idx()] = Edge_mark::SETTLED;
+      if (get(is_constrained_, e))
+        continue;
+      const bool is_known = triangulation_.is_known_Delaunay(e);
+      if (is_known && !goes_further(report_.tests + number_of_known)) {
+        goes_on = false;
+        break;
+      }
+      number_of_known += is_known;
+      suspects_.push_if(!is_known, e);
+    }
+    report_.tests += number_of_known;
+    triangulation_.count_as_tested(number_of_known);
+    return goes_on;
+  }
+
+  // The same for edges in order, of which it looks at four at once.
+  void find_consecutive_suspects(Delta_complex::Edge_iterator begin, Delta_complex::Edge_iterator end)
+  {
+    const std::size_t first = (*begin).idx(), n = std::size_t(end - begin);
+    std::fill(marks_ + first, marks_ + first + n, Edge_mark::SETTLED);
+    for (; end - begin >= 4; begin += 4) {
+      const unsigned known = triangulation_.are_known_Delaunay(*begin);
+      if (known == 15) // most often, where hardly an edge is to be flipped
+        continue;
+      for (int i = 0; i < 4; ++i)
+        suspects_.push_if((known >> i & 1) == 0, begin[i]);
+    }
+    for (; begin != end; ++begin)
+      suspects_.push_if(!triangulation_.is_known_Delaunay(*begin), *begin);
+    const std::size_t number_of_known = n - suspects_.size();
+    report_.tests += number_of_known;
+    triangulation_.count_as_tested(number_of_known);
+  }
+
+  bool test_suspects()
+  {
+    not_Delaunay_.clear();
+    not_Delaunay_.make_room(suspects_.size());
+    for (Edge_index e : suspects_) {
+      if (triangulation_.connectivity().is_border(e))
+        continue;
+      if (!goes_further(report_.tests))
+        return false;
+      if (triangulation_.connectivity().is_self_glued(e)) { // Delaunay, as the angles of one face
+        ++report_.tests;
+        triangulation_.count_as_tested(1);
+        continue;
+      }
+      if (!contains_hinge(e)) {
+        postponed_.push_back(e);
+        continue;
+      }
+      const auto is_Delaunay = triangulation_.test_and_refine(e);
+      if (!is_whole && !is_certain(is_Delaunay)) {
+        postponed_.push_back(e);
+        continue;
+      }
+      ++report_.tests;
+      const bool is_found = !possibly(is_Delaunay);
+      marks_[e.idx()] = is_found ? Edge_mark::NOT_DELAUNAY : Edge_mark::SETTLED;
+      not_Delaunay_.push_if(is_found, e);
+      if (is_found) // what the flip changes is fetched while other edges are tested
+        triangulation_.connectivity().prefetch(triangulation_.connectivity().hinge(e));
+      if (!is_certain(is_Delaunay))
+        report_.undecided.push_back(e);
+    }
+    return true;
+  }
+
+  bool flip_found()
+  {
+    candidates_.make_room(4 * not_Delaunay_.size());
+    for (Edge_index e : not_Delaunay_) {
+      if (marks_[e.idx()] != Edge_mark::NOT_DELAUNAY) { // its hinge has changed
+        candidates_.push_if(true, e);
+        continue;
+      }
+      if (!goes_further(report_.tests))
+        return false;
+      if (report_.flips == budget_) {
+        report_.status = Flip_status::BUDGET_EXHAUSTED;
+        return false;
+      }
+      marks_[e.idx()] = Edge_mark::SETTLED;
+      const Hinge_halfedges around = triangulation_.connectivity().hinge(e);
+      switch (flip(around)) {
+      case Flip_outcome::FLIPPED:
+        ++report_.flips;
+        if constexpr (!Triangulation::Traits::Has_exact_decisions::value)
+          check_flipped(e);
+        add_surrounding_edges(around);
+        visitor_.after_flip(e);
+        break;
+      case Flip_outcome::NOT_CONVEX:
+        report_.not_flippable.push_back(e);
+        break;
+      case Flip_outcome::UNDECIDED:
+        report_.undecided.push_back(e);
+        break;
+      default:
+        postponed_.push_back(e);
+      }
+    }
+    return true;
+  }
+
+  Flip_outcome flip(const Hinge_halfedges& around)
+  {
+    try {
+      return triangulation_.flip_not_Delaunay(around);
+    } catch (const Cancelled_error&) { // the flip was made, and looked at no further
+      ++report_.flips;
+      visitor_.after_flip(triangulation_.connectivity().edge(around.ij));
+      throw;
+    }
+  }
+
+  bool contains_hinge(Edge_index e) const
+  {
+    if constexpr (is_whole)
+      return true;
+    else
+      return triangulation_.contains_hinge(e);
+  }
+
+  void check_flipped(Edge_index e)
+  {
+    if (triangulation_.is_known_Delaunay(e))
+      return;
+    const auto is_mended = triangulation_.is_locally_Delaunay(e);
+    if (!certainly(is_mended))
+      (possibly(is_mended) ? report_.undecided : report_.inconsistent).push_back(e);
+  }
+
+  bool goes_further(std::uint64_t number_of_tests)
+  {
+    if (visitor_.go_further(number_of_tests, report_.flips))
+      return true;
+    report_.status = Flip_status::CANCELLED;
+    return false;
+  }
+
+  void add_surrounding_edges(const Hinge_halfedges& around)
+  {
+    for (Halfedge_index h : {around.ki, around.il, around.lj, around.jk})
+      add_candidate(triangulation_.connectivity().edge(h));
+  }
+
+  // An edge that is marked is a candidate already, or will be when flip_found() comes to it.
+  void add_candidate(Edge_index e)
+  {
+    Edge_mark& mark = marks_[e.idx()];
+    candidates_.push_if(mark == Edge_mark::SETTLED, e);
+    mark = Edge_mark::CANDIDATE;
+  }
+
+  // An edge that was noted on the way may have changed since: keep those, once each, for
+  // which the finding still holds.
+  template <class Predicate>
+  static void collect(std::vector<Edge_index>& edges, const Predicate& still_holds)
+  {
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    edges.erase(std::remove_if(edges.begin(), edges.end(),
+                               [&](Edge_index e) { return !still_holds(e); }),
+                edges.end());
+  }
+
+  static void add(std::vector<Edge_index>& edges, const std::vector<Edge_index>& more)
+  {
+    edges.insert(edges.end(), more.begin(), more.end());
+  }
+
+  Triangulation& triangulation_;
+  const ConstraintMap& is_constrained_;
+  Visitor& visitor_;
+  std::uint64_t budget_;
+  Flip_report report_;
+  Edge_list candidates_, suspects_, not_Delaunay_;
+  Edge_mark* marks_;
+  std::vector<Edge_index> postponed_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_DELAUNAY_FLIPPER_H

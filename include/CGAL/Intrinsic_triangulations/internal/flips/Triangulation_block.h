@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// A part of a triangulation that a thread has to itself.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_TRIANGULATION_BLOCK_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_TRIANGULATION_BLOCK_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+
+#include <CGAL/Uncertain.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Consecutive edges of a triangulation, and what a Delaunay_flipper needs to flip those of them
+// whose hinges consist of edges of the block alone.
+//
+// Blocks that do not overlap may be used by several threads at once. For all that a flip reads
+// or writes belongs to the five edges and two faces of its hinge, but for the halfedges of
+// the vertices (see Delta_complex). A face of the hinge has three edges of the block. So it is
+// no face of a hinge of another block.
+//
+// What needs a look at the rest of the triangulation is postponed: the exact stages follow
+// edges through input faces wherever they lie.
+template <class Triangulation>
+class Triangulation_block
+{
+public:
+  using Traits = typename Triangulation::Traits;
+  using Boolean = typename Triangulation::Boolean;
+  enum class Flip_outcome {
+    FLIPPED,
+    NOT_CONVEX,
+    UNDECIDED,
+    POSTPONED
+  };
+
+  // Whether there may be blocks: numbers are of a type that threads need not share, and what is
+  // kept of the input was not asked for yet.
+  static bool are_possible(const Triangulation& triangulation)
+  {
+    return is_for_threads<typename Triangulation::Edge_data> &&
+           (!triangulation.geometry_ || triangulation.geometry_->can_append());
+  }
+  // To be called when no block is in use, with the journals of all.
+  static void append(Triangulation& triangulation, std::vector<std::vector<Hinge_halfedges>> journals)
+  {
+    // Flips in different blocks commute, so that any order of the blocks will do.
+    if (triangulation.geometry_)
+      for (std::vector<Hinge_halfedges>& journal : journals)
+        triangulation.geometry_->append(std::move(journal));
+  }
+
+  Triangulation_block(Triangulation& triangulation, Edge_index::size_type first,
+                      Edge_index::size_type last, std::vector<Hinge_halfedges>& journal)
+    : triangulation_(triangulation), first_(first), size_(last - first), journal_(journal)
+  {}
+
+  const Delta_complex& connectivity() const { return triangulation_.connectivity_; }
+
+  bool contains_hinge(Edge_index e) const
+  {
+    const Delta_complex& complex = connectivity();
+    const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+    return contains(complex.next(h)) && contains(complex.prev(h)) && contains(complex.next(g)) &&
+           contains(complex.prev(g));
+  }
+
+  bool is_known_Delaunay(Edge_index e) const { return triangulation_.is_known_Delaunay(e); }
+  unsigned are_known_Delaunay(Edge_index e) const { return triangulation_.are_known_Delaunay(e); }
+
+  // By what is stored alone.
+  Boolean is_locally_Delaunay(Edge_index e) const
+  {
+    return triangulation_.traits_.is_locally_Delaunay_object()(triangulation_.hinge(connectivity().hinge(e)));
+  }
+  Boolean test_and_refine(Edge_index e) const { return is_locally_Delaunay(e); }
+  void count_as_tested(std::uint64_t) const {} // all at once, when the blocks are done
+
+  Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around)
+  {
+    const typename Triangulation::Hinge_data old = triangulation_.hinge(around);
+    if constexpr (Triangulation::uses_exact_geometry)
+      if (!triangulation_.is_new_edge_known_to_have_length(old))
+        return Flip_outcome::POSTPONED;
+    typename Traits::Flipped_hinge_data flipped{};
+    const Boolean is_convex = triangulation_.traits_.construct_flipped_hinge_object()(old, flipped);
+    if (!certainly(is_convex))
+      return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
+    if (triangulation_.geometry_)
+      journal_.push_back(around);
+    triangulation_.replace_hinge(around, old, flipped);
+    return Flip_outcome::FLIPPED;
+  }
+
+private:
+  bool contains(Halfedge_index h) const
+  {
+    return connectivity().edge(h).idx() - first_ < size_; // the difference is unsigned
+  }
+
+  Triangulation& triangulation_;
+  Edge_index::size_type first_, size_;
+  std::vector<Hinge_halfedges>& journal_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_TRIANGULATION_BLOCK_H

@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Sparse symmetric matrices from one number for each edge, without a list of triplets.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_ASSEMBLE_SYMMETRIC_MATRIX_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_ASSEMBLE_SYMMETRIC_MATRIX_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_columns.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+
+#include <CGAL/tags.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Fills the compressed columns of a symmetric matrix in order, without sorting. Edges go into
+// buckets by their smaller vertex. When vertex c has its turn, all smaller vertices had
+// theirs, so that the rows above the diagonal of column c are there, in order. Now c
+// enters itself as a row: below the diagonal of the columns of just these vertices, and above
+// the diagonal of the columns of the larger vertices, which are those in its bucket.
+// Several edges between the same vertices come one after the other and are added up.
+class Symmetric_matrix_assembler
+{
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Index = Matrix::StorageIndex;
+
+  struct Entry
+  {
+    Index larger_vertex;
+    double value;
+  };
+
+public:
+  explicit Symmetric_matrix_assembler(const Delta_complex& complex)
+    : complex_(complex), size_(complex.number_of_vertices()), below_(size_, 0), above_(size_, 0),
+      bucket_(size_, default_init), diagonal_(size_, default_init)
+  {}
+
+  template <class Edge_value, class Diagonal_value>
+  Matrix assemble(const Edge_value& edge_value, const Diagonal_value& diagonal_value)
+  {
+    count();
+    fill_buckets(edge_value);
+    start_columns();
+    enter_rows(diagonal_value);
+    if (number_of_merged_ > 0)
+      close_gaps();
+    return std::move(matrix_);
+  }
+
+private:
+  template <class Function>
+  void for_each_pair(const Function& function) const
+  {
+    for (Edge_index e : complex_.edges()) {
+      const Halfedge_index h = complex_.halfedge(e);
+      const Index v = Index(complex_.source(h).idx()), w = Index(complex_.target(h).idx());
+      if (v != w)
+        function(e, (std::min)(v, w), (std::max)(v, w));
+    }
+  }
+
+  void count()
+  {
+    Index *const below = below_.data(), *const above = above_.data();
+    for_each_pair([below, above](Edge_index, Index v, Index w) {
+      ++below[v];
+      ++above[w];
+    });
+  }
+
+  template <class Edge_value>
+  void fill_buckets(const Edge_value& edge_value)
+  {
+    Index sum = 0;
+    for (std::size_t v = 0; v < size_; ++v) {
+      bucket_[v] = sum;
+      sum += below_[v];
+    }
+    entries_.resize(std::size_t(sum), default_init);
+    Index* const bucket = bucket_.data();
+    Entry* const entries = entries_.data();
+    for_each_pair([bucket, entries, &edge_value](Edge_index e, Index v, Index w) {
+      entries[bucket[v]++] = {w, edge_value(e)};
+    });
+  }
+
+  // From now on above_ and below_ are the positions for the next row in each part of a column.
+  void start_columns()
+  {
+    matrix_.resize(Eigen::Index(size_), Eigen::Index(size_));
+    matrix_.resizeNonZeros(Eigen::Index(2 * entries_.size() + size_));
+    Index* const start = matrix_.outerIndexPtr();
+    start[0] = 0;
+    for (std::size_t c = 0; c < size_; ++c) {
+      diagonal_[c] = start[c] + above_[c];
+      start[c + 1] = diagonal_[c] + 1 + below_[c];
+      above_[c] = start[c];
+      below_[c] = diagonal_[c] + 1;
+    }
+  }
+
+  template <class Diagonal_value>
+  void enter_rows(const Diagonal_value& diagonal_value)
+  {
+    // All in local variables: the compiler cannot know that what is written is none of them.
+    const Index *const start = matrix_.outerIndexPtr(), *const diagonal = diagonal_.data(),
+                       *const bucket = bucket_.data();
+    Index *const row = matrix_.innerIndexPtr(), *const above = above_.data(),
+                 *const below = below_.data();
+    double* const value = matrix_.valuePtr();
+    const Entry* entry = entries_.data();
+    for (Index c = 0; c < Index(size_); ++c) {
+      double sum = 0;
+      for (Index i = start[c], end = above[c]; i < end; ++i) {
+        const Index position = below[row[i]]++;
+        row[position] = c;
+        value[position] = value[i];
+        sum += value[i];
+      }
+      for (const Entry* const end = entries_.data() + bucket[c]; entry != end; ++entry) {
+        const Index column = entry->larger_vertex, position = above[column];
+        sum += entry->value;
+        if (position > start[column] && row[position - 1] == c) {
+          value[position - 1] += entry->value;
+          ++number_of_merged_;
+        } else {
+          row[position] = c;
+          value[position] = entry->value;
+          above[column] = position + 1;
+        }
+      }
+      row[diagonal[c]] = c;
+      value[diagonal[c]] = diagonal_value(c, sum);
+    }
+  }
+
+  // Sums of several edges have left room at the ends of both parts of a column.
+  void close_gaps()
+  {
+    Index* const row = matrix_.innerIndexPtr();
+    double* const value = matrix_.valuePtr();
+    Index end = 0;
+    const auto move = [&](Index first, Index last) {
+      std::copy(row + first, row + last, row + end);
+      end = Index(std::copy(value + first, value + last, value + end) - value);
+    };
+    for (std::size_t c = 0; c < size_; ++c) {
+      const Index start = matrix_.outerIndexPtr()[c];
+      matrix_.outerIndexPtr()[c] = end;
+      move(start, above_[c]);
+      move(diagonal_[c], below_[c]);
+    }
+    matrix_.outerIndexPtr()[size_] = end;
+    matrix_.resizeNonZeros(end);
+  }
+
+  const Delta_complex& complex_;
+  const std::size_t size_;
+  Large_vector<Index> below_, above_;
+  Large_vector<Index> bucket_; // where each bucket begins, and when it is full, where it ends
+  Large_vector<Index> diagonal_;
+  Large_vector<Entry> entries_;
+  std::size_t number_of_merged_ = 0;
+  Matrix matrix_;
+};
+
+// The matrix whose entry (v, w) is the sum of edge_value(e) over the edges e between v and w,
+// and whose entry (v, v) is diagonal_value(v, sum of the other entries of the row). Loops are
+// left out. With Parallel_tag several threads may call both functions.
+template <class ConcurrencyTag, class Edge_value, class Diagonal_value>
+Eigen::SparseMatrix<double> assemble_symmetric_matrix(const Delta_complex& complex,
+                                                      const Edge_value& edge_value,
+                                                      const Diagonal_value& diagonal_value)
+{
+  using Index = Eigen::SparseMatrix<double>::StorageIndex;
+  if (std::size_t(complex.number_of_halfedges()) + complex.number_of_vertices() >
+      std::size_t((std::numeric_limits<Index>::max)()))
+    throw Invalid_surface_error(
+      Invalid_surface_error::Defect::OUT_OF_RANGE, complex.number_of_edges(), 1,
+      std::to_string(complex.number_of_edges()) + " edges are more than a sparse matrix can hold");
+  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+    if (number_of_threads<ConcurrencyTag>() > 2) // two threads take as long for all columns as one for all edges
+      return assemble_columns<ConcurrencyTag>(complex, edge_value, diagonal_value);
+  return Symmetric_matrix_assembler(complex).assemble(edge_value, diagonal_value);
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_ASSEMBLE_SYMMETRIC_MATRIX_H

@@ -1,0 +1,347 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// From points or lengths to the traits' data of edges and faces, with the checks that
+// an input needs to be a metric.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_METRIC_CONSTRUCTION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_METRIC_CONSTRUCTION_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/check_triangles.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/number_type_basic.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
+
+#include <boost/atomic/atomic_ref.hpp>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Whether a vertex has a face.
+struct Is_used_vertex
+{
+  const Delta_complex& complex;
+  bool operator()(std::size_t v) const { return complex.halfedge(Vertex_index(std::uint32_t(v))).is_valid(); }
+};
+
+// For an edge that a flip has made.
+[[noreturn]] inline void throw_no_length(const Delta_complex& complex, Edge_index e)
+{
+  const Halfedge_index h = complex.halfedge(e);
+  const std::string source = std::to_string(complex.source(h).idx()),
+                    target = std::to_string(complex.target(h).idx());
+  throw Invalid_surface_error(Defect::ZERO_LENGTH_EDGE, complex.source(h).idx(), 1,
+                              complex.is_loop(e) ? "a loop at vertex " + source +
+                                                     " has length zero: the lengths leave no room there"
+                                                 : "vertices " + source + " and " + target +
+                                                     " coincide on the surface, though no edge joins them; "
+                                                     "merge them first");
+}
+
+// Names the first edge whose squared length is zero.
+template <class PointVector>
+[[noreturn]] void throw_zero_length(const Delta_complex& complex, const PointVector& points,
+                                    const Offenders& offenders)
+{
+  const Halfedge_index h = complex.halfedge(Edge_index(std::uint32_t(offenders.first)));
+  const std::size_t v = complex.source(h).idx(), w = complex.target(h).idx();
+  const bool is_coincident = certainly(points[v][0] == points[w][0]) &&
+                             certainly(points[v][1] == points[w][1]) &&
+                             certainly(points[v][2] == points[w][2]);
+  throw Invalid_surface_error(
+    is_coincident ? Defect::ZERO_LENGTH_EDGE : Defect::OUT_OF_RANGE, offenders.first,
+    offenders.count,
+    "edge " + std::to_string(offenders.first) + " joins vertices " + std::to_string(v) + " and " +
+      std::to_string(w) +
+      (is_coincident ? ", which coincide: merge them first"
+                     : ", whose squared distance underflows beside the size of the surface") +
+      offenders.and_more());
+}
+
+// Bounds the corners of the face of h, whose sides from h on are given.
+template <class Traits>
+void bound_corners(const Traits& traits, Halfedge_index h, Halfedge_index next, Halfedge_index prev,
+                   const typename Traits::Face_data& face, const typename Traits::Edge_data& side,
+                   const typename Traits::Edge_data& next_side,
+                   const typename Traits::Edge_data& prev_side, Cotangent_bounds& bounds)
+{
+  if constexpr (Has_cotangent_bounds<Traits>::value) {
+    const std::array<float, 3> bound =
+      traits.compute_cotangent_bounds_object()(face, side, next_side, prev_side);
+    bounds.set(h, bound[0]);
+    bounds.set(next, bound[1]);
+    bounds.set(prev, bound[2]);
+  }
+}
+
+// Bounds the corners of the two faces that a flip has made.
+template <class Traits>
+void bound_corners_of_flipped(const Traits& traits, const Hinge_halfedges& around,
+                              const typename Traits::Hinge_data& old,
+                              const typename Traits::Flipped_hinge_data& flipped, Cotangent_bounds& bounds)
+{
+  const auto& [ij, jk, ki, ji, il, lj] = around;
+  if constexpr (Takes_two_faces<Traits>::value) {
+    const auto bound = traits.compute_cotangent_bounds_object().of_two(
+      flipped.ilk, flipped.jkl, Two_doubles(flipped.kl), Two_doubles(old.ki, old.lj),
+      Two_doubles(old.il, old.jk));
+    bounds.set(ij, ji, bound[0]);
+    bounds.set(ki, lj, bound[1]);
+    bounds.set(il, jk, bound[2]);
+  } else {
+    bound_corners(traits, ij, ki, il, flipped.ilk, flipped.kl, old.ki, old.il, bounds);
+    bound_corners(traits, ji, lj, jk, flipped.jkl, flipped.kl, old.lj, old.jk, bounds);
+  }
+}
+
+// A face and its halfedges.
+struct Sides
+{
+  Sides(const Delta_complex& complex, Face_index f) : Sides(complex, f, complex.halfedge(f)) {}
+  Sides(const Delta_complex& complex, Halfedge_index h) : Sides(complex, complex.face(h), h) {}
+  Sides(const Delta_complex& complex, Face_index f, Halfedge_index h)
+    : face(f), h(h), next(complex.next(h)), prev(complex.prev(h))
+  {}
+  // Zero for a triangle, and for a face of one side, whose length is zero.
+  std::uint32_t is_other_face(const Delta_complex& complex) const
+  {
+    return complex.next(next).idx() ^ prev.idx();
+  }
+  Face_index face;
+  Halfedge_index h, next, prev;
+};
+
+// Computes what is kept for a face and its sides from its corners.
+//
+// All that is computed from them is computed while they are at hand: an edge twice, which takes
+// less time than to fetch its ends once more.
+template <class ConcurrencyTag, class Traits>
+class Face_measurer
+{
+  using FT = typename Traits::FT;
+  using Edge_data = typename Traits::Edge_data;
+  using Face_data = typename Traits::Face_data;
+  using Point_data = typename Traits::Point_data;
+
+public:
+  template <class PointVector, class EdgeVector, class FaceVector>
+  Face_measurer(const Delta_complex& complex, const Traits& traits, const PointVector& points,
+                EdgeVector& edges, FaceVector& faces, Cotangent_bounds& bounds)
+    : complex_(complex), traits_(traits), points_(points.data()), edges_(edges.data()), faces_(faces.data()),
+      bounds_(bounds)
+  {}
+
+  // Not zero if a side has length zero: numbers can be combined without a branch.
+  int is_zero(const Edge_data& e) const
+  {
+    return int(!possibly(traits_.compute_squared_length_object()(e) > FT(0)));
+  }
+
+  // Returns whether a side has length zero, as is_zero() does.
+  int measure(const Sides& sides) const
+  {
+    const auto edge = traits_.construct_edge_data_object();
+    const Point_data p = corner(sides.prev), q = corner(sides.h), r = corner(sides.next);
+    const Edge_data pq = edge(p, q), qr = edge(q, r), pr = edge(p, r);
+    store(sides.h, pq);
+    store(sides.next, qr);
+    store(sides.prev, pr);
+    const Face_data face = traits_.construct_face_data_object()(p, q, r);
+    faces_[sides.face.idx()] = face;
+    bound_corners(traits_, sides.h, sides.next, sides.prev, face, pq, qr, pr, bounds_);
+    return is_zero(pq) | is_zero(qr) | is_zero(pr);
+  }
+
+  // Returns the smallest squared length of either face.
+  Two_doubles measure(const Sides& one, const Sides& two) const
+  {
+    const auto edge = traits_.construct_edge_data_object();
+    const Two_points p = corners(one.prev, two.prev), q = corners(one.h, two.h), r = corners(one.next, two.next);
+    const Two_doubles pq = edge.of_two(p, q), qr = edge.of_two(q, r), pr = edge.of_two(p, r);
+    store(one.h, two.h, pq);
+    store(one.next, two.next, qr);
+    store(one.prev, two.prev, pr);
+    const auto areas = traits_.construct_face_data_object().of_two(p, q, r);
+    faces_[one.face.idx()] = areas.first();
+    faces_[two.face.idx()] = areas.second();
+    const auto bounds = traits_.compute_cotangent_bounds_object().of_two(areas, pq, qr, pr);
+    bounds_.set(one.h, two.h, bounds[0]);
+    bounds_.set(one.next, two.next, bounds[1]);
+    bounds_.set(one.prev, two.prev, bounds[2]);
+    return min_of(min_of(pq, qr), pr);
+  }
+
+private:
+  // Coordinate by coordinate, so that they are kept in registers.
+  Point_data corner(Halfedge_index h) const
+  {
+    const Point_data& p = points_[complex_.target(h).idx()];
+    return {p[0], p[1], p[2]};
+  }
+  Two_points corners(Halfedge_index h, Halfedge_index g) const
+  {
+    const Point_data &p = points_[complex_.target(h).idx()], &q = points_[complex_.target(g).idx()];
+    return {Two_doubles(p[0], q[0]), Two_doubles(p[1], q[1]), Two_doubles(p[2], q[2])};
+  }
+
+  // Two threads may store the same number for an edge, each for one of its faces.
+  void store(Halfedge_index h, const Edge_data& e) const
+  {
+    Edge_data& to = edges_[complex_.edge(h).idx()];
+    if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+      boost::atomic_ref<Edge_data>(to).store(e, boost::memory_order_relaxed);
+    else
+      to = e;
+  }
+  void store(Halfedge_index h, Halfedge_index g, const Two_doubles& two) const
+  {
+    store(h, two.first());
+    store(g, two.second());
+  }
+
+  const Delta_complex& complex_;
+  const Traits& traits_;
+  const Point_data* points_;
+  Edge_data* edges_;
+  Face_data* faces_;
+  Cotangent_bounds& bounds_;
+};
+
+// For a complex that is complete: what construct_metric_from_points() asks of a `Face_graph_copier`.
+struct Nothing_to_copy
+{
+  void copy_faces(std::size_t, std::size_t) const {}
+  void finish() const {}
+};
+
+// The copier brings the faces, a few at a time.
+template <class ConcurrencyTag, class Traits, class Copier, class PointVector, class EdgeVector, class FaceVector>
+void construct_metric_from_points(const Delta_complex& complex, Copier& copier, const Traits& traits,
+                                  const PointVector& points, EdgeVector& edges,
+                                  FaceVector& faces, Cotangent_bounds& bounds)
+{
+  CGAL_precondition(points.size() == complex.number_of_vertices());
+  constexpr std::size_t faces_at_a_time = 16;
+  using Tag =
+    std::conditional_t<is_for_threads<typename Traits::Edge_data>, ConcurrencyTag, Sequential_tag>;
+  const Face_measurer<Tag, Traits> faces_and_sides(complex, traits, points, edges, faces, bounds);
+  std::atomic<bool> is_to_be_refused{false};
+
+  for_each_block<Tag>(faces.size(), elements_of_block, [&](std::size_t first, std::size_t last) {
+    const Face_measurer<Tag, Traits> measurer = faces_and_sides;
+    const auto sides = [&](std::size_t f) { return Sides(complex, Face_index(std::uint32_t(f))); };
+    int has_zero = 0;
+    std::uint32_t has_other_faces = 0;
+    Two_doubles shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t f = first, end; f < last;) {
+      end = (std::min)(f + faces_at_a_time, last);
+      copier.copy_faces(f, end);
+      if constexpr (Takes_two_faces<Traits>::value)
+        for (; f + 1 < end; f += 2) {
+          const Sides one = sides(f), two = sides(f + 1);
+          has_other_faces |= one.is_other_face(complex) | two.is_other_face(complex);
+          shortest = min_of(measurer.measure(one, two), shortest);
+        }
+      for (; f < end; ++f) {
+        has_other_faces |= sides(f).is_other_face(complex);
+        has_zero |= measurer.measure(sides(f));
+      }
+    }
+    if (has_zero != 0 || has_other_faces != 0 || !(shortest.first() > 0 && shortest.second() > 0))
+      is_to_be_refused = true;
+  });
+  copier.finish();
+  if (is_to_be_refused) {
+    check_triangles(complex);
+    Offenders offenders;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      if (faces_and_sides.is_zero(edges[e]) != 0)
+        offenders.add(e);
+    throw_zero_length(complex, points, offenders);
+  }
+}
+
+template <class Traits, class EdgeVector, class FaceVector>
+void construct_metric_from_lengths(const Delta_complex& complex, const Traits& traits,
+                                   const std::vector<typename Traits::FT>& lengths,
+                                   EdgeVector& edges, FaceVector& faces,
+                                   Cotangent_bounds& bounds)
+{
+  CGAL_precondition(lengths.size() == complex.number_of_edges());
+  using FT = typename Traits::FT;
+  const auto construct_edge_data = traits.construct_edge_data_object();
+  const auto construct_face_data = traits.construct_face_data_object();
+  const auto compute_squared_length = traits.compute_squared_length_object();
+
+  Offenders offenders;
+  for (std::size_t e = 0; e < lengths.size(); ++e) {
+    edges[e] = construct_edge_data.from_length(lengths[e]);
+    if (!possibly(compute_squared_length(edges[e]) > FT(0)))
+      offenders.add(e);
+  }
+  throw_if_underflow("the squared length of edge ", offenders);
+
+  for (Face_index f : complex.faces()) {
+    const Halfedge_index h = complex.halfedge(f), next = complex.next(h), prev = complex.prev(h);
+    const FT &ij = lengths[complex.edge(h).idx()], &jk = lengths[complex.edge(next).idx()],
+             &ki = lengths[complex.edge(prev).idx()];
+    if (violate_triangle_inequality(ij, jk, ki))
+      offenders.add(f.idx());
+    faces[f.idx()] = construct_face_data.from_lengths(ij, jk, ki);
+    bound_corners(traits, h, next, prev, faces[f.idx()], edges[complex.edge(h).idx()],
+                  edges[complex.edge(next).idx()], edges[complex.edge(prev).idx()], bounds);
+  }
+  if (offenders.count > 0)
+    throw Invalid_surface_error(Defect::TRIANGLE_INEQUALITY, offenders.first, offenders.count,
+                                "the lengths of face " + std::to_string(offenders.first) +
+                                  " violate the triangle inequality" + offenders.and_more());
+}
+
+// For traits with exact geometry, from the exact metric.
+template <class Traits, class InputMetric, class EdgeVector, class FaceVector>
+void construct_metric_from_input(const Delta_complex& complex, const Traits& traits, const InputMetric& metric,
+                                 EdgeVector& edges, FaceVector& faces, Cotangent_bounds& bounds)
+{
+  const auto refined = traits.construct_refined_data_object();
+  for (Edge_index e : complex.edges())
+    edges[e.idx()] = refined(metric.squared_length_double_double(complex, e));
+  const auto squared_length = [&](Halfedge_index h) {
+    return metric.squared_length_double_double(complex, complex.edge(h));
+  };
+  for (Face_index f : complex.faces()) {
+    const Sides sides(complex, f);
+    faces[f.idx()] = refined(metric.four_areas_double_double(complex, f), squared_length(sides.h),
+                             squared_length(sides.next), squared_length(sides.prev));
+    bound_corners(traits, sides.h, sides.next, sides.prev, faces[f.idx()], edges[complex.edge(sides.h).idx()],
+                  edges[complex.edge(sides.next).idx()], edges[complex.edge(sides.prev).idx()], bounds);
+  }
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_METRIC_CONSTRUCTION_H

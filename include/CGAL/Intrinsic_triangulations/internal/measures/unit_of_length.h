@@ -1,0 +1,328 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The power of two by which points or lengths are scaled, so that what is computed with them
+// stays within the range of the number type.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_UNIT_OF_LENGTH_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_UNIT_OF_LENGTH_H
+
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_kinds.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+using Defect = Invalid_surface_error::Defect;
+
+// Products of two squared lengths occur, and differences of such products matter down to
+// their rounding: lengths between 2^-(a tenth of the largest exponent) and 2^(the same) stay far
+// from over- and underflow. Where the largest is not one of them it is made the largest of them,
+// so that what is small beside it keeps all its bits if it can.
+template <class FT>
+int unit_exponent(double largest)
+{
+  if constexpr (has_small_exponent_range<FT>) {
+    const int limit = std::numeric_limits<typename Machine_type<FT>::type>::max_exponent / 10;
+    const int exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
+    return exponent > limit || exponent < -limit ? exponent - limit : 0;
+  } else if constexpr (has_exact_roots<FT>) {
+    constexpr int limit = 16;
+    const int exponent = largest > 0 ? std::ilogb(largest) + 1 : 0;
+    return exponent > limit || exponent < -limit ? exponent : 0;
+  } else {
+    return 0;
+  }
+}
+
+template <class FT>
+FT times_power_of_two(const FT& x, int exponent)
+{
+  if constexpr (Is_interval<FT>::value)
+    return FT(std::ldexp(x.inf(), exponent), std::ldexp(x.sup(), exponent));
+  else if constexpr (has_small_exponent_range<FT>) {
+    using std::ldexp; // that of Boost is found by its argument
+    return ldexp(x, exponent);
+  } else if constexpr (has_exact_roots<FT>) {
+    FT result = x;
+    for (int rest = exponent; rest != 0;) {
+      const int step = (std::max)(-1000, (std::min)(1000, rest));
+      result = result * FT(std::ldexp(1., step));
+      rest -= step;
+    }
+    return result;
+  } else
+    return x;
+}
+
+template <class FT>
+double magnitude(const FT& x)
+{
+  if constexpr (is_machine_number<FT>)
+    return std::abs(double(x));
+  else {
+    const std::pair<double, double> range = CGAL::to_interval(x);
+    return (std::max)(std::abs(range.first), std::abs(range.second));
+  }
+}
+
+// Counts the offending elements and keeps the first.
+struct Offenders
+{
+  void add(std::size_t element)
+  {
+    first = count == 0 ? element : first;
+    ++count;
+  }
+  std::string and_more() const
+  {
+    return count > 1 ? " (and " + std::to_string(count - 1) + " more)" : std::string();
+  }
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+// Multiplies by a power of two, and returns whether that was exact.
+template <class FT>
+bool scale(FT& x, int exponent)
+{
+  if constexpr (has_exact_roots<FT>) {
+    // A `double` stays one if it can: what else an exact number is made of makes it slower.
+    const double rounded = CGAL::to_double(x), scaled = std::ldexp(rounded, exponent);
+    if (std::ldexp(scaled, -exponent) == rounded && FT(rounded) == x)
+      x = FT(scaled);
+    else
+      x = times_power_of_two(x, exponent);
+    return true;
+  }
+  const FT scaled = times_power_of_two(x, exponent);
+  const FT back = times_power_of_two(scaled, -exponent);
+  bool is_exact;
+  if constexpr (Is_interval<FT>::value)
+    is_exact = back.is_same(x);
+  else
+    is_exact = back == x;
+  x = scaled;
+  return is_exact;
+}
+
+inline void throw_if_underflow(const char* what, const Offenders& offenders)
+{
+  if (offenders.count > 0)
+    throw Invalid_surface_error(Defect::OUT_OF_RANGE, offenders.first, offenders.count,
+                                what + std::to_string(offenders.first) +
+                                  " underflows beside the size of the surface: the range of the "
+                                  "number type does not hold both" +
+                                  offenders.and_more());
+}
+
+// Is zero for finite numbers and NaN otherwise, and needs no branch. An exact number may be
+// finite and still beyond double, where scaling cannot help either.
+inline double zero_if_finite(double x) { return x - x; }
+
+template <class PointVector>
+Offenders non_finite_points(const PointVector& points)
+{
+  Offenders offenders;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (!(zero_if_finite(CGAL::to_double(points[v][0])) +
+            zero_if_finite(CGAL::to_double(points[v][1])) +
+            zero_if_finite(CGAL::to_double(points[v][2])) ==
+          0))
+      offenders.add(v);
+  return offenders;
+}
+
+// The smallest box around points.
+struct Box
+{
+  void add(int i, double x)
+  {
+    low[i] = x < low[i] ? x : low[i];
+    high[i] = x > high[i] ? x : high[i];
+  }
+  void add(const Box& other)
+  {
+    for (int i = 0; i < 3; ++i) {
+      low[i] = (std::min)(low[i], other.low[i]);
+      high[i] = (std::max)(high[i], other.high[i]);
+    }
+    zero += other.zero;
+  }
+  // Half of the largest extent, as the extent itself may overflow. Zero only if there is none: half
+  // of the smallest number is no number.
+  double half_extent() const
+  {
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+      if (high[i] > low[i])
+        largest = (std::max)({largest, high[i] / 2 - low[i] / 2, std::numeric_limits<double>::denorm_min()});
+    return largest;
+  }
+  // Whether a coordinate is the same everywhere, so that no length depends on it.
+  bool is_flat(int i) const { return low[i] == high[i]; }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
+  double zero = 0; // NaN if a coordinate is not finite
+};
+
+// Scales the coordinates of a vertex as those of a surface in the box are, and returns whether that was
+// exact. A large or tiny coordinate that is the same everywhere would leave the range of the
+// number type and is not needed.
+template <class FT>
+bool scale_point(std::array<FT, 3>& point, const Box& box, int exponent)
+{
+  bool is_exact = true;
+  for (int i = 0; i < 3; ++i)
+    // Of a number type wider than double the box has only what is left after rounding.
+    if (is_machine_number<FT> && sizeof(FT) <= sizeof(double) && box.is_flat(i))
+      point[i] = FT(0);
+    else
+      is_exact &= scale(point[i], -exponent);
+  return is_exact;
+}
+
+// Adds points two at a time, of which only those that are used count; returns how many it looked at.
+template <class PointVector, class IsUsed>
+std::size_t add_two_at_a_time(Box& box, const PointVector& points, std::size_t first, std::size_t last,
+                              const IsUsed& is_used)
+{
+  // The pairs (x, y), (z, x'), (y', z').
+  std::array<Two_doubles, 3> low, high, zero;
+  low.fill(Box::infinity);
+  high.fill(-Box::infinity);
+  zero.fill(0.);
+  std::size_t v = first;
+  for (; v + 1 < last && is_used(v) && is_used(v + 1); v += 2) {
+    const double* const p = points[v].data();
+    const double* const q = points[v + 1].data();
+    const std::array<Two_doubles, 3> x{Two_doubles::at(p), Two_doubles(p[2], q[0]), Two_doubles::at(q + 1)};
+    for (int i = 0; i < 3; ++i) {
+      low[i] = min_of(x[i], low[i]);
+      high[i] = max_of(x[i], high[i]);
+      zero[i] = zero[i] + (x[i] - x[i]);
+    }
+  }
+  Box of_points;
+  of_points.low = {(std::min)(low[0].first(), low[1].second()), (std::min)(low[0].second(), low[2].first()),
+                   (std::min)(low[1].first(), low[2].second())};
+  of_points.high = {(std::max)(high[0].first(), high[1].second()), (std::max)(high[0].second(), high[2].first()),
+                    (std::max)(high[1].first(), high[2].second())};
+  const Two_doubles sum = zero[0] + zero[1] + zero[2];
+  of_points.zero = sum.first() + sum.second();
+  box.add(of_points);
+  return v - first;
+}
+
+// The box of the vertices that are used. All have to be finite.
+template <class ConcurrencyTag, class PointVector, class IsUsed>
+Box bounding_box(const PointVector& points, const IsUsed& is_used)
+{
+  using FT = typename PointVector::value_type::value_type;
+  std::vector<Box> boxes(points.size() / elements_of_block + 1);
+  for_each_block<ConcurrencyTag>(points.size(), elements_of_block, [&](std::size_t first, std::size_t last) {
+    Box box;
+    for (std::size_t v = first; v < last; ++v) {
+      if constexpr (std::is_same<FT, double>::value)
+        if ((v += add_two_at_a_time(box, points, v, last, is_used)) == last)
+          break;
+      const bool is_in_box = is_used(v);
+      for (int i = 0; i < 3; ++i) {
+        const FT& coordinate = points[v][i];
+        const double x = CGAL::to_double(coordinate);
+        box.zero += zero_if_finite(x);
+        if (is_in_box)
+          box.add(i, x);
+      }
+    }
+    boxes[first / elements_of_block] = box;
+  });
+  Box result;
+  for (const Box& box : boxes)
+    result.add(box);
+  return result;
+}
+
+// Chooses the unit by the vertices that are used. The others become zero if there is another
+// unit than that of the input, in which they need have no place.
+template <class ConcurrencyTag = Sequential_tag, class PointVector, class IsUsed>
+int normalize_points(PointVector& points, const IsUsed& is_used)
+{
+  using FT = typename PointVector::value_type::value_type;
+  const Box box = bounding_box<ConcurrencyTag>(points, is_used);
+  if (!(box.zero == 0)) {
+    const Offenders offenders = non_finite_points(points);
+    throw Invalid_surface_error(Defect::NOT_FINITE, offenders.first, offenders.count,
+                                "vertex " + std::to_string(offenders.first) +
+                                  " has a coordinate that is not a finite number" +
+                                  offenders.and_more());
+  }
+  const int exponent = unit_exponent<FT>(box.half_extent());
+  if (exponent == 0)
+    return 0;
+  Offenders offenders;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (!is_used(v))
+      points[v] = {FT(0), FT(0), FT(0)};
+    else if (!scale_point(points[v], box, exponent))
+      offenders.add(v);
+  throw_if_underflow("a coordinate of vertex ", offenders);
+  return exponent;
+}
+
+template <class PointVector>
+int normalize_points(PointVector& points)
+{
+  return normalize_points(points, [](std::size_t) { return true; });
+}
+
+template <class FT>
+int normalize_lengths(std::vector<FT>& lengths)
+{
+  double largest = 0;
+  Offenders offenders;
+  for (std::size_t e = 0; e < lengths.size(); ++e) {
+    const double l = magnitude(lengths[e]);
+    if (!(l < std::numeric_limits<double>::infinity()) || !certainly(lengths[e] > FT(0)))
+      offenders.add(e);
+    largest = l > largest ? l : largest;
+  }
+  if (offenders.count > 0)
+    throw Invalid_surface_error(Defect::NOT_FINITE, offenders.first, offenders.count,
+                                "the length of edge " + std::to_string(offenders.first) +
+                                  " is not a positive finite number" + offenders.and_more());
+  const int exponent = unit_exponent<FT>(largest);
+  if (exponent == 0)
+    return 0;
+  for (std::size_t e = 0; e < lengths.size(); ++e)
+    if (!scale(lengths[e], -exponent))
+      offenders.add(e);
+  throw_if_underflow("the length of edge ", offenders);
+  return exponent;
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_UNIT_OF_LENGTH_H

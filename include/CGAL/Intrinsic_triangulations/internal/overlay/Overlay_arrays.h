@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The plain arrays of an overlay graph.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_OVERLAY_ARRAYS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_OVERLAY_ARRAYS_H
+
+#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+
+#include <cstdint>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Segments of intrinsic edges come first, edge by edge; the crossing at the end of segment s
+// of edge e has the number s - e. Segments of input edges follow, edge by edge, too, but
+// without those that coincide with intrinsic edges.
+struct Overlay_arrays
+{
+  using size_type = std::uint32_t;
+  static constexpr size_type null = Halfedge_index::null_index();
+
+  struct Halfedge
+  {
+    size_type next;
+    size_type target;
+    size_type face;
+  };
+  struct Face
+  {
+    size_type halfedge;
+    size_type intrinsic;
+    size_type input;
+  };
+  struct Input_edge
+  {
+    size_type first_halfedge; // out of the source of 2e; odd if it runs against an oc segment
+    size_type count;          // number of segments
+  };
+
+  size_type intrinsic_segments_end(size_type e) const
+  {
+    return first_segments[e + 1];
+  }
+
+  // The input halfedge that h is part of, or null.
+  size_type input_halfedge(size_type h) const
+  {
+    const size_type parent = parents[h >> 1];
+    if ((h >> 1) >= first_input_segment)
+      return (parent << 1) | (h & 1);
+    return coinciding_halfedges[parent] == null ? null : coinciding_halfedges[parent] ^ (h & 1);
+  }
+
+  size_type number_of_original_vertices = 0;
+  size_type first_input_segment = 0; // those before have label c or oc
+  Large_vector<Halfedge> halfedges;
+  Large_vector<size_type> parents; // of each segment, its edge
+  Large_vector<size_type> vertex_halfedges;
+  Large_vector<Face> faces;
+  Large_vector<size_type> first_segments;       // of each intrinsic edge, and where they end
+  Large_vector<size_type> coinciding_halfedges; // for each intrinsic edge, what 2e is in the input
+  Large_vector<Input_edge> input_edges;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_OVERLAY_ARRAYS_H

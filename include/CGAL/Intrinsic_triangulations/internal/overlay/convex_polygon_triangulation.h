@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The triangulation of a convex polygon in space whose smallest triangle is largest.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_CONVEX_POLYGON_TRIANGULATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_CONVEX_POLYGON_TRIANGULATION_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// By dynamic programming over the chains a, a + 1, ..., b of corners, each closed by the
+// diagonal from b to a. The faces of an overlay have six corners at most.
+class Convex_polygon_triangulation
+{
+  using Point = std::array<double, 3>;
+
+public:
+  explicit Convex_polygon_triangulation(const std::vector<Point>& corners)
+    : size_(corners.size()), corners_(relative(corners)), normal_{0, 0, 0},
+      smallest_(size_ * size_, std::numeric_limits<double>::infinity()), apex_(size_ * size_, 0)
+  {
+    for (std::size_t i = 1; i + 1 < size_; ++i) {
+      const Point n = cross_product(0, i, i + 1);
+      for (std::size_t k = 0; k < 3; ++k)
+        normal_[k] += n[k];
+    }
+    for (std::size_t length = 2; length < size_; ++length)
+      for (std::size_t a = 0; a + length < size_; ++a) {
+        const std::size_t b = a + length;
+        double& best = smallest_[a * size_ + b];
+        best = -std::numeric_limits<double>::infinity();
+        for (std::size_t apex = a + 1; apex < b; ++apex) {
+          const double smallest =
+            (std::min)(area(a, apex, b), (std::min)(smallest_[a * size_ + apex], smallest_[apex * size_ + b]));
+          if (smallest > best || apex == a + 1) {
+            best = smallest;
+            apex_[a * size_ + b] = apex;
+          }
+        }
+      }
+  }
+
+  // Calls `cut(a, b)` for each diagonal, a < b; those inside of a chain after its own.
+  template <class Cut>
+  void for_each_diagonal(std::size_t a, std::size_t b, const Cut& cut) const
+  {
+    if (b < a + 2)
+      return;
+    if (b - a + 1 < size_)
+      cut(a, b);
+    const std::size_t apex = apex_[a * size_ + b];
+    for_each_diagonal(a, apex, cut);
+    for_each_diagonal(apex, b, cut);
+  }
+
+private:
+  // Relative to the first corner, and to the largest distance, lest products over- or underflow.
+  static std::vector<Point> relative(const std::vector<Point>& corners)
+  {
+    double largest = 0;
+    for (const Point& p : corners)
+      for (std::size_t k = 0; k < 3; ++k)
+        largest = (std::max)(largest, std::abs(p[k] - corners[0][k]));
+    std::vector<Point> result(corners.size(), {0, 0, 0});
+    if (largest > 0 && std::isfinite(largest))
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+          result[i][k] = (corners[i][k] - corners[0][k]) / largest;
+    return result;
+  }
+
+  Point cross_product(std::size_t a, std::size_t b, std::size_t c) const
+  {
+    Point u, v;
+    for (std::size_t k = 0; k < 3; ++k) {
+      u[k] = corners_[b][k] - corners_[a][k];
+      v[k] = corners_[c][k] - corners_[a][k];
+    }
+    return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  }
+
+  // Up to a factor; negative where rounding has turned a triangle over.
+  double area(std::size_t a, std::size_t b, std::size_t c) const
+  {
+    const Point n = cross_product(a, b, c);
+    return n[0] * normal_[0] + n[1] * normal_[1] + n[2] * normal_[2];
+  }
+
+  std::size_t size_;
+  std::vector<Point> corners_;
+  Point normal_;
+  std::vector<double> smallest_;  // triangle in the best triangulation of each chain
+  std::vector<std::size_t> apex_; // of the triangle at the diagonal that closes the chain
+};
+
+// Calls `cut(a, b)` for each diagonal between corners a < b. When it is called, the corners from
+// a to b are in one piece, which is cut off.
+template <class Cut>
+void for_each_diagonal(const std::vector<std::array<double, 3>>& corners, const Cut& cut)
+{
+  if (corners.size() > 3)
+    Convex_polygon_triangulation(corners).for_each_diagonal(0, corners.size() - 1, cut);
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_CONVEX_POLYGON_TRIANGULATION_H

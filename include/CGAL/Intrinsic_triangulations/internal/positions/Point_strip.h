@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Where an intrinsic edge crosses input edges, from the points of the input: fast, or not at all.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_POINT_STRIP_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_POINT_STRIP_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/Strip_layout.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// The layout is that of Edge_layout. Here the corner ratios come straight from the points, and
+// there is one bound for the error of all that is computed instead of one for each number:
+//
+// In double-doubles a corner ratio, divided by its absolute value, is good to 2^-97 whatever the
+// shape of the triangle: scalar and cross product are good to 2^-101 of the product of the
+// lengths. The direction of a crossed edge is a product of up to m ratios, m the number of
+// triangles, and good to m 2^-96; so a position, a sum of directions of total length X, is good
+// to m 2^-95 X, and a cross product of two positions, at most Y from the source, to m 2^-93 X Y.
+// Positions on the edges are quotients of such cross products.
+//
+// A ratio does not depend on those before: they are computed two at a time.
+class Point_strip
+{
+  using Pair = Split_double_double<Two_doubles>;
+  using Two_vectors = std::array<Pair, 3>; // exact: differences of two points
+
+public:
+  // \param points of the input, none further from another than 4, or none at all
+  Point_strip(const Delta_complex& input, const Points& points) : input_(input), points_(points) {}
+
+  // \param crossed the input edges that an edge crosses, in order, as halfedges from the left end
+  //   to the right end
+  // \param visit as `Strip_layout::finish()`, and so is the result
+  template <class Visit>
+  bool operator()(const std::vector<Halfedge_index>& crossed, const Visit& visit)
+  {
+    if (!compute_ratios(crossed))
+      return false;
+    // The first edge is the unit.
+    const std::size_t n = crossed.size();
+    const Split_complex left = -ratios_[0], one(1, 0);
+    layout_.start(left, left + one);
+    double extent = 1 + modulus(left);
+    Split_complex direction = ratios_[1];
+    for (std::size_t i = 1; i < n; ++i) {
+      const bool turns_left = keeps_left(crossed, i);
+      layout_.add(turns_left ? layout_.left() + direction : layout_.right() - direction, turns_left);
+      extent += modulus(direction);
+      direction = direction * ratios_[i + 1];
+    }
+    const Split_complex target = layout_.left() + direction;
+    extent += modulus(direction);
+    const double error =
+      0x1p-93 * double(n + 1) * extent * (std::max)(layout_.distance(), modulus(target));
+    return layout_.finish(target, error, visit);
+  }
+
+private:
+  // Two sides of a triangle, and on which side of the first the second is: 1 for left, -1 for right.
+  struct Corner
+  {
+    Halfedge_index base, other;
+    double side;
+  };
+
+  bool keeps_left(const std::vector<Halfedge_index>& crossed, std::size_t i) const
+  {
+    return crossed[i] == input_.opposite(input_.prev(crossed[i - 1]));
+  }
+
+  // In triangle i of the strip, between an edge that is crossed and what comes next: the direction
+  // of the edge that is crossed then, or from its left end to the target. In the first one, the
+  // direction from there back to the source.
+  Corner corner(const std::vector<Halfedge_index>& crossed, std::size_t i) const
+  {
+    if (i == 0)
+      return {crossed[0], input_.next(input_.opposite(crossed[0])), -1};
+    const Halfedge_index base = crossed[i - 1];
+    if (i == crossed.size())
+      return {base, input_.opposite(input_.prev(base)), 1};
+    return {base, crossed[i], keeps_left(crossed, i) ? 1. : -1.};
+  }
+
+  // One for each triangle. Returns whether the error bound holds.
+  bool compute_ratios(const std::vector<Halfedge_index>& crossed)
+  {
+    const std::size_t n = crossed.size();
+    ratios_.resize(n + 2);
+    Two_doubles shortest(1.);
+    for (std::size_t i = 0; i <= n; i += 2) {
+      const Corner a = corner(crossed, i), b = corner(crossed, (std::min)(i + 1, n));
+      const Two_vectors v = vectors(a.base, b.base), w = vectors(a.other, b.other);
+      shortest = min_of(shortest, min_of(rough_square(v), rough_square(w)));
+
+      const Pair n0 = sum(v[1] * w[2], -(v[2] * w[1])), n1 = sum(v[2] * w[0], -(v[0] * w[2])),
+                 n2 = sum(v[0] * w[1], -(v[1] * w[0]));
+      Pair square = sum(n0 * n0, n1 * n1, n2 * n2);
+      // A root of zero would be divided by; this one is far below the error.
+      square.hi = max_of(square.hi, Two_doubles(1e-300));
+      const Pair s = scalar_product(v, v);
+      const Two_doubles reciprocal = Two_doubles(1.) / s.hi;
+      const Pair x = quotient(scalar_product(v, w), s, reciprocal),
+                 height = quotient(square_root(square), s, reciprocal);
+      const Two_doubles side(a.side, b.side);
+      const auto ratios = Split_complex::two_points(x, Pair(side * height.hi, side * height.lo));
+      ratios_[i] = ratios[0];
+      ratios_[i + 1] = ratios[1];
+    }
+    // Far from underflow; it has to be far for the error bound to hold.
+    return (std::min)(shortest.first(), shortest.second()) > 1e-100;
+  }
+
+  Two_vectors vectors(Halfedge_index g, Halfedge_index h) const
+  {
+    const std::array<double, 3>&p = points_[input_.source(g).idx()], &q = points_[input_.target(g).idx()],
+                             &r = points_[input_.source(h).idx()], &s = points_[input_.target(h).idx()];
+    return {Pair::difference({q[0], s[0]}, {p[0], r[0]}), Pair::difference({q[1], s[1]}, {p[1], r[1]}),
+            Pair::difference({q[2], s[2]}, {p[2], r[2]})};
+  }
+
+  static Pair scalar_product(const Two_vectors& v, const Two_vectors& w)
+  {
+    return sum(v[0] * w[0], v[1] * w[1], v[2] * w[2]);
+  }
+
+  static Two_doubles rough_square(const Two_vectors& v)
+  {
+    return v[0].hi * v[0].hi + v[1].hi * v[1].hi + v[2].hi * v[2].hi;
+  }
+
+  const Delta_complex& input_;
+  const Points& points_;
+  std::vector<Split_complex> ratios_;
+  Strip_layout layout_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_POINT_STRIP_H

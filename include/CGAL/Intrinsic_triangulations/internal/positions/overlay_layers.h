@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The two triangulations as layers of their overlay, seen in the same way.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_LAYERS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_LAYERS_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// The side of a face that begins at a vertex; null if there are several.
+inline Halfedge_index only_side_from(const Delta_complex& complex, Face_index f, Vertex_index v)
+{
+  Halfedge_index result;
+  const Halfedge_index first = complex.halfedge(f);
+  for (Halfedge_index h : {first, complex.next(first), complex.prev(first)})
+    if (complex.source(h) == v) {
+      if (result.is_valid())
+        return Halfedge_index();
+      result = h;
+    }
+  return result;
+}
+
+// As `search()`, which walks around the target of h if that is a vertex of the surface: through
+// all segments of the other layer there, of which each corner between them would do the same.
+// That is needed only if the face of the layer has the vertex several times.
+template <class Search>
+Halfedge_index side_at_target(const Delta_complex& complex, const Overlay& overlay, Face_index f,
+                              Overlay::Halfedge h, const Search& search)
+{
+  const Overlay::Vertex v = overlay.target(h);
+  if (overlay.is_crossing(v))
+    return search();
+  const Halfedge_index side = only_side_from(complex, f, overlay.original_vertex(v));
+  return side.is_valid() ? side : search();
+}
+
+// The side of the input face on which the target of h lies: `Overlay::input_side()`.
+inline Halfedge_index input_side(const Delta_complex& input, const Overlay& overlay,
+                                 Overlay::Halfedge h)
+{
+  return side_at_target(input, overlay, overlay.input_face(overlay.face(h)), h,
+                        [&] { return overlay.input_side(h); });
+}
+
+struct Input_layer
+{
+  const Delta_complex& complex;
+  const Overlay& overlay;
+  const Overlay_positions& positions;
+
+  std::int64_t number_of_crossings(Edge_index e) const
+  {
+    return std::int64_t(overlay.number_of_input_segments(e)) - 1;
+  }
+  // The part of h at a position from its source, in the direction of h.
+  Overlay::Halfedge part(Halfedge_index h, std::int64_t position) const
+  {
+    const Edge_index e = complex.edge(h);
+    if (h == complex.halfedge(e))
+      return overlay.input_part(e, Overlay::size_type(position));
+    return overlay.opposite(
+      overlay.input_part(e, Overlay::size_type(number_of_crossings(e) - position)));
+  }
+  Halfedge_index halfedge(Overlay::Halfedge h) const { return overlay.input_halfedge(h); }
+  Face_index face(Overlay::Face f) const { return overlay.input_face(f); }
+  Halfedge_index side(Overlay::Halfedge h) const { return input_side(complex, overlay, h); }
+  double on_side(Overlay::Halfedge h) const { return positions.on_input_side(overlay, h); }
+};
+
+struct Intrinsic_layer
+{
+  const Delta_complex& complex;
+  const Overlay& overlay;
+  const Overlay_positions& positions;
+
+  std::int64_t number_of_crossings(Edge_index e) const
+  {
+    return std::int64_t(overlay.intrinsic_segments(e).size()) - 1;
+  }
+  Overlay::Halfedge part(Halfedge_index h, std::int64_t position) const
+  {
+    const Edge_index e = complex.edge(h);
+    const auto segments = overlay.intrinsic_segments(e);
+    if (h == complex.halfedge(e))
+      return overlay.halfedge(segments.begin()[position]);
+    return overlay.opposite(overlay.halfedge(segments.end()[-1 - position]));
+  }
+  Halfedge_index halfedge(Overlay::Halfedge h) const { return overlay.intrinsic_halfedge(h); }
+  Face_index face(Overlay::Face f) const { return overlay.intrinsic_face(f); }
+  Halfedge_index side(Overlay::Halfedge h) const
+  {
+    return side_at_target(complex, overlay, face(overlay.face(h)), h,
+                          [&] { return overlay.intrinsic_side(h); });
+  }
+  double on_side(Overlay::Halfedge h) const { return positions.on_intrinsic_side(overlay, h); }
+};
+
+using Coordinates = std::array<double, 3>;
+
+// The number of h among the sides of its face from `first`.
+inline std::size_t side_number(const Delta_complex& complex, Halfedge_index first, Halfedge_index h)
+{
+  return h == first ? 0 : h == complex.next(first) ? 1
+                                                   : 2;
+}
+
+// The barycentric coordinates, relative to `first`, of the target of h in the face of the layer
+// that contains the face of h.
+template <class Layer>
+Coordinates corner_coordinates(const Layer& layer, Overlay::Halfedge h, Halfedge_index first)
+{
+  const std::size_t i = side_number(layer.complex, first, layer.side(h));
+  const double t = layer.on_side(h);
+  Coordinates result{0, 0, 0};
+  result[i] = 1 - t;
+  result[(i + 1) % 3] = t;
+  return result;
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_LAYERS_H

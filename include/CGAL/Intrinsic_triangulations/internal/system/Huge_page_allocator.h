@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Memory for the large arrays.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_HUGE_PAGE_ALLOCATOR_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_HUGE_PAGE_ALLOCATOR_H
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Asks for huge pages where an array is large enough. The arrays are filled once and little
+// else happens to them: with small pages, the page faults of that first pass can take
+// longer than everything that is computed. Elsewhere than on Linux this is malloc().
+template <class T>
+class Huge_page_allocator
+{
+public:
+  using value_type = T;
+
+  Huge_page_allocator() = default;
+  template <class U>
+  Huge_page_allocator(const Huge_page_allocator<U>&)
+  {}
+
+  T* allocate(std::size_t n)
+  {
+    if (n > (std::numeric_limits<std::size_t>::max)() / 2 / sizeof(T))
+      throw std::bad_alloc();
+    const std::size_t size = n * sizeof(T);
+#ifdef __linux__
+    if (size >= huge_page) {
+      // Not by aligned_alloc(): of a block that was freed, glibc's does not make one of the same size
+      // again, and a program that makes one triangulation after the other grows.
+      const std::size_t rounded = (size + huge_page - 1) / huge_page * huge_page;
+      void* const block = checked(std::malloc(rounded + huge_page));
+      const std::uintptr_t begin = std::uintptr_t(block) / huge_page * huge_page + huge_page;
+      void* const p = static_cast<char*>(block) + (begin - std::uintptr_t(block));
+      static_cast<void**>(p)[-1] = block;   // malloc() aligns to more than a pointer: there is room
+      ::madvise(p, rounded, MADV_HUGEPAGE); // a wish: failure changes nothing
+      return static_cast<T*>(p);
+    }
+#endif
+    return static_cast<T*>(checked(std::malloc(size != 0 ? size : 1)));
+  }
+  void deallocate(T* p, std::size_t n)
+  {
+#ifdef __linux__
+    if (n * sizeof(T) >= huge_page) {
+      std::free(reinterpret_cast<void**>(p)[-1]);
+      return;
+    }
+#else
+    (void)n;
+#endif
+    std::free(p);
+  }
+
+  friend bool operator==(const Huge_page_allocator&, const Huge_page_allocator&) { return true; }
+  friend bool operator!=(const Huge_page_allocator&, const Huge_page_allocator&) { return false; }
+
+private:
+  static void* checked(void* p)
+  {
+    if (p == nullptr)
+      throw std::bad_alloc();
+    return p;
+  }
+
+  static constexpr std::size_t huge_page = std::size_t(1) << 21;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_HUGE_PAGE_ALLOCATOR_H

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Union and find on small integers.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_DISJOINT_SETS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_DISJOINT_SETS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Disjoint sets of the integers below n.
+class Disjoint_sets
+{
+public:
+  explicit Disjoint_sets(const std::size_t n) : parent_(n)
+  {
+    std::iota(parent_.begin(), parent_.end(), std::uint32_t(0));
+  }
+  std::uint32_t find(std::uint32_t x)
+  {
+    while (parent_[x] != x) {
+      parent_[x] = parent_[parent_[x]];
+      x = parent_[x];
+    }
+    return x;
+  }
+  void unite(const std::uint32_t x, const std::uint32_t y)
+  {
+    // The smaller root wins: elements come in file order, which keeps trees flat.
+    const std::uint32_t a = find(x), b = find(y);
+    if (a < b)
+      parent_[b] = a;
+    else
+      parent_[a] = b;
+  }
+
+private:
+  std::vector<std::uint32_t> parent_;
+};
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_DISJOINT_SETS_H

@@ -1,0 +1,384 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The steps of a repair, by CGAL::Polygon_mesh_processing, and the thread from each element back
+// to the input.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_REPAIRER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_REPAIRER_H
+
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
+#include <CGAL/Intrinsic_triangulations/Repaired_polygons.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/Element_collector.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/triangulate_polygon.h>
+
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Points and polygons carry the numbers that they have in the input through functions that copy,
+// swap and renumber them.
+struct Numbered_point : Simple_cartesian<double>::Point_3
+{
+  using Base = Simple_cartesian<double>::Point_3;
+  Numbered_point() = default;
+  Numbered_point(const std::array<double, 3>& p, std::size_t number)
+    : Base(p[0], p[1], p[2]), input(number)
+  {}
+
+  std::size_t input = 0;
+  std::size_t group = 0; // points at the same place are one if they have the same
+};
+struct Numbered_polygon : std::vector<std::size_t>
+{
+  using std::vector<std::size_t>::vector;
+  std::size_t input = 0;
+};
+
+// Which points CGAL's functions take to be the same.
+struct Numbered_point_traits
+{
+  struct Less_xyz_3
+  {
+    bool operator()(const Numbered_point& p, const Numbered_point& q) const
+    {
+      return std::make_tuple(p.x(), p.y(), p.z(), p.group) < std::make_tuple(q.x(), q.y(), q.z(), q.group);
+    }
+  };
+  Less_xyz_3 less_xyz_3_object() const { return {}; }
+};
+
+class Polygon_repairer
+{
+  using Index = std::size_t;
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
+
+public:
+  Polygon_repairer(std::vector<std::array<double, 3>> points, std::vector<std::vector<Index>> polygons)
+    : input_points_(std::move(points)), input_polygons_(std::move(polygons)),
+      is_reversed_(input_polygons_.size(), false), has_lost_part_(input_polygons_.size(), false)
+  {
+    for (Index v = 0; v < input_points_.size(); ++v)
+      points_.emplace_back(input_points_[v], v);
+    for (Index f = 0; f < input_polygons_.size(); ++f)
+      add_polygon(polygons_, f, input_polygons_[f]);
+  }
+
+  Repaired_polygons run(const Progress_function& progress)
+  {
+    // Only the triangulation of polygons can take long: the other steps count for little.
+    ask(progress, 0);
+    merge_points();
+    remove_repeated_corners();
+    remove_duplicates();
+    triangulate(progress);
+    orient();
+    ask(progress, 0.9);
+    stitch_cuts();
+    collect();
+    report();
+    ask(progress, 1);
+    return std::move(result_);
+  }
+
+private:
+  static void ask(const Progress_function& progress, double fraction)
+  {
+    report_progress(progress, fraction, "the repair");
+  }
+
+  static void add_polygon(std::vector<Numbered_polygon>& polygons, Index input,
+                          const std::vector<Index>& corners)
+  {
+    polygons.emplace_back(corners.begin(), corners.end());
+    polygons.back().input = input;
+  }
+
+  // Inner vertices are no candidates: sheets that lie on each other would be glued together.
+  void merge_points()
+  {
+    std::vector<std::array<Index, 2>> edges;
+    std::vector<bool> may_merge(points_.size(), false);
+    for (const Numbered_polygon& polygon : polygons_)
+      for (Index i = 0; i < polygon.size(); ++i) {
+        const Index v = polygon[i], w = polygon[(i + 1) % polygon.size()];
+        if (input_points_[v] == input_points_[w])
+          may_merge[v] = may_merge[w] = true;
+        edges.push_back({(std::min)(v, w), (std::max)(v, w)});
+      }
+    std::sort(edges.begin(), edges.end());
+    for (Index i = 0; i < edges.size(); ++i)
+      if ((i == 0 || edges[i] != edges[i - 1]) && (i + 1 == edges.size() || edges[i] != edges[i + 1]))
+        may_merge[edges[i][0]] = may_merge[edges[i][1]] = true;
+    for (Index v = 0; v < points_.size(); ++v)
+      points_[v].group = may_merge[v] ? 0 : v + 1;
+
+    Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(
+      points_, polygons_, parameters::geom_traits(Numbered_point_traits()));
+    representative_.assign(input_points_.size(), none);
+    for (Index f = 0; f < polygons_.size(); ++f)
+      for (Index i = 0; i < polygons_[f].size(); ++i)
+        representative_[input_polygons_[f][i]] = points_[polygons_[f][i]].input;
+    // From here on each point is itself.
+    for (Numbered_point& p : points_)
+      p.group = p.input + 1;
+  }
+
+  // Walks around each polygon; where it comes to a vertex for the second time it has gone around
+  // a loop, which is cut off.
+  void remove_repeated_corners()
+  {
+    std::vector<Numbered_polygon> polygons;
+    std::vector<Index> path, place(points_.size(), none); // of each vertex in the path
+    const auto cut_path = [&](Index begin, Index polygon) {
+      if (path.size() - begin >= 3)
+        add_polygon(polygons, polygon, std::vector<Index>(path.begin() + std::ptrdiff_t(begin), path.end()));
+      for (; path.size() > begin; path.pop_back())
+        place[path.back()] = none;
+    };
+    for (const Numbered_polygon& polygon : polygons_) {
+      for (Index v : polygon) {
+        if (place[v] != none)
+          cut_path(place[v], polygon.input);
+        place[v] = path.size();
+        path.push_back(v);
+      }
+      cut_path(0, polygon.input);
+    }
+    polygons_ = std::move(polygons);
+    is_kept_.assign(input_polygons_.size(), false);
+    for (const Numbered_polygon& polygon : polygons_)
+      is_kept_[polygon.input] = true;
+    for (Index f = 0; f < is_kept_.size(); ++f)
+      if (!is_kept_[f])
+        collapsed_.add(f);
+  }
+
+  std::vector<Index> number_of_parts() const
+  {
+    std::vector<Index> result(input_polygons_.size(), 0);
+    for (const Numbered_polygon& polygon : polygons_)
+      ++result[polygon.input];
+    return result;
+  }
+
+  void remove_duplicates()
+  {
+    const std::vector<Index> before = number_of_parts();
+    Polygon_mesh_processing::merge_duplicate_polygons_in_polygon_soup(
+      points_, polygons_, parameters::geom_traits(Numbered_point_traits()));
+    std::stable_sort(polygons_.begin(), polygons_.end(),
+                     [](const Numbered_polygon& a, const Numbered_polygon& b) { return a.input < b.input; });
+    const std::vector<Index> after = number_of_parts();
+    for (Index f = 0; f < before.size(); ++f)
+      if (before[f] > 1 && after[f] < before[f])
+        has_lost_part_[f] = true;
+  }
+
+  void triangulate(const Progress_function& progress)
+  {
+    Index number_of_corners = 0, done = 0;
+    for (const Numbered_polygon& polygon : polygons_)
+      number_of_corners += polygon.size();
+    std::vector<Numbered_polygon> triangles;
+    bool is_changed = false;
+    for (const Numbered_polygon& polygon : polygons_) {
+      if (polygon.size() == 3) {
+        done += 3;
+        triangles.push_back(polygon);
+        continue;
+      }
+      is_changed = true;
+      ask(progress, 0.1 + 0.7 * double(done) / double(number_of_corners));
+      done += polygon.size();
+      std::vector<std::array<double, 3>> corners;
+      for (Index v : polygon)
+        corners.push_back({points_[v].x(), points_[v].y(), points_[v].z()});
+      for (const std::array<std::size_t, 3>& t : triangulate_polygon(corners))
+        add_polygon(triangles, polygon.input, {polygon[t[0]], polygon[t[1]], polygon[t[2]]});
+    }
+    polygons_ = std::move(triangles);
+    if (is_changed)
+      remove_duplicates();
+  }
+
+  struct Orientation_visitor : Polygon_mesh_processing::Default_orientation_visitor
+  {
+    Polygon_repairer* repairer = nullptr;
+    void polygon_orientation_reversed(std::size_t f)
+    {
+      repairer->is_reversed_[repairer->polygons_[f].input] = true;
+    }
+  };
+  void orient()
+  {
+    number_of_points_before_cuts_ = points_.size();
+    Orientation_visitor visitor;
+    visitor.repairer = this;
+    Polygon_mesh_processing::orient_polygon_soup(points_, polygons_, parameters::visitor(visitor));
+  }
+
+  // Along an edge with four faces, two of each of two surfaces, each is whole after this.
+  void stitch_cuts()
+  {
+    if (points_.size() == number_of_points_before_cuts_ || polygons_.empty())
+      return;
+    using Mesh = Surface_mesh<Simple_cartesian<double>::Point_3>;
+    Mesh mesh;
+    std::vector<Simple_cartesian<double>::Point_3> places(points_.begin(), points_.end());
+    Polygon_mesh_processing::polygon_soup_to_polygon_mesh(places, polygons_, mesh);
+    Polygon_mesh_processing::stitch_borders(mesh);
+    Index f = 0;
+    for (Mesh::Face_index face : mesh.faces()) {
+      Index i = 0;
+      for (Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(face)))
+        polygons_[f][i++] = v.idx();
+      ++f;
+    }
+  }
+
+  // The vertices that are left, and for each the first vertex of the input that has become it.
+  void collect()
+  {
+    std::vector<Index> input(points_.size(), none);
+    for_each_corner([&](Index v, Index in_input) { input[v] = (std::min)(input[v], in_input); });
+    std::vector<Index> number(points_.size(), none);
+    for (Index v = 0; v < points_.size(); ++v)
+      if (input[v] != none) {
+        number[v] = result_.points.size();
+        result_.points.push_back(input_points_[input[v]]);
+        result_.input_vertices.push_back(input[v]);
+      }
+    for (const Numbered_polygon& triangle : polygons_) {
+      result_.triangles.push_back({number[triangle[0]], number[triangle[1]], number[triangle[2]]});
+      result_.input_faces.push_back(triangle.input);
+    }
+    merged_with_.assign(input_points_.size(), none);
+    for_each_corner([&](Index v, Index in_input) {
+      if (input[v] != in_input)
+        merged_with_[in_input] = input[v];
+    });
+  }
+
+  // Calls function(vertex, vertex of the input) for all that a corner of a triangle may have been
+  // in its face of the input.
+  template <class Function>
+  void for_each_corner(const Function& function) const
+  {
+    std::vector<std::array<Index, 2>> corners; // of one face: representative, vertex
+    Index face = none;
+    for (const Numbered_polygon& triangle : polygons_) {
+      if (triangle.input != face) {
+        face = triangle.input;
+        corners.clear();
+        for (Index v : input_polygons_[face])
+          corners.push_back({representative_[v], v});
+        std::sort(corners.begin(), corners.end());
+      }
+      for (Index v : triangle)
+        for (auto it = std::lower_bound(corners.begin(), corners.end(), std::array<Index, 2>{points_[v].input, 0});
+             it != corners.end() && (*it)[0] == points_[v].input; ++it)
+          function(v, (*it)[1]);
+    }
+  }
+
+  void report()
+  {
+    std::vector<Index> vertex_count(input_points_.size(), 0), face_count(input_polygons_.size(), 0);
+    for (Index v : result_.input_vertices)
+      ++vertex_count[v];
+    for (Index f : result_.input_faces)
+      ++face_count[f];
+
+    Element_collector merged, duplicates, lost_parts, triangulated, reversed, split, dropped;
+    for (Index v = 0; v < vertex_count.size(); ++v) {
+      if (vertex_count[v] > 1)
+        split.add(v);
+      else if (vertex_count[v] == 0)
+        (merged_with_[v] != none ? merged : dropped).add(v);
+    }
+    for (Index f = 0; f < face_count.size(); ++f) {
+      if (has_lost_part_[f])
+        lost_parts.add(f);
+      if (face_count[f] == 0 && is_kept_[f] && !has_lost_part_[f])
+        duplicates.add(f);
+      else if (face_count[f] > 0) {
+        if (input_polygons_[f].size() > 3)
+          triangulated.add(f);
+        if (is_reversed_[f])
+          reversed.add(f);
+      }
+    }
+
+    const auto vertex = [](Index v) { return "vertex " + std::to_string(v); };
+    const auto face = [](Index f) { return "face " + std::to_string(f); };
+    add(Repair_kind::MERGED_VERTEX, merged, [&](Index v) {
+      return vertex(v) + " was merged with " + vertex(merged_with_[v]) + " at the same place";
+    });
+    add(Repair_kind::COLLAPSED_FACE, collapsed_,
+        [&](Index f) { return face(f) + " was removed, as fewer than three of its corners differ"; });
+    add(Repair_kind::DUPLICATE_FACE, duplicates,
+        [&](Index f) { return face(f) + " was removed, as another face has the same corners"; });
+    add(Repair_kind::DUPLICATE_PART, lost_parts, [&](Index f) {
+      return face(f) + (face_count[f] == 0 ? " was removed" : " was removed in part") +
+             " after it was cut, as other faces have the same corners";
+    });
+    add(Repair_kind::TRIANGULATED_FACE, triangulated, [&](Index f) {
+      return face(f) + " (" + std::to_string(input_polygons_[f].size()) +
+             " corners) was cut into triangles";
+    });
+    add(Repair_kind::REVERSED_FACE, reversed, [&](Index f) { return face(f) + " was turned over"; });
+    add(Repair_kind::SPLIT_VERTEX, split, [&](Index v) {
+      return vertex(v) + " became " + std::to_string(vertex_count[v]) +
+             " vertices, as its faces form that many fans or the surface had to be cut there";
+    });
+    add(Repair_kind::DROPPED_VERTEX, dropped, [&](Index v) {
+      return vertex(v) + (representative_[v] == none ? " was dropped, as no face names it"
+                                                     : " was dropped, as no triangle of the result has it");
+    });
+  }
+
+  template <class Describe>
+  void add(Repair_kind kind, const Element_collector& elements, const Describe& describe)
+  {
+    if (elements.count() > 0)
+      result_.repairs.push_back(
+        {kind, elements.elements(), elements.count(), describe(elements.first())});
+  }
+
+  const std::vector<std::array<double, 3>> input_points_;
+  const std::vector<std::vector<Index>> input_polygons_;
+  std::vector<Numbered_point> points_;
+  std::vector<Numbered_polygon> polygons_;
+  std::vector<Index> representative_;       // of each input vertex that a face names, the one it was merged into
+  std::vector<Index> merged_with_;          // of each input vertex, the one whose place it took, or none
+  std::vector<bool> is_kept_, is_reversed_; // of each input face
+  std::vector<bool> has_lost_part_;         // of each input face of which several parts were left
+  Element_collector collapsed_;
+  std::size_t number_of_points_before_cuts_ = 0;
+  Repaired_polygons result_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_REPAIRER_H

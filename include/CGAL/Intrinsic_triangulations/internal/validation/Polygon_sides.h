@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// A list of polygons in flat arrays: all corners, and the sides sorted so that those of an edge
+// are together.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_SIDES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_SIDES_H
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// The corners of all faces one after the other, and the sides in buckets by their smaller
+// vertex (a counting sort), so that the sides of an edge are found in one bucket with one mark
+// per vertex.
+class Polygon_sides
+{
+public:
+  typedef std::uint32_t Index;
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
+
+  // A side of a face: the corners that it joins, in the face's direction, and the larger of
+  // the two vertices.
+  struct Side
+  {
+    Index other, source, target;
+  };
+
+  // To be called first.
+  void reserve(const std::size_t number_of_faces)
+  {
+    expected_faces_ = number_of_faces;
+    corners_.reserve(3 * number_of_faces);
+  }
+  void add_corner(const std::size_t vertex) { corners_.push_back(static_cast<Index>(vertex)); }
+  // Ends the face whose corners were added last. The corners of a face that is not good all
+  // become `none`, so that nothing later looks at that face.
+  void end_face(const bool is_good)
+  {
+    const std::size_t begin = all_triangles_ ? 3 * number_of_faces_ : first_corner_.back(), end = corners_.size();
+    if (!is_good)
+      std::fill(corners_.begin() + static_cast<std::ptrdiff_t>(begin), corners_.end(), none);
+    if (all_triangles_ && end - begin != 3) {
+      all_triangles_ = false;
+      first_corner_.reserve(expected_faces_ + 1);
+      for (std::size_t f = 0; f <= number_of_faces_; ++f)
+        first_corner_.push_back(static_cast<Index>(3 * f));
+    }
+    if (!all_triangles_)
+      first_corner_.push_back(static_cast<Index>(end));
+    ++number_of_faces_;
+  }
+  // \pre all faces were added, with vertices below `number_of_vertices`
+  void sort_sides(const std::size_t number_of_vertices)
+  {
+    bucket_begin_.assign(number_of_vertices + 2, 0);
+    for_each_side(
+      [this](const Index s, const Index t) { ++bucket_begin_[(std::min)(corners_[s], corners_[t]) + 2]; });
+    std::partial_sum(bucket_begin_.begin(), bucket_begin_.end(), bucket_begin_.begin());
+    sides_.resize(bucket_begin_.back());
+    for_each_side([this](const Index s, const Index t) {
+      const std::pair<Index, Index> v = std::minmax({corners_[s], corners_[t]});
+      sides_[bucket_begin_[v.first + 1]++] = Side{v.second, s, t};
+    });
+    bucket_begin_.pop_back(); // now the beginning of each bucket, and the end of the last
+  }
+
+  std::size_t number_of_faces() const { return number_of_faces_; }
+  std::size_t number_of_corners() const { return corners_.size(); }
+  bool are_triangles() const { return all_triangles_; }
+
+  // The vertex of a corner.
+  Index vertex(const std::size_t corner) const { return corners_[corner]; }
+  std::size_t begin_of_face(const std::size_t face) const
+  {
+    return all_triangles_ ? 3 * face : first_corner_[face];
+  }
+  std::size_t degree(const std::size_t face) const { return begin_of_face(face + 1) - begin_of_face(face); }
+  std::size_t face_of_corner(const std::size_t corner) const
+  {
+    if (all_triangles_)
+      return corner / 3;
+    return static_cast<std::size_t>(std::upper_bound(first_corner_.begin(), first_corner_.end(), corner) -
+                                    first_corner_.begin()) -
+           1;
+  }
+
+  // Calls function(source corner, target corner) for the sides of the faces
+  // that have at least three corners, without the sides from a vertex to itself.
+  template <class Function>
+  void for_each_side(Function function) const
+  {
+    for (std::size_t f = 0; f < number_of_faces_; ++f) {
+      const std::size_t begin = begin_of_face(f), end = begin_of_face(f + 1);
+      if (end - begin < 3 || corners_[begin] == none)
+        continue;
+      for (std::size_t c = begin, last = end - 1; c < end; last = c++)
+        if (corners_[last] != corners_[c])
+          function(static_cast<Index>(last), static_cast<Index>(c));
+    }
+  }
+
+  // The sides of the edges whose smaller vertex is this one are those from bucket_begin(vertex)
+  // to before bucket_begin(vertex + 1). \pre for these and what follows: the sides are sorted
+  std::size_t bucket_begin(const std::size_t vertex) const { return bucket_begin_[vertex]; }
+  const Side& side(const std::size_t position) const { return sides_[position]; }
+  std::size_t face_of_side(const std::size_t position) const
+  {
+    return face_of_corner(sides_[position].source);
+  }
+  bool leaves(const Side& side, const std::size_t vertex) const { return corners_[side.source] == vertex; }
+  // The vertex of a triangle that is not on a side, or `none` if the face is not a triangle.
+  Index third_vertex(const Side& side) const
+  {
+    const std::size_t face = face_of_corner(side.source);
+    if (degree(face) != 3)
+      return none;
+    const std::size_t begin = begin_of_face(face);
+    return corners_[3 * begin + 3 - side.source - side.target];
+  }
+  // The two vertices of a side, the smaller first.
+  std::array<std::size_t, 2> ends(const std::size_t position) const
+  {
+    const std::size_t a = corners_[sides_[position].source], b = corners_[sides_[position].target];
+    return {{(std::min)(a, b), (std::max)(a, b)}};
+  }
+  // Calls function(face) for the faces of the edge whose first side this is, until it returns false.
+  template <class Function>
+  void for_each_face_of_edge(const std::size_t position, Function function) const
+  {
+    for (std::size_t s = position; s < bucket_begin_[ends(position)[0] + 1]; ++s)
+      if (sides_[s].other == sides_[position].other && !function(face_of_side(s)))
+        return;
+  }
+
+private:
+  std::vector<Index> corners_;
+  std::vector<Index> first_corner_; // only if not all faces are triangles
+  std::size_t number_of_faces_ = 0;
+  std::size_t expected_faces_ = 0;
+  bool all_triangles_ = true;
+  std::vector<Index> bucket_begin_;
+  std::vector<Side> sides_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_SIDES_H

@@ -1,0 +1,365 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/Comparison.h"
+
+#include "system/Interruption.h"
+#include "system/Stopwatch.h"
+#include "system/child_process.h"
+#include "kernels/Kernel.h"
+#include "input/repair.h"
+
+#include <CGAL/Intrinsic_triangulations/errors.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace idt {
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Json = nlohmann::ordered_json;
+
+const char* status_text(IT::Flip_status status)
+{
+  switch (status) {
+  case IT::Flip_status::DELAUNAY:
+    return "done";
+  case IT::Flip_status::NOT_FLIPPABLE:
+    return "not flippable";
+  case IT::Flip_status::INCONSISTENT:
+    return "inconsistent";
+  case IT::Flip_status::UNDECIDED:
+    return "undecided";
+  case IT::Flip_status::BUDGET_EXHAUSTED:
+    return "flip budget";
+  case IT::Flip_status::CANCELLED:
+    return "time limit";
+  }
+  return "";
+}
+
+// An edge as a geodesic: where it ends, what it crosses, and how long it is. Loops and
+// multiple edges differ in the latter two.
+struct Geodesic
+{
+  std::uint32_t v, w;
+  std::int64_t crossings;
+  double length;
+
+  std::tuple<std::uint32_t, std::uint32_t, std::int64_t> key() const { return {v, w, crossings}; }
+  bool operator<(const Geodesic& other) const
+  {
+    return std::make_pair(key(), length) < std::make_pair(other.key(), other.length);
+  }
+};
+
+template <class Predicate>
+std::vector<Geodesic> sorted_geodesics(const Outcome& outcome, const Predicate& is_wanted)
+{
+  std::vector<Geodesic> result;
+  for (IT::Edge_index e : outcome.connectivity.edges()) {
+    if (!is_wanted(e))
+      continue;
+    const IT::Halfedge_index h = outcome.connectivity.halfedge(e);
+    const std::uint32_t v = outcome.connectivity.source(h).idx(),
+                        w = outcome.connectivity.target(h).idx();
+    result.push_back({(std::min)(v, w), (std::max)(v, w), outcome.crossings[e.idx()],
+                      outcome.exact_lengths[e.idx()]});
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// The interior edges that each Delaunay triangulation of the surface has.
+std::vector<Geodesic> necessary_edges(const Outcome& exact)
+{
+  return sorted_geodesics(exact, [&](IT::Edge_index e) {
+    return !exact.connectivity.is_border(e) && !exact.is_tie[e.idx()];
+  });
+}
+
+// Both lengths are exact but for the last digits.
+std::uint64_t count_missing(const std::vector<Geodesic>& necessary, const Outcome& outcome)
+{
+  const std::vector<Geodesic> found = sorted_geodesics(outcome, [](IT::Edge_index) { return true; });
+  std::uint64_t missing = 0;
+  auto candidate = found.begin();
+  for (const Geodesic& edge : necessary) {
+    const double tolerance = 1e-12 * edge.length;
+    while (candidate != found.end() &&
+           (candidate->key() < edge.key() ||
+            (candidate->key() == edge.key() && candidate->length < edge.length - tolerance)))
+      ++candidate;
+    if (candidate != found.end() && candidate->key() == edge.key() &&
+        candidate->length <= edge.length + tolerance)
+      ++candidate;
+    else
+      ++missing;
+  }
+  return missing;
+}
+
+double largest_length_error(const Outcome& outcome)
+{
+  double result = 0;
+  for (std::size_t e = 0; e < outcome.numbers.lengths.size(); ++e)
+    if (outcome.exact_lengths[e] > 0) {
+      const double error = std::abs(outcome.numbers.lengths[e] / outcome.exact_lengths[e] - 1);
+      result = (std::max)(result, std::isfinite(error) ? error
+                                                       : (std::numeric_limits<double>::max)());
+    }
+  return result;
+}
+
+Kernel_options kernel_options(const Compared_type& type, const Wanted& wanted)
+{
+  Kernel_options options;
+  options.number_type = type.number_type;
+  if (type.precision)
+    options.precision = *type.precision;
+  options.wanted = wanted;
+  return options;
+}
+
+class Surface_comparer
+{
+public:
+  Surface_comparer(const Surface& surface, const Comparison_options& options)
+    : surface_(surface), options_(options),
+      counts_wrong_decisions_(options.counts_wrong_decisions.value_or(
+        surface.connectivity.number_of_edges() < large_number_of_edges))
+  {}
+
+  Surface_comparison run()
+  {
+    find_exact_result();
+    for (const Compared_type& type : options_.types)
+      result_.rows.push_back(examine(type));
+    if (is_interrupted())
+      throw IT::Undecided_error(surface_.path + ": cancelled");
+    measure_times();
+    return std::move(result_);
+  }
+
+private:
+  // What all results are compared with.
+  void find_exact_result()
+  {
+    Wanted wanted = Wanted::nothing();
+    wanted.crossings = wanted.tessellation = wanted.exact_lengths = true;
+    const auto goes_on = [](std::uint64_t, std::uint64_t) { return !is_interrupted(); };
+    const Outcome exact =
+      idt::run({surface_, kernel_options({Number_type::FILTERED, {}}, wanted), goes_on, has_time_to_decide, {}});
+    if (!exact.failure.empty())
+      throw IT::Undecided_error(surface_.path + ": " + exact.failure);
+    if (exact.report.status != IT::Flip_status::DELAUNAY)
+      throw IT::Undecided_error(surface_.path + ": cancelled");
+    necessary_edges_ = necessary_edges(exact);
+    result_.path = surface_.path;
+    result_.counts = count_elements(exact.connectivity);
+    result_.ties = exact.tessellation->ties;
+    result_.repairs = repairs(surface_);
+  }
+
+  Outcome flip(const Compared_type& type, const Wanted& wanted) const
+  {
+    const Stopwatch stopwatch;
+    const auto goes_on = [&](std::uint64_t, std::uint64_t) {
+      return !is_interrupted() && stopwatch.seconds() < options_.time_limit;
+    };
+    return idt::run({surface_, kernel_options(type, wanted), goes_on, has_time_to_decide, {}});
+  }
+
+  // In a process of its own, for a decision can take for ever with some number types, and
+  // so can the exact check of a result that is far from right.
+  Comparison_row examine(const Compared_type& type) const
+  {
+    Comparison_row row;
+    row.type = type;
+    const Child_result child = run_in_child_process(
+      [&](const Say_function& say) { examine(type, say); }, options_.time_limit + 1);
+    for (const std::string& line : child.lines)
+      take_over(Json::parse(line), row);
+    if (row.status.empty())
+      row.status = child.end == Child_result::End::DIED ? "crashed" : "time limit";
+    return row;
+  }
+
+  void examine(const Compared_type& type, const Say_function& say) const
+  {
+    Comparison_row row;
+    row.type = type;
+    try {
+      const Outcome outcome = flip(type, Wanted::nothing());
+      row.status = status_text(outcome.report.status);
+      row.flips = outcome.report.flips;
+      row.tests = outcome.report.tests;
+      row.seconds = outcome.build_seconds + outcome.flip_seconds;
+    } catch (const IT::Invalid_surface_error&) {
+      row.status = "refused";
+    } catch (const IT::Undecided_error&) {
+      row.status = "refused";
+    } catch (const IT::Integer_overflow_error&) {
+      row.status = "overflow";
+    }
+    say(to_json_value(row).dump());
+    if (!row.has_ended())
+      return;
+
+    Wanted wanted = Wanted::nothing();
+    wanted.lengths = wanted.crossings = wanted.verification = wanted.exact_lengths = true;
+    const Outcome outcome = flip(type, wanted);
+    // More flips than the time limit allowed for now, or more crossings than can be counted.
+    if (outcome.report.flips != row.flips || !outcome.failure.empty())
+      return;
+    row.not_Delaunay = outcome.verification->not_Delaunay.size();
+    row.inverted_faces = outcome.verification->inverted.size();
+    row.missing_edges = count_missing(necessary_edges_, outcome);
+    row.length_error = largest_length_error(outcome);
+    say(to_json_value(row).dump());
+
+    if (!counts_wrong_decisions_)
+      return;
+    wanted = Wanted::nothing();
+    wanted.wrong_decisions = true;
+    const Outcome counted = flip(type, wanted);
+    if (counted.report.tests == row.tests) {
+      row.wrong_decisions = counted.wrong_decisions;
+      say(to_json_value(row).dump());
+    }
+  }
+
+  static void take_over(const Json& json, Comparison_row& row)
+  {
+    const auto get = [&](const char* key, auto& value) {
+      using T = typename std::decay_t<decltype(value)>::value_type;
+      if (!json.at(key).is_null())
+        value = json.at(key).template get<T>();
+    };
+    row.status = json.at("status").get<std::string>();
+    get("flips", row.flips);
+    get("tests", row.tests);
+    get("wrong_decisions", row.wrong_decisions);
+    get("not_delaunay", row.not_Delaunay);
+    get("inverted_faces", row.inverted_faces);
+    get("missing_edges", row.missing_edges);
+    get("length_error", row.length_error);
+    get("seconds", row.seconds);
+  }
+
+  // The number types take turns, so that whatever else the machine does hits all alike.
+  // Those that cannot be interrupted keep the time of their one run.
+  void measure_times()
+  {
+    std::vector<std::vector<double>> times(result_.rows.size());
+    std::vector<double> spent(result_.rows.size(), 0);
+    const Stopwatch stopwatch;
+    const int most = 20 * options_.repetitions;
+    for (int round = 0; round < most && !is_interrupted(); ++round) {
+      if (round >= options_.repetitions && stopwatch.seconds() > 0.1)
+        break;
+      for (std::size_t i = 0; i < times.size(); ++i) {
+        const Comparison_row& row = result_.rows[i];
+        const bool is_slow = row.type.number_type == Number_type::CORE ||
+                             row.type.number_type == Number_type::HALF_ANGLE_CORE ||
+                             spent[i] > options_.time_limit;
+        if (!row.has_ended() || is_slow)
+          continue;
+        const Outcome outcome = flip(row.type, Wanted::nothing());
+        times[i].push_back(outcome.build_seconds + outcome.flip_seconds);
+        spent[i] += times[i].back();
+      }
+    }
+    for (std::size_t i = 0; i < times.size(); ++i)
+      if (!times[i].empty()) {
+        const auto middle = times[i].begin() + static_cast<std::ptrdiff_t>(times[i].size() / 2);
+        std::nth_element(times[i].begin(), middle, times[i].end());
+        result_.rows[i].seconds = *middle;
+      }
+    for (const Comparison_row& base : result_.rows)
+      if (base.type.number_type == Number_type::DOUBLE && base.seconds.value_or(0) > 0)
+        for (Comparison_row& row : result_.rows)
+          if (row.seconds && row.has_ended())
+            row.ratio_to_double = *row.seconds / *base.seconds;
+  }
+
+  const Surface& surface_;
+  const Comparison_options& options_;
+  bool counts_wrong_decisions_;
+  std::vector<Geodesic> necessary_edges_;
+  Surface_comparison result_;
+};
+
+template <class T>
+void add(T& sum, const std::optional<T>& summand)
+{
+  sum += summand.value_or(0);
+}
+
+} // namespace
+
+std::string title(const Compared_type& type)
+{
+  const std::string text = name(type.number_type);
+  return type.precision ? text + ' ' + std::to_string(*type.precision) : text;
+}
+
+bool Comparison_row::has_ended() const
+{
+  return status == "done" || status == "not flippable" || status == "inconsistent" ||
+         status == "undecided";
+}
+
+bool Comparison_row::is_wrong() const
+{
+  return not_Delaunay.value_or(0) + inverted_faces.value_or(0) + missing_edges.value_or(0) > 0;
+}
+
+Surface_comparison compare(const std::string& path, const Comparison_options& options)
+{
+  const Surface surface = load_surface(path, {std::nullopt, options.is_repaired});
+  return Surface_comparer(surface, options).run();
+}
+
+std::vector<Comparison_total> totals(const std::vector<Surface_comparison>& comparisons,
+                                     const std::vector<Compared_type>& types)
+{
+  std::vector<Comparison_total> result;
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    Comparison_total total;
+    total.type = types[i];
+    std::vector<double> ratios;
+    for (const Surface_comparison& comparison : comparisons) {
+      const Comparison_row& row = comparison.rows[i];
+      ++total.surfaces;
+      total.refused += row.was_refused();
+      total.not_ended += !row.was_refused() && !row.has_ended();
+      total.wrong += row.is_wrong();
+      total.unnoticed += row.is_wrong() && row.status == "done";
+      add(total.wrong_decisions, row.wrong_decisions);
+      add(total.not_Delaunay, row.not_Delaunay);
+      add(total.inverted_faces, row.inverted_faces);
+      add(total.missing_edges, row.missing_edges);
+      if (row.length_error)
+        total.length_error = (std::max)(total.length_error.value_or(0), *row.length_error);
+      if (row.ratio_to_double)
+        ratios.push_back(*row.ratio_to_double);
+    }
+    if (!ratios.empty()) {
+      const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+      std::nth_element(ratios.begin(), middle, ratios.end());
+      total.ratio_to_double = *middle;
+    }
+    result.push_back(total);
+  }
+  return result;
+}
+
+} // namespace idt

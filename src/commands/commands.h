@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The subcommands. Each one declares its options and says what to run when it is chosen.
+
+#ifndef IDT_COMMANDS_H
+#define IDT_COMMANDS_H
+
+#include "system/Exit_status.h"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace idt {
+
+// What the chosen subcommand does, once the whole command line was understood.
+using Selected_command = std::function<Exit_status()>;
+
+void add_triangulate_command(CLI::App& app, Selected_command& selected);
+void add_compare_command(CLI::App& app, Selected_command& selected);
+void add_parameterize_command(CLI::App& app, Selected_command& selected);
+void add_table_command(CLI::App& app, Selected_command& selected);
+void add_sample_command(CLI::App& app, Selected_command& selected);
+void add_describe_command(CLI::App& app, Selected_command& selected);
+
+// Declares the option that has an input repaired before anything else.
+CLI::Option* add_repair_option(CLI::App& command, bool& is_repaired);
+
+// Writes a message to the standard error and says which status it stands for; to be
+// called in a handler.
+// \param input what was worked on, for messages that do not name it themselves
+Exit_status report_current_exception(const std::string& input = std::string());
+
+// Does the same for each input until the command is interrupted. An input that fails
+// does not keep the others from being worked on; the first failure decides. If the output
+// fails there is no point in going on.
+Exit_status for_each_input(const std::vector<std::string>& inputs,
+                           const std::function<Exit_status(const std::string&)>& function);
+
+} // namespace idt
+
+#endif // IDT_COMMANDS_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `idt describe`: the command line as a manual page and as completion for bash, made of what the
+// subcommands declare. Run by the build, and not listed by --help.
+
+#include "commands/commands.h"
+
+#include <memory>
+
+namespace idt {
+namespace {
+
+using Apps = std::vector<const CLI::App*>;
+using Options = std::vector<const CLI::Option*>;
+
+Apps subcommands(const CLI::App& app)
+{
+  return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+}
+
+Options options(const CLI::App& app, bool are_positional)
+{
+  return app.get_options([are_positional](const CLI::Option* option) {
+    return option->nonpositional() != are_positional;
+  });
+}
+
+// Text that roff shows as it is: a hyphen is a minus sign, and no line begins a request.
+std::string escaped(const std::string& text)
+{
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins_line = i == 0 || text[i - 1] == '\n';
+    if (begins_line && (text[i] == '.' || text[i] == '\''))
+      result += "\\&";
+    if (text[i] == '\\')
+      result += "\\e";
+    else if (text[i] == '-')
+      result += "\\-";
+    else
+      result += text[i];
+  }
+  return result;
+}
+
+// Without what a validator adds to it.
+std::string type_name(const CLI::Option& option)
+{
+  const std::string name = option.get_type_name();
+  return name.substr(0, name.find(':'));
+}
+
+void write_literally(std::ostream& os, const std::string& text)
+{
+  if (!text.empty())
+    os << ".PP\n.nf\n"
+       << escaped(text) << (text.back() == '\n' ? "" : "\n") << ".fi\n";
+}
+
+void write_manual_page(std::ostream& os, const CLI::App& app)
+{
+  os << ".TH IDT 1 \"\" \"Intrinsic_triangulations " IDT_VERSION "\" \"User commands\"\n"
+     << ".SH NAME\nidt \\- " << escaped(app.get_description()) << "\n.SH SYNOPSIS\n";
+  for (const CLI::App* command : subcommands(app)) {
+    os << ".B idt " << command->get_name() << "\n[\\fIOPTION\\fR]...";
+    for (const CLI::Option* option : options(*command, true))
+      os << " \\fI" << escaped(option->get_name(true)) << "\\fR"
+         << (option->get_items_expected_max() > 1 ? "..." : "");
+    os << "\n.br\n";
+  }
+  os << ".SH COMMANDS\n";
+  for (const CLI::App* command : subcommands(app)) {
+    os << ".SS idt " << command->get_name() << '\n'
+       << escaped(command->get_description()) << ".\n";
+    for (const bool are_positional : {true, false})
+      for (const CLI::Option* option : options(*command, are_positional)) {
+        os << ".TP\n\\fB" << escaped(option->get_name(are_positional, !are_positional)) << "\\fR";
+        if (!are_positional && option->get_items_expected_max() > 0)
+          os << " \\fI" << escaped(type_name(*option)) << "\\fR";
+        os << '\n'
+           << escaped(option->get_description()) << '\n';
+      }
+    write_literally(os, command->get_footer());
+  }
+  os << ".SH EXIT STATUS\n"
+     << escaped(app.get_footer());
+}
+
+std::string long_names(const CLI::App& app)
+{
+  std::string names;
+  for (const CLI::Option* option : options(app, false))
+    for (const std::string& name : option->get_lnames())
+      names += (names.empty() ? "--" : " --") + name;
+  return names;
+}
+
+// After an option that takes a value, and for inputs, file names are completed.
+void write_bash_completion(std::ostream& os, const CLI::App& app)
+{
+  std::string names;
+  for (const CLI::App* command : subcommands(app))
+    names += command->get_name() + ' ';
+  os << "_idt()\n{\n  local word=\"${COMP_WORDS[COMP_CWORD]}\" words=\"\"\n"
+     << "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n    words=\"" << names << long_names(app)
+     << "\"\n  elif [[ \"$word\" == -* ]]; then\n    case \"${COMP_WORDS[1]}\" in\n";
+  for (const CLI::App* command : subcommands(app))
+    os << "      " << command->get_name() << ") words=\"" << long_names(*command) << "\" ;;\n";
+  os << "    esac\n  fi\n"
+     << "  mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n}\n"
+     << "complete -o default -F _idt idt\n";
+}
+
+} // namespace
+
+void add_describe_command(CLI::App& app, Selected_command& selected)
+{
+  const auto form = std::make_shared<std::string>();
+  CLI::App& command = *app.add_subcommand("describe", "Describe the command line");
+  command.group(""); // hidden
+  command.add_option("FORM", *form, "what as")
+    ->required()
+    ->check(CLI::IsMember({"manual-page", "bash-completion"}));
+  command.callback([&app, &selected, form] {
+    selected = [&app, form] {
+      *form == "manual-page" ? write_manual_page(std::cout, app) : write_bash_completion(std::cout, app);
+      return Exit_status::DONE;
+    };
+  });
+}
+
+} // namespace idt

@@ -1,0 +1,338 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `idt parameterize`
+
+#include "system/Interruption.h"
+#include "output/Output_file.h"
+#include "system/Progress.h"
+#include "system/Stopwatch.h"
+#include "commands/commands.h"
+#include "output/finite_weights.h"
+#include "input/repair.h"
+#include "system/text.h"
+#include "commands/triangulate.h"
+#include "output/write_textured_mesh.h"
+
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
+#include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
+#include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
+#include <CGAL/Intrinsic_triangulations/parameterization_quality.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace idt {
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Json = nlohmann::ordered_json;
+
+struct Parameterize_options
+{
+  std::string input;
+  std::string method = "harmonic";
+  std::string laplacian = "intrinsic";
+  std::string boundary;
+  std::string uv_path;
+  std::string uv_input_path;
+  std::string distortion_path;
+  std::string json_path;
+  bool is_repaired = false;
+};
+
+// What a map is on one of the two triangulations.
+struct Quality
+{
+  IT::Parameterization_check check;
+  std::vector<double> distortion; // of each face
+  IT::Distortion_summary summary;
+};
+
+struct Result
+{
+  Triangulation_result triangulation;
+  IT::Planar_points uv;
+  std::optional<IT::Circle_pattern> pattern;
+  Quality on_input, on_intrinsic;
+  double seconds = 0;
+};
+
+void check(Parameterize_options& options)
+{
+  if (options.method == "circle-pattern") {
+    if (options.boundary == "disk")
+      throw Usage_error("--boundary disk: the boundary of a circle pattern is free");
+    options.boundary = "natural";
+  } else if (options.boundary.empty()) {
+    options.boundary = "disk";
+  }
+  std::vector<std::string> outputs{options.json_path, options.distortion_path};
+  for (const std::string& obj_path : {options.uv_path, options.uv_input_path})
+    if (!obj_path.empty() && find_mesh_format(obj_path) != Mesh_format::OBJ)
+      throw Usage_error(obj_path + ": the map is written as an OBJ file, whose name ends in .obj");
+    else if (obj_path.find_first_of("\r\n") != std::string::npos)
+      throw Usage_error("--uv and --uv-input: a name with a line end cannot be written in an OBJ file");
+    else if (!obj_path.empty())
+      for (const std::string& path : textured_mesh_paths(obj_path))
+        outputs.push_back(path);
+  check_output_paths(outputs, {options.input});
+}
+
+// \param progress is asked as often as the method allows: a single linear system is solved in one go
+void find_map(const Parameterize_options& options, Result& result,
+              const IT::Progress_function& progress)
+{
+  if (!progress(0))
+    throw IT::Cancelled_error("the search for the map was cancelled");
+  const bool is_intrinsic = options.laplacian == "intrinsic";
+  const Outcome& outcome = result.triangulation.outcome;
+  const IT::Delta_complex& complex =
+    is_intrinsic ? outcome.connectivity : result.triangulation.surface.connectivity;
+  const Numbers& numbers = is_intrinsic ? outcome.numbers : outcome.input_numbers;
+  if (options.method == "circle-pattern") {
+    result.pattern =
+      IT::circle_pattern_parameterization(complex, numbers.lengths, numbers.areas, progress);
+    result.uv = result.pattern->uv;
+    return;
+  }
+  require_finite_weights(complex, numbers.weights, options.input);
+  if (options.boundary == "natural") {
+    result.uv =
+      IT::natural_parameterization(complex, numbers.weights, numbers.lengths, numbers.areas);
+    return;
+  }
+  std::vector<double> lengths;
+  for (IT::Halfedge_index h : IT::disk_boundary(complex))
+    lengths.push_back(numbers.lengths[complex.edge(h).idx()]);
+  result.uv =
+    IT::harmonic_parameterization(complex, numbers.weights, IT::positions_on_circle(lengths));
+}
+
+Quality quality(const IT::Delta_complex& complex, const Numbers& numbers,
+                const IT::Planar_points& uv)
+{
+  Quality quality;
+  quality.check = IT::check_parameterization(complex, uv);
+  quality.distortion = IT::quasi_conformal_distortion(complex, numbers.lengths, numbers.areas, uv);
+  quality.summary = IT::summarize_distortion(quality.distortion, numbers.areas);
+  return quality;
+}
+
+// JSON has no infinity.
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json json_value(const Quality& quality)
+{
+  return {{"flipped", quality.check.flipped.size()},
+          {"collapsed", quality.check.collapsed.size()},
+          {"mean_distortion", number(quality.summary.mean)},
+          {"percentile_99_distortion", number(quality.summary.percentile_99)},
+          {"max_distortion", number(quality.summary.maximum)}};
+}
+
+Json json_value(const std::optional<IT::Circle_pattern>& pattern)
+{
+  if (!pattern)
+    return nullptr;
+  return {{"clipped_edges", pattern->input.number_of_clipped_edges},
+          {"largest_change_of_angle", pattern->input.largest_change},
+          {"gradient", pattern->gradient},
+          {"iterations", pattern->iterations}};
+}
+
+Json json_value(const std::optional<Weight_summary>& weights)
+{
+  Json json;
+  json["min_weight"] = weights->smallest ? number(*weights->smallest) : Json(nullptr);
+  json["negative_weights"] = weights->negative;
+  return json;
+}
+
+Json json_value(const Parameterize_options& options, const Result& result)
+{
+  const Outcome& outcome = result.triangulation.outcome;
+  Json json;
+  json["input"] = options.input;
+  json["method"] = options.method;
+  json["laplacian"] = options.laplacian;
+  json["boundary"] = options.boundary;
+  json["vertices"] = result.triangulation.counts.vertices;
+  json["faces"] = result.triangulation.counts.faces;
+  json["flips"] = outcome.report.flips;
+  json["weights_before"] = json_value(outcome.weights_before);
+  json["weights_after"] = json_value(outcome.weights_after);
+  json["over_input"] = json_value(result.on_input);
+  json["over_intrinsic"] = json_value(result.on_intrinsic);
+  json["circle_pattern"] = json_value(result.pattern);
+  json["repair"] = to_json_value(repairs(result.triangulation.surface));
+  json["seconds"] = result.seconds;
+  return json;
+}
+
+std::string text(const Quality& quality)
+{
+  return counted(quality.check.flipped.size(), "triangle", "triangles") + " flipped, " +
+         with_separators(quality.check.collapsed.size()) + " collapsed; distortion " +
+         in_short(quality.summary.mean) + " in the mean, " +
+         in_short(quality.summary.percentile_99) + " at 99 % of the area, " +
+         in_short(quality.summary.maximum) + " at most";
+}
+
+void write_report(std::ostream& os, const Parameterize_options& options, const Result& result)
+{
+  const Outcome& outcome = result.triangulation.outcome;
+  os << options.input << "\n  map               " << options.laplacian << ' ' << options.method
+     << ", boundary " << (options.boundary == "disk" ? "on the unit circle" : "natural")
+     << "\n  flips             " << with_separators(outcome.report.flips)
+     << "\n  negative weights  " << with_separators(outcome.weights_before->negative)
+     << " before, " << with_separators(outcome.weights_after->negative) << " after\n";
+  if (result.pattern)
+    os << "  circle pattern    "
+       << counted(result.pattern->input.number_of_clipped_edges, "edge", "edges")
+       << " clipped, gradient " << in_short(result.pattern->gradient) << '\n';
+  os << "  over the input    " << text(result.on_input) << "\n  over the iDT      "
+     << text(result.on_intrinsic) << "\n  time              " << seconds_text(result.seconds)
+     << '\n';
+}
+
+// The distortion of each face of the overlay by both maps; nothing where it is infinite.
+void write_distortion(std::ostream& os, const Result& result)
+{
+  const auto text = [](double x) { return std::isfinite(x) ? in_full(x) : std::string(); };
+  const IT::Overlay& overlay = result.triangulation.outcome.overlay->graph;
+  os << "input_face,intrinsic_face,over_input,over_intrinsic\n";
+  for (IT::Overlay::Face f : overlay.faces()) {
+    const std::size_t input = overlay.input_face(f).idx(), intrinsic = overlay.intrinsic_face(f).idx();
+    os << input << ',' << intrinsic << ',' << text(result.on_input.distortion[input]) << ','
+       << text(result.on_intrinsic.distortion[intrinsic]) << '\n';
+  }
+}
+
+void write_files(const Parameterize_options& options, const Result& result)
+{
+  const Surface& surface = result.triangulation.surface;
+  const Outcome& outcome = result.triangulation.outcome;
+  if (!(options.uv_path.empty() && options.uv_input_path.empty()) && !surface.has_points())
+    throw Usage_error("--uv and --uv-input need points: " + surface.path + " has lengths alone");
+  if (!options.uv_path.empty())
+    write_textured_mesh(options.uv_path, make_map_over_intrinsic(surface, outcome.connectivity,
+                                                                 *outcome.overlay, result.uv));
+  if (!options.uv_input_path.empty())
+    write_textured_mesh(options.uv_input_path, make_map_over_input(surface, result.uv));
+  if (!options.distortion_path.empty()) {
+    Output_file file(options.distortion_path);
+    write_distortion(file.stream(), result);
+    file.commit();
+  }
+  if (!options.json_path.empty()) {
+    Output_file file(options.json_path);
+    // A file name need not be valid UTF-8.
+    file.stream() << json_value(options, result).dump(2, ' ', false, Json::error_handler_t::replace)
+                  << '\n';
+    file.commit();
+  }
+}
+
+Exit_status run_parameterize(Parameterize_options options)
+{
+  check(options);
+  Result result;
+  Kernel_options kernel;
+  kernel.wanted = Wanted::nothing();
+  kernel.wanted.weights = kernel.wanted.lengths = kernel.wanted.numbers =
+    kernel.wanted.input_numbers = true;
+  kernel.wanted.crossings = kernel.wanted.overlay =
+    !options.uv_path.empty() || !options.distortion_path.empty();
+  const Exit_status status = for_each_input({options.input}, [&](const std::string& path) {
+    result.triangulation = triangulate(load_surface(path, {std::nullopt, options.is_repaired}), kernel);
+    const Exit_status status = exit_status(result.triangulation.outcome);
+    if (status != Exit_status::DONE) {
+      std::cerr << "idt: " << path << ": " << describe_status(result.triangulation) << std::endl;
+      return status;
+    }
+    const Surface& surface = result.triangulation.surface;
+    const Outcome& outcome = result.triangulation.outcome;
+    const Stopwatch stopwatch;
+    try {
+      Progress progress(path);
+      find_map(options, result, [&progress](double fraction) {
+        progress.show("solving", fraction);
+        return !is_interrupted();
+      });
+    } catch (const IT::Invalid_surface_error& error) {
+      if (std::string(error.what()).find(path) == 0)
+        throw;
+      throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(),
+                                      path + ": " + error.what());
+    } catch (const IT::Numerical_error& error) {
+      throw IT::Numerical_error(path + ": " + error.what());
+    } catch (const IT::Cancelled_error& error) {
+      throw IT::Cancelled_error(path + ": " + error.what());
+    }
+    result.seconds = stopwatch.seconds();
+    result.on_input = quality(surface.connectivity, outcome.input_numbers, result.uv);
+    result.on_intrinsic = quality(outcome.connectivity, outcome.numbers, result.uv);
+    write_files(options, result);
+    write_report(std::cout, options, result);
+    flush_standard_output();
+    return status;
+  });
+  return status;
+}
+
+} // namespace
+
+void add_parameterize_command(CLI::App& app, Selected_command& selected)
+{
+  const auto options = std::make_shared<Parameterize_options>();
+  CLI::App& command =
+    *app.add_subcommand("parameterize", "Map a disk to the plane, harmonically or conformally");
+  command.footer("The surface must be a disk: one component with one boundary and no handle. Orientation\n"
+                 "is decided exactly, for the map that is linear on the input triangles and for the one\n"
+                 "that is linear on the intrinsic Delaunay triangles. Distortion is the ratio of the\n"
+                 "singular values: 1 where a triangle keeps its shape.\n");
+  command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
+  command
+    .add_option("--laplacian", options->laplacian,
+                "the triangulation whose cotangents, or whose circles, are taken")
+    ->check(CLI::IsMember({"intrinsic", "extrinsic"}))
+    ->capture_default_str();
+  command
+    .add_option("--boundary", options->boundary,
+                "disk: spread over the unit circle by arc length (default); natural: where it "
+                "distorts least")
+    ->check(CLI::IsMember({"disk", "natural"}));
+  command
+    .add_option("--method", options->method,
+                "harmonic, or circle-pattern: discrete conformal, boundary natural")
+    ->check(CLI::IsMember({"harmonic", "circle-pattern"}))
+    ->capture_default_str();
+  command
+    .add_option("--uv", options->uv_path,
+                "write the surface with the texture coordinates that are linear on the intrinsic "
+                "triangles, as the overlay; beside it F.mtl and F.png with a checkerboard")
+    ->type_name("F.obj");
+  command
+    .add_option("--uv-input", options->uv_input_path,
+                "the same, linear on the input triangles")
+    ->type_name("F.obj");
+  command
+    .add_option("--distortion", options->distortion_path,
+                "write the distortion of both on each face of the overlay: "
+                "input_face,intrinsic_face,over_input,over_intrinsic")
+    ->type_name("F.csv");
+  command.add_option("--json", options->json_path, "write what the report says as a JSON object")
+    ->type_name("F.json");
+  add_repair_option(command, options->is_repaired);
+  command.callback(
+    [options, &selected] { selected = [options] { return run_parameterize(*options); }; });
+}
+
+} // namespace idt

@@ -1,0 +1,262 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `idt table`: the columns of Table 1 in Fisher, Springborn, Schroeder, Bobenko (2006).
+
+#include "output/Output_file.h"
+#include "commands/commands.h"
+#include "output/finite_weights.h"
+#include "commands/paper_table.h"
+#include "input/repair.h"
+#include "system/text.h"
+#include "commands/triangulate.h"
+
+#include <CGAL/Intrinsic_triangulations/condition_number.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
+#include <CGAL/Intrinsic_triangulations/weight_histogram.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace idt {
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Json = nlohmann::ordered_json;
+
+struct Table_options
+{
+  std::vector<std::string> inputs;
+  std::string json_path;
+  bool without_condition = false;
+  bool is_repaired = false;
+};
+
+struct Operator_summary
+{
+  IT::Extreme_eigenvalues eigenvalues;
+  IT::Weight_histogram histogram;
+  Weight_summary weights;
+};
+
+struct Row
+{
+  std::string model;
+  std::optional<std::uint64_t> vertices;
+  std::optional<std::uint64_t> flips;
+  std::optional<std::uint64_t> simple;
+  std::optional<std::uint64_t> longest;
+  std::optional<std::uint64_t> crossings;
+  std::optional<double> seconds; // to build and to flip
+  std::optional<std::vector<IT::Repair>> repairs;
+  const Paper_row* paper = nullptr;
+  // Of the Laplace-Beltrami operators before and after the flips.
+  std::optional<Operator_summary> before;
+  std::optional<Operator_summary> after;
+};
+
+using Line = std::vector<std::string>;
+
+std::optional<double> condition_ratio(const Row& row)
+{
+  if (!row.before || !row.after)
+    return std::nullopt;
+  return row.after->eigenvalues.condition_number() / row.before->eigenvalues.condition_number();
+}
+
+std::string cell(const std::optional<std::uint64_t>& number)
+{
+  return number ? std::to_string(*number) : "-";
+}
+
+std::string cell(const std::optional<double>& number) { return number ? in_short(*number) : "-"; }
+
+Json json_value(const Operator_summary& summary);
+Json json_value(std::uint64_t value) { return value; }
+Json json_value(double value) { return value; }
+template <class T>
+Json json_value(const std::optional<T>& value)
+{
+  return value ? json_value(*value) : Json(nullptr);
+}
+
+Line line(const Row& row)
+{
+  return {row.model,
+          cell(row.vertices),
+          cell(row.flips),
+          cell(row.simple),
+          cell(row.longest),
+          cell(condition_ratio(row)),
+          cell(row.crossings),
+          cell(row.seconds)};
+}
+
+// The figures of the paper, under those of the same model.
+Line line(const Paper_row& row)
+{
+  return {"  paper",
+          "",
+          std::to_string(row.flips),
+          std::to_string(row.simple),
+          std::to_string(row.longest),
+          in_short(row.condition_ratio),
+          cell(row.crossings),
+          ""};
+}
+
+Json json_value(const Paper_row* row)
+{
+  if (row == nullptr)
+    return nullptr;
+  return {{"flips", row->flips},
+          {"simple", row->simple},
+          {"longest", row->longest},
+          {"condition_ratio", row->condition_ratio},
+          {"crossings", json_value(row->crossings)}};
+}
+
+Json json_value(const Operator_summary& summary)
+{
+  return {{"smallest_eigenvalue", summary.eigenvalues.smallest},
+          {"largest_eigenvalue", summary.eigenvalues.largest},
+          {"condition_number", summary.eigenvalues.condition_number()},
+          {"min_weight", json_value(summary.weights.smallest)},
+          {"negative_weights", summary.weights.negative},
+          {"weight_histogram",
+           {{"low", summary.histogram.low},
+            {"high", summary.histogram.high},
+            {"counts", summary.histogram.counts},
+            {"below", summary.histogram.below},
+            {"above", summary.histogram.above}}}};
+}
+
+Json json_row(const Row& row)
+{
+  return {{"model", row.model},
+          {"vertices", json_value(row.vertices)},
+          {"flips", json_value(row.flips)},
+          {"simple", json_value(row.simple)},
+          {"longest", json_value(row.longest)},
+          {"condition_ratio", json_value(condition_ratio(row))},
+          {"crossings", json_value(row.crossings)},
+          {"seconds", json_value(row.seconds)},
+          {"repair", to_json_value(row.repairs)},
+          {"paper", json_value(row.paper)},
+          {"extrinsic", json_value(row.before)},
+          {"intrinsic", json_value(row.after)}};
+}
+
+void write_table(std::ostream& os, const std::vector<Row>& rows)
+{
+  std::vector<Line> lines = {{"model", "V", "flips", "simple", "longest", "cond ratio",
+                              "crossings", "time [s]"}};
+  for (const Row& row : rows) {
+    lines.push_back(line(row));
+    if (row.paper != nullptr)
+      lines.push_back(line(*row.paper));
+  }
+  write_aligned(os, lines);
+}
+
+Operator_summary summarize(const IT::Delta_complex& complex, const std::vector<double>& weights,
+                           const Weight_summary& weight_summary, const std::string& path)
+{
+  require_finite_weights(complex, weights, path);
+  // A weight of an equilateral triangulation is 1.15; far out, only slivers are to be counted.
+  return {IT::extreme_eigenvalues(complex, IT::stiffness_matrix(complex, weights)),
+          IT::weight_histogram(complex, weights, -10, 10, 80), weight_summary};
+}
+
+// A surface without a condition number still has all the other columns.
+void find_condition(const Triangulation_result& result, Row& row)
+{
+  const Outcome& outcome = result.outcome;
+  try {
+    row.before = summarize(result.surface.connectivity, outcome.input_numbers.weights,
+                           *outcome.weights_before, result.surface.path);
+    row.after = summarize(outcome.connectivity, outcome.numbers.weights, *outcome.weights_after,
+                          result.surface.path);
+  } catch (const IT::Error& error) {
+    std::cerr << "idt: " << result.surface.path << ": no condition number: " << error.what()
+              << std::endl;
+  }
+}
+
+Exit_status run_table(const Table_options& options)
+{
+  check_output_paths({options.json_path}, options.inputs);
+  Kernel_options kernel_options;
+  kernel_options.wanted = Wanted::nothing();
+  kernel_options.wanted.crossings = true;
+  kernel_options.wanted.weights = kernel_options.wanted.numbers =
+    kernel_options.wanted.input_numbers = !options.without_condition;
+  std::vector<Row> rows;
+  const Exit_status status = for_each_input(options.inputs, [&](const std::string& path) {
+    rows.emplace_back();
+    rows.back().model = std::filesystem::path(path).stem().string();
+    const Triangulation_result result = triangulate(load_surface(path, {std::nullopt, options.is_repaired}), kernel_options);
+    Row& row = rows.back();
+    row.vertices = result.counts.vertices;
+    row.flips = result.outcome.report.flips;
+    if (const std::optional<Crossing_summary>& summary = result.outcome.crossing_summary) {
+      row.simple = summary->simple;
+      row.longest = summary->longest;
+      row.crossings = summary->crossings;
+    }
+    row.seconds =
+      result.surface.build_seconds + result.outcome.build_seconds + result.outcome.flip_seconds;
+    row.repairs = repairs(result.surface);
+    row.paper = find_paper_row(row.model, result.counts.vertices);
+    if (!options.without_condition)
+      find_condition(result, row);
+    const Exit_status row_status = exit_status(result.outcome);
+    if (row_status != Exit_status::DONE)
+      std::cerr << "idt: " << path << ": " << describe_status(result) << std::endl;
+    return row_status;
+  });
+
+  write_table(std::cout, rows);
+  flush_standard_output();
+  if (!options.json_path.empty()) {
+    Json json = Json::array();
+    for (const Row& row : rows)
+      json.push_back(json_row(row));
+    Output_file file(options.json_path);
+    // A file name need not be valid UTF-8.
+    file.stream() << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    file.commit();
+  }
+  return status;
+}
+
+} // namespace
+
+void add_table_command(CLI::App& app, Selected_command& selected)
+{
+  const auto options = std::make_shared<Table_options>();
+  CLI::App& command =
+    *app.add_subcommand("table", "Show flips, crossings and condition of surfaces as a table");
+  command.footer("V: vertices; simple: intrinsic edges that cross exactly one input edge; longest:\n"
+                 "the largest number of segments in one intrinsic edge; cond ratio: condition number\n"
+                 "of the intrinsic Laplacian over that of the extrinsic one, both for the inner\n"
+                 "vertices and without zero eigenvalues; crossings: in all; time: to build the\n"
+                 "triangulation and to flip. `-` stands for what is not known. Below a model of the\n"
+                 "paper (cathead, bunnyhead, beautiful_freak, hygeia, planck, bunny, camel, horse,\n"
+                 "feline, with as many vertices as there) are its figures.\n");
+  command.add_option("INPUT", options->inputs, "as for `idt triangulate`")->required();
+  add_repair_option(command, options->is_repaired);
+  command.add_flag("--without-condition", options->without_condition,
+                   "leave out the condition numbers, which take longer than all the rest");
+  command.add_option("--json", options->json_path, "write the rows as a JSON array of objects")
+    ->type_name("F.json");
+  command.callback([options, &selected] { selected = [options] { return run_table(*options); }; });
+}
+
+} // namespace idt

@@ -1,0 +1,324 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `idt triangulate`
+
+#include "commands/triangulate.h"
+
+#include "system/Interruption.h"
+#include "output/Output_file.h"
+#include "system/Progress.h"
+#include "system/Stopwatch.h"
+#include "system/child_process.h"
+#include "commands/command_line.h"
+#include "commands/commands.h"
+#include "input/repair.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+namespace idt {
+namespace {
+
+struct Triangulate_options
+{
+  std::vector<std::string> inputs;
+  std::string number_type = name(default_number_type);
+  int precision = 128;
+  std::optional<std::uint64_t> maximum_number_of_flips;
+  bool are_ties_proven = false;
+  std::optional<double> mollification;
+  bool is_mollification_local = false;
+  bool is_repaired = false;
+  bool is_verified = false;
+  std::string stats_path;
+  std::string edges_path;
+  std::string laplacian_path;
+  std::string mass_path;
+  std::string crossings_path;
+  std::string overlay_path;
+  std::string repair_map_path;
+
+  std::vector<std::string> output_paths() const
+  {
+    return {stats_path, edges_path, laplacian_path, mass_path, crossings_path, overlay_path, repair_map_path};
+  }
+};
+
+Kernel_options kernel_options(const Triangulate_options& options)
+{
+  Kernel_options result;
+  const std::optional<Number_type> number_type = find_number_type(options.number_type);
+  if (!number_type)
+    throw Usage_error("--number-type: there is no \"" + options.number_type + "\"");
+  result.number_type = *number_type;
+  result.precision = options.precision;
+  result.maximum_number_of_flips = options.maximum_number_of_flips;
+  if (options.are_ties_proven)
+    result.tie_proof = CGAL::Intrinsic_triangulations::Tie_proof::PROVEN;
+  result.wanted.lengths = !options.edges_path.empty();
+  result.wanted.numbers = !options.edges_path.empty() || !options.laplacian_path.empty() ||
+                          !options.mass_path.empty();
+  result.wanted.verification = options.is_verified;
+  result.wanted.tessellation = !options.stats_path.empty();
+  result.wanted.overlay = !options.crossings_path.empty() || !options.overlay_path.empty();
+  return result;
+}
+
+void check(const Triangulate_options& options)
+{
+  if (options.mollification && !(*options.mollification >= 0 && *options.mollification <= 1e6))
+    throw Usage_error("--mollify: D is between 0 and 1e6");
+  const std::vector<std::string> outputs = options.output_paths();
+  if (options.inputs.size() > 1 &&
+      std::any_of(outputs.begin(), outputs.end(), [](const std::string& s) { return !s.empty(); }))
+    throw Usage_error("--stats, --edges, --crossings, --overlay, --laplacian, --mass and --repair-map take one input: "
+                      "several would go to the same file");
+  if (!options.overlay_path.empty()) {
+    const std::optional<Mesh_format> format = find_mesh_format(options.overlay_path);
+    if (!format || !holds_polygons(*format))
+      throw Usage_error("--overlay: " + options.overlay_path + " does not end in " + mesh_extensions(true) +
+                        (format ? ": the overlay has faces with more than three corners" : ""));
+  }
+  check_output_paths(outputs, options.inputs);
+}
+
+// \exception Invalid_surface_error if the overlay of the surface has no place in space
+void check_points(const Surface& surface)
+{
+  using CGAL::Intrinsic_triangulations::Invalid_surface_error;
+  if (!surface.has_points())
+    throw Invalid_surface_error(
+      Invalid_surface_error::Defect::UNREADABLE, 0, 1,
+      surface.path + ": --overlay needs a surface in space, and this one has edge lengths alone" +
+        (surface.mollification ? ", since --mollify has changed them" : ""));
+}
+
+template <class Write>
+void write_file(const std::string& path, const Write& write)
+{
+  if (path.empty())
+    return;
+  Output_file file(path);
+  write(file.stream());
+  file.commit();
+}
+
+void write_files(const Triangulate_options& options, Triangulation_result& result)
+{
+  const Stopwatch stopwatch;
+  write_file(options.repair_map_path,
+             [&](std::ostream& os) { write_repair_map(os, result.surface); });
+  write_file(options.edges_path, [&](std::ostream& os) { write_edges(os, result); });
+  write_file(options.laplacian_path, [&](std::ostream& os) { write_laplacian(os, result); });
+  write_file(options.mass_path, [&](std::ostream& os) { write_mass(os, result); });
+  if (result.outcome.overlay) {
+    write_file(options.crossings_path, [&](std::ostream& os) { write_crossings(os, result); });
+    write_file(options.overlay_path, [&](std::ostream& os) {
+      write_overlay(os, result, *find_mesh_format(options.overlay_path));
+    });
+  }
+  if (result.options.wanted.numbers || result.outcome.overlay)
+    result.write_seconds = stopwatch.seconds();
+  write_file(options.stats_path,
+             [&](std::ostream& os) { os << statistics(result).dump(2) << '\n'; });
+}
+
+Exit_status triangulate_file(const std::string& path, const Triangulate_options& options,
+                             const Kernel_options& kernel, const Load_options& load, bool& is_first)
+{
+  Surface surface = load_surface(path, load);
+  if (!options.overlay_path.empty())
+    check_points(surface);
+  Triangulation_result result = triangulate(std::move(surface), kernel);
+  write_files(options, result);
+  if (!is_first)
+    std::cout << '\n';
+  is_first = false;
+  write_report(std::cout, result);
+  flush_standard_output();
+  const Exit_status status = exit_status(result.outcome);
+  if (status != Exit_status::DONE)
+    std::cerr << "idt: " << path << ": " << describe_status(result) << std::endl;
+  return status;
+}
+
+// Calls exit() where it meets what it was not made for.
+bool may_end_the_process(Number_type number_type)
+{
+  return number_type == Number_type::CORE || number_type == Number_type::HALF_ANGLE_CORE;
+}
+
+// Does it in another process, which is all that ends then.
+Exit_status survive(const std::string& path, const Kernel_options& kernel,
+                    const std::function<Exit_status()>& triangulate_input, bool& is_first)
+{
+  constexpr int has_report = 256;
+  const std::optional<int> end = run_in_expendable_process([&] {
+    Exit_status status;
+    try {
+      status = triangulate_input();
+    } catch (...) {
+      status = report_current_exception(path);
+    }
+    return static_cast<int>(status) + (is_first ? 0 : has_report);
+  });
+  if (!end)
+    throw CGAL::Intrinsic_triangulations::Undecided_error(
+      path + ": as " + name(kernel.number_type) + ": the number type cannot go on with these numbers; " +
+      name(Number_type::FILTERED) + " can");
+  is_first = is_first && *end < has_report;
+  return static_cast<Exit_status>(*end % has_report);
+}
+
+Exit_status run_triangulate(const Triangulate_options& options)
+{
+  check(options);
+  const Kernel_options kernel = kernel_options(options);
+  Load_options load;
+  load.is_repaired = options.is_repaired;
+  if (options.mollification)
+    load.mollification = Mollification_options{*options.mollification, options.is_mollification_local};
+
+  bool is_first = true;
+  return for_each_input(options.inputs, [&](const std::string& path) {
+    const auto triangulate_input = [&] { return triangulate_file(path, options, kernel, load, is_first); };
+    return may_end_the_process(kernel.number_type) ? survive(path, kernel, triangulate_input, is_first)
+                                                   : triangulate_input();
+  });
+}
+
+std::string number_type_help()
+{
+  std::ostringstream text;
+  text << "Number types:\n";
+  for (Number_type number_type : number_types()) {
+    const std::string title = name(number_type);
+    text << "  " << std::left << std::setw(19) << title << ' ' << description(number_type)
+         << (number_type == default_number_type ? " (default)" : "") << '\n';
+  }
+  return text.str();
+}
+
+} // namespace
+
+Triangulation_result triangulate(Surface surface, const Kernel_options& options)
+{
+  Triangulation_result result;
+  result.options = options;
+  result.surface = std::move(surface);
+  {
+    Progress progress(result.surface.path);
+    const auto show_flips = [&](std::uint64_t tests, std::uint64_t flips) {
+      progress.show_flips(tests, flips);
+      return !is_interrupted();
+    };
+    // An interruption of the flips leaves a result, which has an overlay as well; it takes
+    // another one, meant for the overlay, to do without.
+    std::optional<bool> was_interrupted;
+    const auto show_overlay = [&](double fraction) {
+      progress.show("overlay", fraction);
+      if (!was_interrupted)
+        was_interrupted = is_interrupted();
+      return *was_interrupted || !is_interrupted();
+    };
+    result.outcome = run({result.surface, options, show_flips, has_time_to_decide, show_overlay});
+  }
+  result.counts = count_elements(result.outcome.connectivity);
+  return result;
+}
+
+void add_triangulate_command(CLI::App& app, Selected_command& selected)
+{
+  const auto options = std::make_shared<Triangulate_options>();
+  CLI::App& command = *app.add_subcommand(
+    "triangulate", "Flip edges until the triangulation of each surface is intrinsic Delaunay");
+  command.footer(number_type_help() +
+                 "\nSeveral inputs are worked on one after the other; the status is that of the\n"
+                 "first that failed. An output file appears when it is complete. Ctrl-C ends the\n"
+                 "flips within a second and writes what there is; a second one, which ends\n"
+                 "everything, may be needed where a single decision of core takes long.\n");
+  command
+    .add_option("INPUT", options->inputs,
+                "meshes of triangles (OFF, OBJ, PLY, STL, TS), or .gluing files of triangles "
+                "with lengths")
+    ->required();
+  command
+    .add_option("--number-type", options->number_type, "what to compute with; see below")
+    ->type_name("NT")
+    ->capture_default_str();
+  command.add_option("--precision", options->precision, "bits of a number at least, for mpfr")
+    ->type_name("BITS")
+    ->check(CLI::Range(2, 1000000))
+    ->capture_default_str();
+  command
+    .add_option("--maximum-flips", options->maximum_number_of_flips,
+                "give up after that many flips (default: unlimited for an exact number type, "
+                "else the larger of 10,000,000 and 100 times the number of edges)")
+    ->type_name("N")
+    ->transform(whole_number());
+  command.add_option_function<std::string>(
+           "--tie-proof", [options](const std::string& word) { options->are_ties_proven = word == "proven"; },
+           "what the exact decisions of filtered and of --verify accept as a tie: probable (an error below 2^-128 where "
+           "a proof would be costly), or proven (then a tie without a proof ends the run)")
+    ->type_name("probable|proven")
+    ->check(CLI::IsMember({"probable", "proven"}))
+    ->default_str("probable");
+  CLI::Option* const mollify =
+    command
+      .add_option("--mollify", options->mollification,
+                  "first lengthen all edges by the same amount, so that each triangle "
+                  "inequality holds with a margin of D times the mean length")
+      ->type_name("D");
+  command
+    .add_flag("--mollify-local", options->is_mollification_local,
+              "lengthen only edges of triangles that lack the margin")
+    ->needs(mollify);
+  CLI::Option* const repair = add_repair_option(command, options->is_repaired);
+  command.add_flag("--verify", options->is_verified,
+                   "afterwards decide every interior edge once more, exactly and from the input "
+                   "alone, whatever the number type; status 4 if one is not Delaunay");
+  command
+    .add_option("--stats", options->stats_path, "write what the report says as a JSON object")
+    ->type_name("F.json");
+  command
+    .add_option("--edges", options->edges_path,
+                "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,"
+                "original; no weight where it is infinite, beside a face of zero area")
+    ->type_name("F.csv");
+  command
+    .add_option("--laplacian", options->laplacian_path,
+                "write the Laplace-Beltrami operator as a Matrix Market file: positive "
+                "semidefinite, entries -(cot + cot)/2, natural boundary conditions")
+    ->type_name("F.mtx");
+  command
+    .add_option("--mass", options->mass_path,
+                "write the lumped mass matrix: a third of the area around each vertex")
+    ->type_name("F.mtx");
+  command
+    .add_option("--crossings", options->crossings_path,
+                "write what each intrinsic edge crosses, in order, as CSV: source,target,edge,"
+                "position,input_source,input_target,t,u")
+    ->type_name("F.csv");
+  command
+    .add_option("--overlay", options->overlay_path,
+                "write the overlay of input and result as a mesh of polygons")
+    ->type_name("F.(ply|off|obj|vtp)");
+  command
+    .add_option("--repair-map", options->repair_map_path,
+                "write where the vertices and faces of the repaired surface come from, as CSV: "
+                "element,index,input")
+    ->type_name("F.csv")
+    ->needs(repair);
+  command.callback(
+    [options, &selected] { selected = [options] { return run_triangulate(*options); }; });
+}
+
+} // namespace idt

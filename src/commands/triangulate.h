@@ -1,0 +1,17 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef IDT_TRIANGULATE_H
+#define IDT_TRIANGULATE_H
+
+#include "output/Triangulation_result.h"
+
+namespace idt {
+
+// Makes a surface Delaunay, with a progress line; what the subcommands that need an intrinsic
+// triangulation begin with.
+Triangulation_result triangulate(Surface surface, const Kernel_options& options);
+
+} // namespace idt
+
+#endif // IDT_TRIANGULATE_H

@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/Surface.h"
+
+#include "system/Exit_status.h"
+#include "system/Interruption.h"
+#include "system/Progress.h"
+#include "system/Stopwatch.h"
+#include "input/gluing_file.h"
+#include "input/read_surface.h"
+#include "input/repair.h"
+
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/validate_triangles.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace idt {
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+Surface_input read(const std::string& path)
+{
+  Progress progress(path);
+  return read_surface(path, [&progress](double fraction) {
+    progress.show("reading", fraction);
+    return !is_interrupted();
+  });
+}
+
+// \exception Invalid_surface_error with what is wrong, and the option that would help
+[[noreturn]] void refuse(const IT::Surface_report& report, const std::string& path, bool is_repaired)
+{
+  const IT::Finding& finding = *report.first_fatal();
+  std::optional<std::string> advice;
+  if (is_repaired)
+    advice = "--repair was of no use";
+  else if (is_repairable(finding))
+    advice = "the option --repair does what can be done";
+  const std::string text = IT::message(report, path, advice);
+  throw IT::Invalid_surface_error(finding.defect, finding.elements.empty() ? 0 : finding.elements.front(),
+                                  finding.count, text);
+}
+
+void load_mesh(Surface& surface, bool is_repaired)
+{
+  Stopwatch stopwatch;
+  Surface_input input = read(surface.path);
+  surface.read_seconds = stopwatch.restart();
+  if (is_repaired) {
+    surface.repair = repair(input);
+    for (const IT::Repair& repair : surface.repair->repairs)
+      std::cerr << "idt: " << surface.path << ": repaired: " << message(repair) << std::endl;
+  }
+
+  // What can be built was examined on the way, as far as the faces are concerned. The whole
+  // examination is for those who have to be told something.
+  const auto build = [&] {
+    surface.connectivity =
+      IT::make_Delta_complex_from_triangles(input.points.size(), input.triangles);
+  };
+  bool is_built = false;
+  try {
+    if (input.is_triangulated()) {
+      build();
+      is_built = true;
+    }
+  } catch (const IT::Invalid_surface_error&) {
+  }
+  if (!is_built || !IT::has_nothing_to_report(surface.connectivity, input.points)) {
+    const IT::Surface_report report = examine(input);
+    if (report.first_fatal() != nullptr)
+      refuse(report, surface.path, is_repaired);
+    for (IT::Finding_kind kind :
+         {IT::Finding_kind::ZERO_AREA_FACE, IT::Finding_kind::UNREFERENCED_VERTEX})
+      if (const IT::Finding* finding = report.find(kind))
+        surface.notes.push_back(IT::message(*finding));
+    if (!is_built)
+      build();
+  }
+  surface.points = std::move(input.points);
+  surface.build_seconds = stopwatch.restart();
+}
+
+void load_gluing(Surface& surface)
+{
+  const Stopwatch stopwatch;
+  Progress progress(surface.path);
+  read_gluing_file(surface.path, surface.connectivity, surface.lengths, [&progress](double fraction) {
+    progress.show("reading", fraction);
+    return !is_interrupted();
+  });
+  surface.read_seconds = stopwatch.seconds();
+  if (surface.connectivity.number_of_faces() == 0)
+    throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::EMPTY, 0, 1,
+                                    surface.path + ": there is no face");
+}
+
+std::vector<double> lengths_of(const Surface& surface)
+{
+  if (!surface.has_points())
+    return surface.lengths;
+  std::vector<double> lengths;
+  lengths.reserve(surface.connectivity.number_of_edges());
+  for (IT::Edge_index e : surface.connectivity.edges()) {
+    const IT::Halfedge_index h = surface.connectivity.halfedge(e);
+    const auto &p = surface.points[surface.connectivity.source(h).idx()],
+               &q = surface.points[surface.connectivity.target(h).idx()];
+    lengths.push_back(std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]));
+  }
+  return lengths;
+}
+
+} // namespace
+
+Surface load_surface(const std::string& path, const Load_options& options)
+{
+  const std::optional<Mollification_options>& mollification = options.mollification;
+  Surface surface;
+  surface.path = path;
+  if (is_gluing_file(path) && options.is_repaired)
+    throw Usage_error(path + ": --repair is for meshes; there is nothing to repair in a gluing");
+  if (is_gluing_file(path))
+    load_gluing(surface);
+  else
+    load_mesh(surface, options.is_repaired);
+  if (!mollification)
+    return surface;
+
+  const Stopwatch stopwatch;
+  std::vector<double> lengths = lengths_of(surface);
+  try {
+    surface.mollification = IT::mollify_lengths(surface.connectivity, lengths,
+                                                mollification->delta, mollification->is_local);
+  } catch (const IT::Invalid_surface_error& error) {
+    throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(),
+                                    path + ": " + error.what());
+  }
+  // Points say more than rounded lengths: they are kept as long as they are true.
+  if (surface.mollification->number_of_changed_edges > 0) {
+    surface.lengths = std::move(lengths);
+    surface.points.clear();
+  }
+  surface.build_seconds += stopwatch.seconds();
+  return surface;
+}
+
+Surface_counts count_elements(const IT::Delta_complex& complex)
+{
+  Surface_counts counts;
+  counts.vertices = complex.number_of_vertices();
+  counts.edges = complex.number_of_edges();
+  counts.faces = complex.number_of_faces();
+
+  std::vector<std::uint32_t> parent(counts.vertices);
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](std::uint32_t v) {
+    while (parent[v] != v)
+      v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+  ends.reserve(counts.edges);
+  for (IT::Edge_index e : complex.edges()) {
+    const IT::Halfedge_index h = complex.halfedge(e);
+    const std::uint32_t v = complex.source(h).idx(), w = complex.target(h).idx();
+    counts.boundary_edges += complex.is_border(e);
+    parent[root(v)] = root(w);
+    if (v == w)
+      ++counts.loops;
+    else
+      ends.emplace_back((std::min)(v, w), (std::max)(v, w));
+  }
+
+  std::size_t used_vertices = 0;
+  for (IT::Vertex_index v : complex.vertices())
+    if (complex.halfedge(v).is_valid()) {
+      ++used_vertices;
+      counts.components += parent[v.idx()] == v.idx();
+    }
+  counts.euler_characteristic = static_cast<long long>(used_vertices) -
+                                static_cast<long long>(counts.edges) +
+                                static_cast<long long>(counts.faces);
+
+  std::sort(ends.begin(), ends.end());
+  for (std::size_t first = 0; first < ends.size();) {
+    std::size_t last = first + 1;
+    while (last < ends.size() && ends[last] == ends[first])
+      ++last;
+    if (last - first > 1)
+      counts.multiple_edges += last - first;
+    first = last;
+  }
+  return counts;
+}
+
+} // namespace idt

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// VTP, the polygons of VTK and ParaView in XML: VTK reads them, if the command is built with it, as
+// there are text, base64, raw bytes and compression to be understood. To write one form takes no library.
+
+#ifndef IDT_FORMATS_VTP_H
+#define IDT_FORMATS_VTP_H
+
+#include "input/formats/polygon_soup.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace idt {
+
+// \exception Invalid_surface_error if VTK cannot read the file, or if it holds other cells than
+// polygons alone
+void read_vtp(const std::string& path, Points& points, Polygons& polygons);
+
+// Polygon i has the corners from ends[i - 1] to before ends[i].
+struct Flat_polygons
+{
+  std::vector<std::uint32_t> corners;
+  std::vector<std::size_t> ends;
+};
+
+// Writes text, coordinates as Float64 with all their digits.
+void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& points,
+               const Flat_polygons& polygons);
+
+} // namespace idt
+
+#endif // IDT_FORMATS_VTP_H

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/formats/vtp.h"
+
+#include "system/text.h"
+
+namespace idt {
+
+// CGAL's writer is for triangles alone: it announces three corners for each face, whatever there are.
+void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& points,
+               const Flat_polygons& polygons)
+{
+  os << "<?xml version=\"1.0\"?>\n"
+        "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+        "<PolyData>\n<Piece NumberOfPoints=\""
+     << points.size() << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\""
+     << polygons.ends.size()
+     << "\">\n<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+  for (const auto& [x, y, z] : points)
+    os << in_full(x) << ' ' << in_full(y) << ' ' << in_full(z) << '\n';
+  os << "</DataArray>\n</Points>\n<Polys>\n"
+        "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
+  std::size_t c = 0;
+  for (std::size_t end : polygons.ends)
+    for (; c < end; ++c)
+      os << polygons.corners[c] << (c + 1 == end ? '\n' : ' ');
+  os << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
+  for (std::size_t end : polygons.ends)
+    os << end << '\n';
+  os << "</DataArray>\n</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+}
+
+} // namespace idt

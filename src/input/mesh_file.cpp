@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/mesh_file.h"
+
+#include "input/formats/vtp.h"
+#include "system/text.h"
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace idt {
+namespace {
+
+struct Named_format
+{
+  Mesh_format format;
+  const char* extension;
+  bool holds_polygons;
+};
+
+const Named_format formats[] = {
+  {Mesh_format::PLY, ".ply", true},
+  {Mesh_format::OFF, ".off", true},
+  {Mesh_format::OBJ, ".obj", true},
+  {Mesh_format::VTP, ".vtp", true},
+  {Mesh_format::STL, ".stl", false},
+  {Mesh_format::TS, ".ts", false}};
+
+} // namespace
+
+std::optional<Mesh_format> find_mesh_format(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const Named_format& format : formats)
+    if (extension == format.extension)
+      return format.format;
+  return std::nullopt;
+}
+
+bool holds_polygons(Mesh_format format) { return format != Mesh_format::STL && format != Mesh_format::TS; }
+
+std::string mesh_extensions(bool are_polygons)
+{
+  std::vector<std::string> names;
+  for (const Named_format& format : formats)
+    if (format.holds_polygons || !are_polygons)
+      names.push_back(format.extension);
+  std::string text = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i)
+    text += (i + 1 < names.size() ? ", " : " or ") + names[i];
+  return text;
+}
+
+void write_mesh(std::ostream& os, const std::vector<std::array<double, 3>>& points,
+                const std::vector<std::array<std::uint32_t, 3>>& triangles, Mesh_format format)
+{
+  using Point = CGAL::Simple_cartesian<double>::Point_3;
+  std::vector<Point> places;
+  places.reserve(points.size());
+  for (const auto& [x, y, z] : points)
+    places.emplace_back(x, y, z);
+  std::vector<std::vector<std::size_t>> faces;
+  faces.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles)
+    faces.push_back({a, b, c});
+  const auto all_digits = CGAL::parameters::stream_precision(17);
+  switch (format) {
+  case Mesh_format::PLY:
+    CGAL::IO::set_binary_mode(os);
+    CGAL::IO::write_PLY(os, places, faces);
+    return;
+  case Mesh_format::OFF:
+    CGAL::IO::write_OFF(os, places, faces, all_digits);
+    return;
+  case Mesh_format::OBJ:
+    CGAL::IO::write_OBJ(os, places, faces, all_digits);
+    return;
+  case Mesh_format::STL:
+    // A normal of zero is to be computed by who reads it. CGAL's writer makes NaN of a small face's.
+    os << "solid\n";
+    for (const auto& triangle : triangles) {
+      os << "facet normal 0 0 0\nouter loop\n";
+      for (std::uint32_t v : triangle)
+        os << "vertex " << in_full(points[v][0]) << ' ' << in_full(points[v][1]) << ' '
+           << in_full(points[v][2]) << '\n';
+      os << "endloop\nendfacet\n";
+    }
+    os << "endsolid\n";
+    return;
+  case Mesh_format::TS:
+    CGAL::IO::write_GOCAD(os, places, faces, all_digits);
+    return;
+  case Mesh_format::VTP:
+    Flat_polygons polygons;
+    for (const auto& triangle : triangles) {
+      polygons.corners.insert(polygons.corners.end(), triangle.begin(), triangle.end());
+      polygons.ends.push_back(polygons.corners.size());
+    }
+    write_vtp(os, points, polygons);
+    return;
+  }
+}
+
+} // namespace idt

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/repair.h"
+
+#include "system/Interruption.h"
+#include "system/Progress.h"
+
+#include <CGAL/Intrinsic_triangulations/repair_polygons.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace idt {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+Repair_report repair(Surface_input& input)
+{
+  IT::Repaired_polygons repaired;
+  try {
+    Progress progress(input.path);
+    repaired = IT::repair_polygons(input.points, input.polygons(), [&progress](double fraction) {
+      progress.show("repairing", fraction);
+      return !is_interrupted();
+    });
+  } catch (const IT::Cancelled_error&) {
+    throw IT::Cancelled_error(input.path + ": cancelled while it was repaired");
+  } catch (const IT::Invalid_surface_error& error) {
+    throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(),
+                                    input.path + ": " + error.what());
+  }
+  input.points = std::move(repaired.points);
+  input.first_corner.clear();
+  input.corners.clear();
+  input.triangles.clear();
+  input.triangles.reserve(repaired.triangles.size());
+  for (const auto& [a, b, c] : repaired.triangles)
+    input.triangles.push_back({{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
+                                static_cast<std::uint32_t>(c)}});
+  return {std::move(repaired.repairs), std::move(repaired.input_vertices),
+          std::move(repaired.input_faces)};
+}
+
+bool is_repairable(const IT::Finding& finding) { return IT::is_repairable(finding.kind); }
+
+std::string message(const IT::Repair& repair) { return IT::message(repair); }
+
+std::optional<std::vector<IT::Repair>> repairs(const Surface& surface)
+{
+  if (!surface.repair)
+    return std::nullopt;
+  return surface.repair->repairs;
+}
+
+void write_repair_map(std::ostream& os, const Surface& surface)
+{
+  const auto write = [&os](const char* element, const std::vector<std::size_t>& inputs) {
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+      os << element << ',' << i << ',' << inputs[i] << '\n';
+  };
+  os << "element,index,input\n";
+  write("vertex", surface.repair->input_vertices);
+  write("face", surface.repair->input_faces);
+}
+
+} // namespace idt

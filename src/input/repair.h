@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef IDT_REPAIR_H
+#define IDT_REPAIR_H
+
+#include "input/Surface.h"
+#include "input/read_surface.h"
+
+#include <CGAL/Intrinsic_triangulations/Surface_report.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace idt {
+
+// Makes a surface of what was read, as far as possible, and says what was done.
+// \exception Invalid_surface_error if the input cannot be repaired; the message begins with its path
+// \exception Cancelled_error if an interruption ends the repair
+Repair_report repair(Surface_input& input);
+
+// Whether that mends what was found.
+bool is_repairable(const CGAL::Intrinsic_triangulations::Finding& finding);
+
+// What was done, in a sentence.
+std::string message(const CGAL::Intrinsic_triangulations::Repair& repair);
+
+// What was done to a surface; nothing unless it was asked for.
+std::optional<std::vector<CGAL::Intrinsic_triangulations::Repair>> repairs(const Surface& surface);
+
+// The same as an array of kinds with numbers and first elements, or null.
+nlohmann::ordered_json
+to_json_value(const std::optional<std::vector<CGAL::Intrinsic_triangulations::Repair>>& repairs);
+
+// For each vertex and face where it comes from, as comma-separated values:
+// `element,index,input`. \pre the surface was repaired
+void write_repair_map(std::ostream& os, const Surface& surface);
+
+} // namespace idt
+
+#endif // IDT_REPAIR_H

@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "output/Output_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <system_error>
+
+namespace idt {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The file behind symbolic links, which need not be there. Renaming onto a link would replace it.
+std::string behind_links(const std::string& path, std::error_code& error)
+{
+  fs::path target = path;
+  for (int links = 0; fs::is_symlink(fs::symlink_status(target, error)); ++links) {
+    const fs::path link = fs::read_symlink(target, error);
+    if (links == 40)
+      error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+    if (error)
+      return path;
+    target = target.parent_path() / link;
+  }
+  error.clear();
+  return target.string();
+}
+
+// Creates a file that was not there, so that no other process writes to the same. Who may not read
+// what it is to replace may not read it either.
+int create_beside(const std::string& target, std::string& temporary)
+{
+  const bool is_old = fs::exists(target);
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    // A name may have 255 bytes.
+    const fs::path path(target);
+    temporary = (path.parent_path() / path.filename().string().substr(0, 200)).string() + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+    const int descriptor = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, is_old ? 0600 : 0666);
+    if (descriptor >= 0) {
+      ::close(descriptor);
+      return 0;
+    }
+    if (errno != EEXIST)
+      break;
+  }
+  const int error_number = errno;
+  temporary.clear();
+  return error_number;
+}
+
+} // namespace
+
+Output_file::Output_file(const std::string& path) : path_(path), target_(path)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status))
+    fail(EISDIR);
+  if (!fs::exists(status) || fs::is_regular_file(status)) {
+    target_ = behind_links(path, error);
+    if (error)
+      fail(error.value());
+    if (const int error_number = create_beside(target_, temporary_))
+      fail(error_number);
+  }
+  // To open a pipe that nobody reads from would wait for ever. What is open until the stream is, keeps the
+  // reader of any other from seeing an end.
+  const int pipe = fs::is_fifo(status) ? ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC) : -1;
+  if (fs::is_fifo(status) && pipe < 0) {
+    if (errno == ENXIO)
+      throw Output_error(path_ + ": cannot be written: this is a pipe from which no program reads");
+    fail(errno);
+  }
+  errno = 0;
+  stream_.open(temporary_.empty() ? target_ : temporary_, std::ios::binary | std::ios::trunc);
+  const int error_number = errno;
+  if (pipe >= 0)
+    ::close(pipe);
+  if (!stream_) {
+    if (!temporary_.empty())
+      ::unlink(temporary_.c_str());
+    fail(error_number);
+  }
+}
+
+Output_file::~Output_file()
+{
+  stream_.close();
+  if (!is_committed_ && !temporary_.empty())
+    ::unlink(temporary_.c_str());
+}
+
+void Output_file::commit()
+{
+  // A stream that has failed before does not try again; nothing has changed the reason since.
+  const int reason = stream_ ? 0 : errno;
+  errno = 0;
+  stream_.flush();
+  stream_.close();
+  if (!stream_)
+    fail(errno == 0 ? reason : errno);
+  struct stat old = {};
+  if (!temporary_.empty() && ::stat(target_.c_str(), &old) == 0)
+    static_cast<void>(::chmod(temporary_.c_str(), old.st_mode & 07777));
+  if (!temporary_.empty() && std::rename(temporary_.c_str(), target_.c_str()) != 0)
+    fail(errno);
+  is_committed_ = true;
+}
+
+void Output_file::fail(int error_number) const
+{
+  throw Output_error(path_ + ": cannot be written" +
+                     (error_number == 0 ? "" : std::string(": ") + std::strerror(error_number)));
+}
+
+void check_output_paths(const std::vector<std::string>& outputs,
+                        const std::vector<std::string>& inputs)
+{
+  const auto is_same_file = [](const std::string& a, const std::string& b) {
+    std::error_code error;
+    const fs::file_status status = fs::status(a, error);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+      return false; // a device takes what comes
+    // Of a path none of which exists yet, only an absolute one becomes canonical.
+    return fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error) ||
+           fs::equivalent(a, b, error);
+  };
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (outputs[i].empty())
+      continue;
+    for (std::size_t j = 0; j < i; ++j)
+      if (!outputs[j].empty() && is_same_file(outputs[i], outputs[j]))
+        throw Usage_error(outputs[i] + ": two results cannot go to the same file");
+    for (const std::string& input : inputs)
+      if (is_same_file(outputs[i], input))
+        throw Usage_error(outputs[i] + ": a result would replace an input");
+  }
+}
+
+void flush_standard_output()
+{
+  static bool has_failed = false; // and that was said
+  if (has_failed)
+    return;
+  errno = 0;
+  std::cout.flush();
+  has_failed = !std::cout;
+  if (has_failed)
+    throw Output_error(std::string("the standard output cannot be written") +
+                       (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
+}
+
+} // namespace idt

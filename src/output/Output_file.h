@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A file that appears under its name when it is complete, or not at all.
+
+#ifndef IDT_OUTPUT_FILE_H
+#define IDT_OUTPUT_FILE_H
+
+#include "system/Exit_status.h"
+
+#include <fstream>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace idt {
+
+// Writes to a temporary name in the same folder and renames it in commit(); without a
+// commit() the destructor removes it. A target that is there and is no regular file,
+// such as a device or a pipe, is written to directly.
+class Output_file
+{
+public:
+  // \exception Output_error if nothing can be written there
+  explicit Output_file(const std::string& path);
+  Output_file(const Output_file&) = delete;
+  Output_file& operator=(const Output_file&) = delete;
+  ~Output_file();
+
+  std::ostream& stream() { return stream_; }
+
+  // \exception Output_error if not everything could be written; the file is not there
+  //            then, or what was there before
+  void commit();
+
+private:
+  [[noreturn]] void fail(int error_number) const;
+
+  std::string path_;
+  std::string target_;    // path_ behind symbolic links
+  std::string temporary_; // empty if the target is written directly
+  std::ofstream stream_;
+  bool is_committed_ = false;
+};
+
+// Refuses output files that would replace each other or an input.
+// \exception Usage_error
+void check_output_paths(const std::vector<std::string>& outputs,
+                        const std::vector<std::string>& inputs);
+
+// Writes what is waiting for the standard output.
+// \exception Output_error if it could not be written, the first time that this is found out
+void flush_standard_output();
+
+} // namespace idt
+
+#endif // IDT_OUTPUT_FILE_H

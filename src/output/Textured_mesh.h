@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A surface with a map to the plane, as programs that draw take it: polygons whose corners
+// have texture coordinates.
+
+#ifndef IDT_TEXTURED_MESH_H
+#define IDT_TEXTURED_MESH_H
+
+#include "input/Surface.h"
+#include "kernels/Kernel.h"
+
+#include <CGAL/Intrinsic_triangulations/disk_boundary.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace idt {
+
+struct Textured_mesh
+{
+  std::vector<std::array<double, 3>> points;
+  CGAL::Intrinsic_triangulations::Planar_points uv; // of each point
+  std::vector<std::vector<std::size_t>> faces;
+};
+
+// The map that is linear on each input triangle: the input itself.
+// \param uv the image of each vertex
+// \pre the surface has points
+Textured_mesh
+make_map_over_input(const Surface& surface,
+                    const CGAL::Intrinsic_triangulations::Planar_points& uv);
+
+// The map that is linear on each intrinsic triangle. On the surface in space it is linear on
+// the faces of the overlay alone (section 2.3 of the paper), whose order these faces have.
+Textured_mesh
+make_map_over_intrinsic(const Surface& surface,
+                        const CGAL::Intrinsic_triangulations::Delta_complex& intrinsic,
+                        const Overlay_result& overlay,
+                        const CGAL::Intrinsic_triangulations::Planar_points& uv);
+
+} // namespace idt
+
+#endif // IDT_TEXTURED_MESH_H

@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "output/Triangulation_result.h"
+
+#include "system/text.h"
+
+#include <algorithm>
+
+namespace idt {
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+// "edge 17 (joins vertices 3 and 5) and 2 more"
+std::string first_of(const std::vector<IT::Edge_index>& edges, const IT::Delta_complex& complex)
+{
+  const IT::Edge_index e = *std::min_element(edges.begin(), edges.end());
+  const IT::Halfedge_index h = complex.halfedge(e);
+  std::string text = "edge " + std::to_string(e.idx()) + " (joins vertices " +
+                     std::to_string(complex.source(h).idx()) + " and " +
+                     std::to_string(complex.target(h).idx()) + ")";
+  if (edges.size() > 1)
+    text += " and " + with_separators(edges.size() - 1) + " more";
+  return text;
+}
+
+} // namespace
+
+Exit_status exit_status(const Outcome& outcome)
+{
+  const bool is_done = outcome.report.status == IT::Flip_status::DELAUNAY &&
+                       outcome.failure.empty() &&
+                       (!outcome.verification || outcome.verification->is_Delaunay());
+  return is_done ? Exit_status::DONE : Exit_status::NOT_FINISHED;
+}
+
+const char* status_word(const Outcome& outcome)
+{
+  if (outcome.is_interrupted)
+    return "interrupted";
+  switch (outcome.report.status) {
+  case IT::Flip_status::DELAUNAY:
+    if (!outcome.failure.empty())
+      return "incomplete";
+    return outcome.verification && !outcome.verification->is_Delaunay() ? "not Delaunay" : "done";
+  case IT::Flip_status::INCONSISTENT:
+    return "inconsistent";
+  case IT::Flip_status::NOT_FLIPPABLE:
+    return "not flippable";
+  case IT::Flip_status::UNDECIDED:
+    return "undecided";
+  case IT::Flip_status::BUDGET_EXHAUSTED:
+    return "flip budget";
+  case IT::Flip_status::CANCELLED:
+    return "interrupted";
+  }
+  return "";
+}
+
+std::string describe_verification(const Outcome& outcome)
+{
+  const IT::Delaunay_verification& verification = *outcome.verification;
+  if (verification.is_Delaunay())
+    return "each of " + counted(verification.tests, "edge", "edges") + " is Delaunay, " +
+           counted(verification.ties, "tie", "ties");
+  std::string text;
+  if (!verification.not_Delaunay.empty())
+    text = "by the exact check, " + first_of(verification.not_Delaunay, outcome.connectivity) +
+           " should have been flipped";
+  if (!verification.inverted.empty()) {
+    const auto first = std::min_element(verification.inverted.begin(), verification.inverted.end());
+    if (!text.empty())
+      text += "; ";
+    text += counted(verification.inverted.size(), "face is", "faces are") +
+            " inside out, the first is face " + std::to_string(first->idx());
+  }
+  return text;
+}
+
+std::string describe_status(const Triangulation_result& result)
+{
+  const Outcome& outcome = result.outcome;
+  const IT::Flip_report& report = outcome.report;
+  if (!outcome.failure.empty())
+    return (report.status == IT::Flip_status::DELAUNAY ? "not known in full: " : "not finished: ") +
+           outcome.failure;
+  // What was not finished need not be Delaunay.
+  const bool is_finished =
+    report.status != IT::Flip_status::BUDGET_EXHAUSTED && report.status != IT::Flip_status::CANCELLED;
+  if (is_finished && outcome.verification && !outcome.verification->is_Delaunay())
+    return "not Delaunay: " + describe_verification(outcome);
+  switch (report.status) {
+  case IT::Flip_status::DELAUNAY:
+    return outcome.verification ? "Delaunay, verified" : "Delaunay";
+  case IT::Flip_status::INCONSISTENT:
+    // Either diagonal of a tie is right, whatever rounding makes of it.
+    return std::string(outcome.verification ? "verified Delaunay, but only by luck: "
+                                            : "not Delaunay: ") +
+           "near a tie the rounded decisions contradict each other: " +
+           first_of(report.inconsistent, outcome.connectivity) +
+           " failed the test again after the flip";
+  case IT::Flip_status::NOT_FLIPPABLE:
+    // Exact numbers come to that beside faces of zero area, and CORE where roots are below 2^-1075.
+    if (result.options.number_type == Number_type::CORE ||
+        result.options.number_type == Number_type::HALF_ANGLE_CORE)
+      return "not Delaunay: beside a face whose area is zero, or too small for CORE, " +
+             first_of(report.not_flippable, outcome.connectivity) +
+             " should be flipped and cannot; the number type " + name(Number_type::FILTERED) + " passes such faces";
+    return "not Delaunay: rounding leaves " +
+           first_of(report.not_flippable, outcome.connectivity) +
+           " that should be flipped and cannot";
+  case IT::Flip_status::UNDECIDED:
+    return std::string("undecided: ") + name(result.options.number_type) + " cannot tell for " +
+           first_of(report.undecided, outcome.connectivity);
+  case IT::Flip_status::BUDGET_EXHAUSTED:
+    return "not finished: the budget of " + with_separators(report.flips) + " flips is spent";
+  case IT::Flip_status::CANCELLED:
+    return "not finished: cancelled";
+  }
+  return std::string();
+}
+
+} // namespace idt

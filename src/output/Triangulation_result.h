@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Everything that a run of `idt triangulate` knows about one input, and the forms in
+// which it is told.
+
+#ifndef IDT_TRIANGULATION_RESULT_H
+#define IDT_TRIANGULATION_RESULT_H
+
+#include "system/Exit_status.h"
+#include "input/Surface.h"
+#include "kernels/Kernel.h"
+#include "input/mesh_file.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <ostream>
+#include <string>
+
+namespace idt {
+
+struct Triangulation_result
+{
+  Surface surface;
+  Kernel_options options;
+  Outcome outcome;
+  Surface_counts counts; // of the intrinsic triangulation
+  double write_seconds = 0;
+};
+
+// What the result means for the shell.
+Exit_status exit_status(const Outcome& outcome);
+
+// How it ended, for programs: `done`, `interrupted`, `flip budget`, `undecided`, `not flippable`,
+// `inconsistent`, `not Delaunay`, or `incomplete` if something could not be found out.
+const char* status_word(const Outcome& outcome);
+
+// The same in words, with the first edge that is to blame.
+std::string describe_status(const Triangulation_result& result);
+
+// What the exact check found, in words. \pre it was made
+std::string describe_verification(const Outcome& outcome);
+
+// The text that people read.
+void write_report(std::ostream& os, const Triangulation_result& result);
+
+// The object that programs read; what is not known is null.
+nlohmann::ordered_json statistics(const Triangulation_result& result);
+
+// The intrinsic edges as comma-separated values:
+// `source,target,length,cotan_weight,crossings,original`.
+void write_edges(std::ostream& os, const Triangulation_result& result);
+
+// Stiffness and lumped mass matrix of the result in the format Matrix Market.
+// \exception Invalid_surface_error if a weight is infinite, beside a face without area
+void write_laplacian(std::ostream& os, const Triangulation_result& result);
+void write_mass(std::ostream& os, const Triangulation_result& result);
+
+// The crossings along each intrinsic edge in order, as comma-separated values:
+// `source,target,edge,position,input_source,input_target,t,u`. \pre the overlay was found
+void write_crossings(std::ostream& os, const Triangulation_result& result);
+
+// The overlay as a mesh of polygons. \pre the overlay was found, the surface has points, and
+// the format holds polygons
+void write_overlay(std::ostream& os, const Triangulation_result& result, Mesh_format format);
+
+} // namespace idt
+
+#endif // IDT_TRIANGULATION_RESULT_H

@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "output/Triangulation_result.h"
+
+#include "system/peak_memory.h"
+#include "input/repair.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace idt {
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Json = nlohmann::ordered_json;
+
+// JSON has no infinity.
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json number(const std::optional<double>& x) { return x ? number(*x) : Json(nullptr); }
+
+Json mollification(const Surface& surface)
+{
+  if (!surface.mollification)
+    return 0;
+  return {{"delta", number(surface.mollification->delta)},
+          {"epsilon", number(surface.mollification->epsilon)},
+          {"changed_edges", surface.mollification->number_of_changed_edges},
+          {"largest_relative_change", number(surface.mollification->largest_relative_change)}};
+}
+
+Json stages(const Outcome& outcome)
+{
+  using IT::Stage;
+  if (!outcome.stages)
+    return nullptr;
+  const IT::Stage_counts& counts = *outcome.stages;
+  return {{"filter", counts[Stage::FILTER]},
+          {"coplanar", counts[Stage::COPLANAR]},
+          {"unfolding", counts[Stage::UNFOLDING]},
+          {"rational", counts[Stage::RATIONAL]},
+          {"multiprecision", counts[Stage::MULTIPRECISION]},
+          {"algebraic", counts[Stage::ALGEBRAIC]},
+          {"congruence", counts[Stage::CONGRUENCE]},
+          {"modular", counts[Stage::MODULAR]}};
+}
+
+Json ties(const Outcome& outcome)
+{
+  if (outcome.tessellation)
+    return outcome.tessellation->ties;
+  return outcome.verification ? Json(outcome.verification->ties) : Json(nullptr);
+}
+
+Json verification(const Outcome& outcome)
+{
+  if (!outcome.verification)
+    return nullptr;
+  return {{"tests", outcome.verification->tests},
+          {"not_delaunay", outcome.verification->not_Delaunay.size()},
+          {"inverted_faces", outcome.verification->inverted.size()},
+          {"ties", outcome.verification->ties}};
+}
+
+// A member of a summary that may be missing.
+template <class Summary, class Member>
+Json member(const std::optional<Summary>& summary, Member Summary::*member)
+{
+  return summary ? Json((*summary).*member) : Json(nullptr);
+}
+
+} // namespace
+
+nlohmann::ordered_json statistics(const Triangulation_result& result)
+{
+  const Surface_counts& counts = result.counts;
+  const Outcome& outcome = result.outcome;
+  const std::optional<Crossing_summary>& crossings = outcome.crossing_summary;
+  const std::optional<Weight_summary>&before = outcome.weights_before, &after = outcome.weights_after;
+
+  Json json;
+  json["vertices"] = counts.vertices;
+  json["edges"] = counts.edges;
+  json["faces"] = counts.faces;
+  json["boundary_edges"] = counts.boundary_edges;
+  json["components"] = counts.components;
+  json["euler_characteristic"] = counts.euler_characteristic;
+  json["number_type"] = name(result.options.number_type);
+  json["flips"] = outcome.report.flips;
+  json["tests"] = outcome.report.tests;
+  json["ties"] = ties(outcome);
+  json["cells"] = member(outcome.tessellation, &Tessellation_summary::cells);
+  json["stages"] = stages(outcome);
+  json["edges_changed"] = member(crossings, &Crossing_summary::changed);
+  json["simple"] = member(crossings, &Crossing_summary::simple);
+  json["longest"] = member(crossings, &Crossing_summary::longest);
+  json["crossings"] = member(crossings, &Crossing_summary::crossings);
+  json["loops"] = counts.loops;
+  json["multiple_edges"] = counts.multiple_edges;
+  json["min_weight_before"] = before ? number(before->smallest) : Json(nullptr);
+  json["min_weight_after"] = after ? number(after->smallest) : Json(nullptr);
+  json["negative_weights_before"] = member(before, &Weight_summary::negative);
+  json["negative_weights_after"] = member(after, &Weight_summary::negative);
+  json["infinite_weights_before"] = member(before, &Weight_summary::infinite);
+  json["infinite_weights_after"] = member(after, &Weight_summary::infinite);
+  json["verification"] = verification(outcome);
+  json["mollification"] = mollification(result.surface);
+  json["repair"] = to_json_value(repairs(result.surface));
+  json["status"] = status_word(outcome);
+  json["seconds"] = {
+    {"read", result.surface.read_seconds},
+    {"build", result.surface.build_seconds + outcome.build_seconds},
+    {"flip", outcome.flip_seconds},
+    {"overlay", member(crossings, &Crossing_summary::seconds)},
+    {"write", result.write_seconds}};
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  return json;
+}
+
+} // namespace idt

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "output/Triangulation_result.h"
+
+#include "system/peak_memory.h"
+#include "system/text.h"
+
+#include <iomanip>
+#include <sstream>
+
+namespace idt {
+namespace {
+
+class Report_writer
+{
+public:
+  explicit Report_writer(std::ostream& os) : os_(os) {}
+
+  void line(const char* label, const std::string& text)
+  {
+    os_ << "  " << std::left << std::setw(16) << label << text << '\n';
+  }
+
+private:
+  std::ostream& os_;
+};
+
+std::string stages_text(const CGAL::Intrinsic_triangulations::Stage_counts& counts)
+{
+  using CGAL::Intrinsic_triangulations::Stage;
+  return with_separators(counts[Stage::FILTER]) + " by the filter, " +
+         with_separators(counts[Stage::COPLANAR]) + " in a plane, " +
+         with_separators(counts[Stage::UNFOLDING]) + " by unfolding, " +
+         with_separators(counts[Stage::RATIONAL]) + " rational, " +
+         with_separators(counts[Stage::MULTIPRECISION]) + " in multiple precision, " +
+         with_separators(counts[Stage::ALGEBRAIC]) + " algebraic, " +
+         with_separators(counts[Stage::CONGRUENCE]) + " by symmetry, " +
+         with_separators(counts[Stage::MODULAR]) + " in finite fields";
+}
+
+std::string weights_text(const Weight_summary& summary)
+{
+  std::string text = summary.smallest ? "smallest " + in_short(*summary.smallest) + ", " +
+                                          with_separators(summary.negative) + " negative"
+                     : summary.infinite == 0 ? "no interior edge"
+                                             : "none of an interior edge is finite";
+  if (summary.infinite > 0)
+    text += ", " + counted(summary.infinite, "edge has", "edges have") + " no weight, beside faces of zero area";
+  return text;
+}
+
+} // namespace
+
+void write_report(std::ostream& os, const Triangulation_result& result)
+{
+  const Surface_counts& counts = result.counts;
+  const Outcome& outcome = result.outcome;
+  const Surface& surface = result.surface;
+
+  os << surface.path << '\n';
+  Report_writer report(os);
+  report.line("surface", counted(counts.vertices, "vertex", "vertices") + ", " +
+                           counted(counts.edges, "edge", "edges") + ", " +
+                           counted(counts.faces, "face", "faces"));
+  report.line("topology",
+              counted(counts.components, "component", "components") + ", " +
+                counted(counts.boundary_edges, "boundary edge", "boundary edges") +
+                ", Euler characteristic " + std::to_string(counts.euler_characteristic));
+  for (const std::string& note : surface.notes)
+    report.line("note", note);
+  if (surface.mollification)
+    report.line("mollified",
+                counted(surface.mollification->number_of_changed_edges, "edge", "edges") +
+                  " longer by at most " + in_short(surface.mollification->epsilon) + " (" +
+                  in_short(100 * surface.mollification->largest_relative_change) + " %)");
+  std::string number_type = name(result.options.number_type);
+  if (result.options.number_type == Number_type::MPFR)
+    number_type += ", " + std::to_string(result.options.precision) + " bits";
+  report.line("number type", number_type);
+  report.line("flips", with_separators(outcome.report.flips) + " in " +
+                         with_separators(outcome.report.tests) + " tests");
+  if (outcome.stages)
+    report.line("decided", stages_text(*outcome.stages));
+  if (outcome.tessellation)
+    report.line("ties", with_separators(outcome.tessellation->ties) + ", which leaves " +
+                          counted(outcome.tessellation->cells, "cell", "cells"));
+  if (outcome.crossing_summary) {
+    report.line("changed edges", with_separators(outcome.crossing_summary->changed));
+    report.line("crossings", with_separators(outcome.crossing_summary->crossings));
+    report.line("simple edges", with_separators(outcome.crossing_summary->simple));
+    report.line("longest edge", counted(outcome.crossing_summary->longest, "segment", "segments"));
+  }
+  report.line("loops", with_separators(counts.loops));
+  report.line("multiple edges", with_separators(counts.multiple_edges));
+  if (outcome.weights_before)
+    report.line("weights before", weights_text(*outcome.weights_before));
+  if (outcome.weights_after)
+    report.line("weights after", weights_text(*outcome.weights_after));
+  if (outcome.verification)
+    report.line("verification", describe_verification(outcome));
+
+  std::string times = "read " + seconds_text(surface.read_seconds) + ", build " +
+                      seconds_text(surface.build_seconds + outcome.build_seconds) + ", flip " +
+                      seconds_text(outcome.flip_seconds);
+  if (outcome.crossing_summary)
+    times += ", crossings " + seconds_text(outcome.crossing_summary->seconds);
+  if (result.write_seconds > 0)
+    times += ", write " + seconds_text(result.write_seconds);
+  report.line("time", times);
+  report.line("peak memory", in_short(double(peak_memory_bytes()) / (1 << 20)) + " MiB");
+  report.line("status", describe_status(result));
+}
+
+} // namespace idt
