@@ -35,7 +35,7 @@ function(add_idt_test name)
 
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PRIVATE
-    Intrinsic_triangulations::Intrinsic_triangulations
+    Intrinsic_triangulations::compiled
     Intrinsic_triangulations_own_options
     ${arg_LIBRARIES}
     GTest::gtest_main)

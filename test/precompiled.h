@@ -7,8 +7,9 @@
 #define INTRINSIC_TRIANGULATIONS_TEST_PRECOMPILED_H
 
 #include <CGAL/Intrinsic_triangulations.h>
-#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Simple_cartesian.h>

@@ -12,9 +12,10 @@
 
 #include "benchmark_meshes.h"
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include "samples/sample_surfaces.h"
 
 #include <chrono>
 #include <cstddef>
@@ -101,7 +102,7 @@ Run flip_in_order(Triangulation& t)
     if (!c.is_flippable(e))
       continue;
     ++run.tests;
-    if (CGAL::certainly(t.test_and_refine(e)))
+    if (CGAL::certainly(IT::internal::Whole_triangulation<Triangulation::Traits>(t).test_and_refine(e)))
       continue;
     t.flip_not_Delaunay(e);
     ++run.flips;
@@ -125,7 +126,7 @@ Run flip_in_sweeps(Triangulation& t)
       if (!t.connectivity().is_flippable(e))
         continue;
       ++run.tests;
-      if (!CGAL::certainly(t.test_and_refine(e))) {
+      if (!CGAL::certainly(IT::internal::Whole_triangulation<Triangulation::Traits>(t).test_and_refine(e))) {
         t.flip_not_Delaunay(e);
         ++run.flips;
       }

@@ -20,11 +20,12 @@
 
 #include "benchmark_meshes.h"
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include "samples/sample_surfaces.h"
 
 #include <CGAL/Heat_method_3/internal/Intrinsic_Delaunay_triangulation_3.h>
 #include <CGAL/tags.h>

@@ -7,12 +7,13 @@
 
 #include "benchmark_meshes.h"
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
-#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include "samples/sample_surfaces.h"
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 
 #include <boost/config.hpp>
 

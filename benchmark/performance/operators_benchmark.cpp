@@ -14,9 +14,10 @@
 
 #include "benchmark_meshes.h"
 
-#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 
 #include <CGAL/Heat_method_3/internal/Intrinsic_Delaunay_triangulation_3.h>
 

@@ -12,6 +12,8 @@
 
 #include "benchmark_meshes.h"
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
@@ -19,7 +21,6 @@
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include "samples/sample_surfaces.h"
 
 #include <CGAL/Heat_method_3/internal/Intrinsic_Delaunay_triangulation_3.h>
 

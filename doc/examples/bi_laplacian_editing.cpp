@@ -8,8 +8,9 @@
 // Δ²u = 0. The rows of the sheet are shifted against each other, so that its triangles are long
 // and obtuse, while its points are spread well: the intrinsic operator feels the points alone.
 
-#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

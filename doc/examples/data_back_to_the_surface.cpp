@@ -4,13 +4,14 @@
 // Heat is spread on the intrinsic Delaunay triangulation of a bad mesh, and the result brought
 // back: onto the overlay, to single points of the mesh, and to its vertices.
 
+#include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/point_location.h>
-#include "samples/sample_surfaces.h"
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 

@@ -7,8 +7,9 @@
 // position is an average of old ones: none leaves their bounding box, and a spike leaves no
 // dent around it.
 
-#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -7,8 +7,9 @@
 // circles, between which a catenoid would hang; the start is a lantern of flat obtuse
 // triangles.
 
-#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -4,11 +4,12 @@
 // The number type is a parameter of the traits: the same surface with exact decisions, in
 // machine numbers, in intervals, and with 128 bits.
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Mpfr_float.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include "samples/sample_surfaces.h"
 
 #include <CGAL/Interval_nt.h>
 

@@ -4,11 +4,12 @@
 // A number type of one's own: numbers that carry a derivative along. With it the lengths of the
 // intrinsic Delaunay triangulation say how they change when a vertex of the mesh is moved.
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include "samples/sample_surfaces.h"
 
 #include <algorithm>
 #include <cmath>

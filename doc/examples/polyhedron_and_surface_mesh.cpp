@@ -4,8 +4,9 @@
 // The same surface as a Polyhedron_3 and as a Surface_mesh: any model of CGAL's graph concepts is
 // an input, and the result does not depend on which. The Polyhedron_3 has another kernel, too.
 
-#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>

@@ -4,11 +4,12 @@
 // A visitor that shows progress and stops the flips when time is up. What was reached until then
 // is a valid triangulation of the surface, and another run continues from there.
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include "samples/sample_surfaces.h"
 
 #include <chrono>
 #include <cstdint>

@@ -5,11 +5,12 @@
 // triangulation, and written as a textured mesh. The map is linear on the intrinsic triangles, and
 // so on the faces of the overlay: these are the mesh.
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
 #include <CGAL/Intrinsic_triangulations/parameterization_quality.h>
-#include "samples/sample_surfaces.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

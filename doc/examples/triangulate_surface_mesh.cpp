@@ -4,8 +4,9 @@
 // From a CGAL::Surface_mesh to its intrinsic Delaunay triangulation, and what can be asked
 // of the result.
 
-#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

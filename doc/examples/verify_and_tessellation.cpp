@@ -4,6 +4,8 @@
 // A result is checked exactly from the input alone, whatever number type made it; and what
 // all Delaunay triangulations of a surface have in common is its Delaunay tessellation.
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
@@ -11,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include "samples/sample_surfaces.h"
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <cstddef>

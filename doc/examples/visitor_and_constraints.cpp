@@ -4,11 +4,12 @@
 // Edges that must not flip, a visitor that follows the flips and can stop them, and how a
 // run is taken up again.
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include "samples/sample_surfaces.h"
 
 #include <boost/property_map/function_property_map.hpp>
 

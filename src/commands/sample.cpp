@@ -7,9 +7,10 @@
 #include "commands/commands.h"
 #include "input/mesh_file.h"
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include "samples/sample_surfaces.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -11,8 +11,8 @@
 #include "system/text.h"
 #include "commands/triangulate.h"
 
-#include <CGAL/Intrinsic_triangulations/condition_number.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
+#include <CGAL/Intrinsic_triangulations/condition_number.h>
 #include <CGAL/Intrinsic_triangulations/weight_histogram.h>
 
 #include <nlohmann/json.hpp>
@@ -70,12 +70,12 @@ std::optional<double> condition_ratio(const Row& row)
   return row.after->eigenvalues.condition_number() / row.before->eigenvalues.condition_number();
 }
 
-std::string cell(const std::optional<std::uint64_t>& number)
+std::string table_cell(const std::optional<std::uint64_t>& number)
 {
   return number ? std::to_string(*number) : "-";
 }
 
-std::string cell(const std::optional<double>& number) { return number ? in_short(*number) : "-"; }
+std::string table_cell(const std::optional<double>& number) { return number ? in_short(*number) : "-"; }
 
 Json json_value(const Operator_summary& summary);
 Json json_value(std::uint64_t value) { return value; }
@@ -89,13 +89,13 @@ Json json_value(const std::optional<T>& value)
 Line line(const Row& row)
 {
   return {row.model,
-          cell(row.vertices),
-          cell(row.flips),
-          cell(row.simple),
-          cell(row.longest),
-          cell(condition_ratio(row)),
-          cell(row.crossings),
-          cell(row.seconds)};
+          table_cell(row.vertices),
+          table_cell(row.flips),
+          table_cell(row.simple),
+          table_cell(row.longest),
+          table_cell(condition_ratio(row)),
+          table_cell(row.crossings),
+          table_cell(row.seconds)};
 }
 
 // The figures of the paper, under those of the same model.
@@ -107,7 +107,7 @@ Line line(const Paper_row& row)
           std::to_string(row.simple),
           std::to_string(row.longest),
           in_short(row.condition_ratio),
-          cell(row.crossings),
+          table_cell(row.crossings),
           ""};
 }
 

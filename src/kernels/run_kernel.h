@@ -20,8 +20,8 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/number_utils.h>
@@ -129,10 +129,12 @@ private:
   std::uint64_t flips_ = 0;
 };
 
-template <class Triangulation>
-void flip(Triangulation& triangulation, const Job& job, Outcome& outcome)
+// By a Whole_triangulation, or a Decision_counter.
+template <class Flippable>
+void flip(const Flippable& flippable, const Job& job, Outcome& outcome)
 {
-  using Traits = typename Triangulation::Traits;
+  using Traits = typename Flippable::Traits;
+  auto& triangulation = flippable.triangulation();
   const std::size_t number_of_edges = triangulation.connectivity().number_of_edges();
   const std::uint64_t budget = job.options.maximum_number_of_flips.value_or(
     Traits::Has_exact_decisions::value ? (std::numeric_limits<std::uint64_t>::max)()
@@ -148,8 +150,8 @@ void flip(Triangulation& triangulation, const Job& job, Outcome& outcome)
         [&] { return job.go_further(visitor.tests(), visitor.flips()); });
   const Stopwatch stopwatch;
   try {
-    outcome.report = IT::flip_to_Delaunay(
-      triangulation, CGAL::parameters::visitor(std::ref(visitor)).maximum_number(budget));
+    outcome.report = IT::internal::flip_all<CGAL::Sequential_tag>(
+      flippable, CGAL::Static_boolean_property_map<IT::Edge_index, false>(), visitor, budget);
   } catch (const IT::Invalid_surface_error&) {
     throw;
   } catch (const IT::Error& error) {
@@ -285,11 +287,11 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
   if (triangulation.keeps_input())
     triangulation.set_tie_proof(job.options.tie_proof);
   if (wanted.wrong_decisions) {
-    Decision_counter<Triangulation> counter(triangulation);
-    flip(counter, job, outcome);
-    outcome.wrong_decisions = counter.wrong_decisions();
+    std::uint64_t wrong_decisions = 0;
+    flip(Decision_counter<Traits>(triangulation, wrong_decisions), job, outcome);
+    outcome.wrong_decisions = wrong_decisions;
   } else {
-    flip(triangulation, job, outcome);
+    flip(IT::internal::Whole_triangulation<Traits>(triangulation), job, outcome);
   }
 
   if (wanted.needs_input())

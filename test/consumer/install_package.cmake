@@ -7,8 +7,8 @@ execute_process(
   COMMAND_ERROR_IS_FATAL ANY)
 
 foreach(file include/CGAL/Intrinsic_triangulations/errors.h
-    share/cmake/Intrinsic_triangulations/Intrinsic_triangulationsConfig.cmake
-    share/pkgconfig/Intrinsic_triangulations.pc)
+    ${SHARED_DIR}/cmake/Intrinsic_triangulations/Intrinsic_triangulationsConfig.cmake
+    ${SHARED_DIR}/pkgconfig/Intrinsic_triangulations.pc ${LIBRARY})
   if(NOT EXISTS ${PREFIX}/${file})
     message(FATAL_ERROR "${file} is not installed")
   endif()
@@ -22,7 +22,7 @@ if(INSTALLED_COMMAND)
   endforeach()
 endif()
 # The installed files must not know where they were built.
-file(GLOB_RECURSE files ${PREFIX}/share/*.cmake ${PREFIX}/share/*.pc)
+file(GLOB_RECURSE files ${PREFIX}/*.cmake ${PREFIX}/*.pc)
 foreach(file IN LISTS files)
   file(READ ${file} text)
   string(FIND "${text}" "${BINARY_DIR}" position)

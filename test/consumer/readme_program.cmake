@@ -17,7 +17,7 @@ endif()
 string(REPLACE "    " "" expected "${CMAKE_MATCH_1}")
 
 set(ENV{PKG_CONFIG_PATH} ${PACKAGE_PREFIX}/${PKGCONFIG_DIR})
-execute_process(COMMAND ${PKG_CONFIG} --cflags --libs Intrinsic_triangulations
+execute_process(COMMAND ${PKG_CONFIG} --cflags --libs ${PACKAGE}
   OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 separate_arguments(flags UNIX_COMMAND "${flags}")
 execute_process(COMMAND ${COMPILER} -O1 program.cpp ${flags} -o program

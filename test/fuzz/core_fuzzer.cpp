@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <cmath>
 #include <cstddef>
@@ -28,7 +29,7 @@ using fuzz::Metric_gluing;
 using fuzz::require;
 namespace IT = fuzz::IT;
 using Defect = IT::Invalid_surface_error::Defect;
-using Rational = IT::Input_metric::Rational;
+using Rational = IT::Rational;
 using Filtered = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
 // Some lengths need as many flips as one length holds the other, and on a spiral the time that
@@ -41,7 +42,7 @@ std::vector<Rational> squared_distances(const Metric_gluing& input)
   const IT::Input_metric metric = IT::Input_metric::from_points({input.points.begin(), input.points.end()});
   std::vector<Rational> result;
   for (IT::Edge_index e : input.connectivity.edges())
-    result.push_back(metric.squared_length(input.connectivity, e));
+    result.push_back(squared_length(metric, input.connectivity, e));
   return result;
 }
 
@@ -53,7 +54,7 @@ IT::Intrinsic_triangulation<Traits> make_triangulation(const Metric_gluing& inpu
     return Triangulation::from_lengths(input.connectivity, input.lengths);
   if constexpr (Triangulation::uses_exact_geometry)
     if (input.metric == Metric_gluing::Metric::SQUARED_DISTANCES)
-      return Triangulation::from_squared_lengths(input.connectivity, squared_distances(input));
+      return Triangulation::from_metric(input.connectivity, IT::metric_from_squared_lengths(squared_distances(input)));
   return Triangulation(input.connectivity, input.points);
 }
 

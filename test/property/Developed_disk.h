@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <CGAL/enum.h>
 
@@ -24,7 +25,7 @@
 namespace developed_disk {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using Rational = IT::Input_metric::Rational;
+using Rational = IT::Rational;
 using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<6021>,
                                            boost::multiprecision::et_off>; // decimal digits
 

@@ -4,11 +4,12 @@
 // Triangulations that are copied, moved and assigned between flips and questions go on as those
 // that they were made of.
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include "samples/sample_surfaces.h"
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ void ask(Triangulation& t)
 {
   for (IT::Edge_index e : t.connectivity().edges())
     if (t.connectivity().is_flippable(e))
-      t.exact_geometry().sign_of_cotangents(t.connectivity(), e);
+      IT::internal::Whole_triangulation<Triangulation::Traits>(t).test_and_refine(e);
 }
 
 void flip_some(Triangulation& t, std::uint64_t number)

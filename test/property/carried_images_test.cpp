@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/enum.h>
@@ -61,7 +62,7 @@ public:
       const Vector u = difference(complex_.source(complex_.halfedge(e)), complex_.target(complex_.halfedge(e)));
       squared_lengths.push_back(u[0] * u[0] + u[1] * u[1]);
     }
-    return Triangulation::from_squared_lengths(complex_, squared_lengths);
+    return Triangulation::from_metric(complex_, IT::metric_from_squared_lengths(squared_lengths));
   }
 
   // By the points.

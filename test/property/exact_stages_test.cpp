@@ -4,12 +4,15 @@
 // Each stage of the exact Delaunay test decides something here, and decides it rightly: the
 // verification, which takes the unfolding alone, and the tessellation agree.
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include "samples/sample_surfaces.h"
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <gtest/gtest.h>
@@ -137,9 +140,10 @@ TEST(Exact_stages, the_rationals_decide_where_no_area_has_a_root)
                             surface.points);
   std::array<int, 3> number_of_signs{};
   for (const Triangulation& t : {input, make_Delaunay(surface)}) {
-    IT::Exact_geometry& geometry = t.exact_geometry();
+    const IT::Exact_geometry& geometry = t.exact_geometry();
+    const auto input_surface = geometry.input_surface();
     IT::internal::Late_stages late_stages(t.connectivity(), geometry.correspondence(),
-                                          geometry.input_surface());
+                                          *input_surface);
     for (IT::Edge_index e : t.connectivity().edges()) {
       if (!t.connectivity().is_flippable(e))
         continue;
@@ -181,7 +185,7 @@ TEST(Exact_stages, hinges_that_are_not_convex_are_not_flipped)
 // Nearly a square: both opposite angles are nearly right ones, and their cotangents are 2^-n / 2.
 TEST(Exact_stages, weights_near_ties_are_small_and_not_zero)
 {
-  using Rational = IT::Input_metric::Rational;
+  using Rational = IT::Rational;
   const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {1, 0, 3}};
   for (const int n : {40, 120, 400, 1000, 1500})
     for (const int sign : {1, -1}) {
@@ -194,7 +198,7 @@ TEST(Exact_stages, weights_near_ties_are_small_and_not_zero)
       ASSERT_EQ(diagonals.size(), 1u);
       const Rational epsilon(IT::internal::Integer(1), IT::internal::Integer(1) << n);
       squared_lengths[diagonals[0].idx()] = 2 - sign * epsilon;
-      const Triangulation t = Triangulation::from_squared_lengths(std::move(complex), std::move(squared_lengths));
+      const Triangulation t = Triangulation::from_metric(std::move(complex), IT::metric_from_squared_lengths(std::move(squared_lengths)));
       const double smallest = std::numeric_limits<double>::denorm_min();
       const double expected = sign * (std::max)(std::ldexp(1., -n), smallest);
       EXPECT_NEAR(t.cotangent_weight(diagonals[0]), expected, 1e-14 * std::abs(expected)) << n;
@@ -208,9 +212,10 @@ TEST(Exact_stages, a_length_that_is_a_double_is_found_by_multiple_precision)
   const IT::Indexed_triangles grid = IT::random_diagonal_grid(3, 3, 1);
   const Triangulation t(IT::make_Delta_complex_from_triangles(grid.points.size(), grid.triangles),
                         grid.points);
-  IT::Exact_geometry& geometry = t.exact_geometry();
+  const IT::Exact_geometry& geometry = t.exact_geometry();
+  const auto input_surface = geometry.input_surface();
   IT::internal::Late_stages late_stages(t.connectivity(), geometry.correspondence(),
-                                        geometry.input_surface());
+                                        *input_surface);
   for (IT::Edge_index e : t.connectivity().edges())
     EXPECT_NEAR(std::ldexp(late_stages.length(e), t.unit_exponent()), t.length(e),
                 0x1p-52 * t.length(e));

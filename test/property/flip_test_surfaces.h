@@ -6,9 +6,10 @@
 #ifndef IDT_TEST_PROPERTY_FLIP_TEST_SURFACES_H
 #define IDT_TEST_PROPERTY_FLIP_TEST_SURFACES_H
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include "samples/sample_surfaces.h"
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>

@@ -6,11 +6,12 @@
 #ifndef IDT_TEST_PROPERTY_GARDEN_H
 #define IDT_TEST_PROPERTY_GARDEN_H
 
+#include "samples/sample_surface_types.h"
+
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include "samples/sample_surface_types.h"
 
 #include <gtest/gtest.h>
 

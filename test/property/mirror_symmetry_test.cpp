@@ -6,14 +6,16 @@
 
 #include "symmetric_surfaces.h"
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Mirror_symmetry.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include "samples/sample_surfaces.h"
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <gtest/gtest.h>
 
@@ -34,15 +36,17 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 
 bool is_symmetric(const Triangulation& t, IT::Edge_index e)
 {
-  IT::Exact_geometry& geometry = t.exact_geometry();
+  const IT::Exact_geometry& geometry = t.exact_geometry();
+  const auto surface = geometry.input_surface();
   Crossing_sequences sequences;
-  return Mirror_symmetry(t.connectivity(), geometry.correspondence(), geometry.input_surface(), sequences)(e);
+  return Mirror_symmetry(t.connectivity(), geometry.correspondence(), *surface, sequences)(e);
 }
 
 bool is_zero_in_finite_fields(const Triangulation& t, IT::Edge_index e)
 {
-  IT::Exact_geometry& geometry = t.exact_geometry();
-  Input_surface& surface = geometry.input_surface();
+  const IT::Exact_geometry& geometry = t.exact_geometry();
+  const auto lease = geometry.input_surface();
+  Input_surface& surface = *lease;
   Residue_rings rings(random_prime_fields(e.idx()), surface.interruption());
   Residue_metric metric(surface, {rings});
   const auto c =
@@ -124,7 +128,7 @@ TEST(Mirror_symmetry, is_lost_with_any_length_that_matters)
     for (std::size_t i = 0; i < squared_lengths.size(); ++i) {
       std::vector<Rational> changed = squared_lengths;
       changed[i] += Rational(Integer(1), Integer(1) << 200);
-      Triangulation t = Triangulation::from_squared_lengths(connectivity(surface), changed);
+      Triangulation t = Triangulation::from_metric(connectivity(surface), IT::metric_from_squared_lengths(changed));
       IT::flip_to_Delaunay(t);
       const IT::Edge_index e = diagonal_of_corners(t.connectivity(), surface);
       ASSERT_NE(e, IT::Edge_index());
@@ -169,7 +173,7 @@ TEST(Mirror_symmetry, agrees_with_finite_fields_where_lengths_coincide)
     std::vector<Rational> squared_lengths(complex.number_of_edges());
     for (Rational& s : squared_lengths)
       s = random() % 3 == 0 ? 2 : 1;
-    Triangulation t = Triangulation::from_squared_lengths(std::move(complex), squared_lengths);
+    Triangulation t = Triangulation::from_metric(std::move(complex), IT::metric_from_squared_lengths(squared_lengths));
     expect_agreement(t, counts);
     for (int i = 0; i < 3; ++i) {
       flip_at_random(t, 3, random);

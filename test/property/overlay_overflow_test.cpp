@@ -3,11 +3,13 @@
 //
 // Where edges cross too many others the answer is right or there is a clear error.
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include "samples/sample_surfaces.h"
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <gtest/gtest.h>
 
@@ -23,7 +25,7 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using IT::Edge_index;
 using IT::Halfedge_index;
-using Rational = IT::Input_metric::Rational;
+using Rational = IT::Rational;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 using Vector = std::array<std::int64_t, 2>;
 
@@ -32,9 +34,8 @@ Triangulation torus(const Vector& u, const Vector& v)
 {
   const auto gluing = IT::one_vertex_torus();
   const auto squared_length = [](std::int64_t x, std::int64_t y) { return Rational(x) * x + Rational(y) * y; };
-  return Triangulation::from_squared_lengths(
-    IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides),
-    {squared_length(u[0], u[1]), squared_length(v[0], v[1]), squared_length(u[0] + v[0], u[1] + v[1])});
+  return Triangulation::from_metric(
+    IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides), IT::metric_from_squared_lengths({squared_length(u[0], u[1]), squared_length(v[0], v[1]), squared_length(u[0] + v[0], u[1] + v[1])}));
 }
 
 // Follows the edges of that torus in the basis (u, v), by which it is known what they cross.

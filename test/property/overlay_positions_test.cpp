@@ -4,14 +4,17 @@
 // Positions of crossings from points and from exact squared lengths: two ways to compute them,
 // which must agree to the last two units, relative to each position.
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/Plane_strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Point_strip.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include "samples/sample_surfaces.h"
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <gtest/gtest.h>
 
@@ -26,7 +29,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 namespace {
 
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
-using Rational = IT::Input_metric::Rational;
+using Rational = IT::Rational;
 
 IT::Delta_complex complex_of(const IT::Indexed_triangles& surface)
 {
@@ -46,7 +49,7 @@ Triangulation from_squared_lengths(const IT::Indexed_triangles& surface)
       s += (Rational(q[i]) - Rational(p[i])) * (Rational(q[i]) - Rational(p[i]));
     squared_lengths.push_back(s);
   }
-  return Triangulation::from_squared_lengths(complex, squared_lengths);
+  return Triangulation::from_metric(complex, IT::metric_from_squared_lengths(squared_lengths));
 }
 
 Triangulation triangulated(const IT::Indexed_triangles& surface)

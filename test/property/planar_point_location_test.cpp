@@ -9,6 +9,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Intrinsic_triangulations/point_location.h>
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 #include <CGAL/Triangulation_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
@@ -262,13 +263,13 @@ TEST(Planar_point_location, by_squared_lengths_alone)
 {
   const Planar_mesh mesh = random_mesh(60, 5);
   IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(mesh.points.size(), mesh.triangles);
-  std::vector<IT::Input_metric::Rational> squared_lengths;
+  std::vector<IT::Rational> squared_lengths;
   for (IT::Edge_index e : complex.edges()) {
     const IT::Halfedge_index h = complex.halfedge(e);
     const Integer_point &a = mesh.points[complex.source(h).idx()], &b = mesh.points[complex.target(h).idx()];
     squared_lengths.emplace_back((b[0] - a[0]) * (b[0] - a[0]) + 2 * (b[1] - a[1]) * (b[1] - a[1]));
   }
-  check(mesh, Triangulation::from_squared_lengths(std::move(complex), std::move(squared_lengths)));
+  check(mesh, Triangulation::from_metric(std::move(complex), IT::metric_from_squared_lengths(std::move(squared_lengths))));
 }
 
 } // namespace

@@ -7,10 +7,12 @@
 #ifndef IDT_TEST_PROPERTY_SYMMETRIC_SURFACES_H
 #define IDT_TEST_PROPERTY_SYMMETRIC_SURFACES_H
 
+#include "samples/sample_surface_types.h"
+
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include "samples/sample_surface_types.h"
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <array>
 #include <cmath>
@@ -39,7 +41,7 @@ inline IT::Delta_complex connectivity(const Surface& surface)
   return IT::make_Delta_complex_from_triangles(surface.mesh.points.size(), surface.mesh.triangles);
 }
 
-using Rational = IT::Input_metric::Rational;
+using Rational = IT::Rational;
 
 // By edges.
 inline std::vector<Rational> squared_lengths(const Surface& surface)

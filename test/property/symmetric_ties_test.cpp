@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <gtest/gtest.h>
@@ -56,7 +57,7 @@ Triangulation from_points(const Surface& surface) { return {connectivity(surface
 
 Triangulation from_lengths(const Surface& surface, const std::vector<Rational>& squared_lengths)
 {
-  return Triangulation::from_squared_lengths(connectivity(surface), squared_lengths);
+  return Triangulation::from_metric(connectivity(surface), IT::metric_from_squared_lengths(squared_lengths));
 }
 
 CGAL::Sign reference_sign(const Developed_disk& disk, const IT::Delta_complex& complex, IT::Edge_index e)

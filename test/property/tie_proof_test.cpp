@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <gtest/gtest.h>
@@ -236,7 +237,7 @@ TEST(Tie_proof, a_sign_other_than_zero_is_always_proven)
   const Surface surface = parallel_folds(100);
   std::vector<symmetric_surfaces::Rational> squared_lengths = symmetric_surfaces::squared_lengths(surface);
   squared_lengths.back() += symmetric_surfaces::Rational(1, IT::internal::Integer(1) << 200);
-  Triangulation t = Triangulation::from_squared_lengths(symmetric_surfaces::connectivity(surface), squared_lengths);
+  Triangulation t = Triangulation::from_metric(symmetric_surfaces::connectivity(surface), IT::metric_from_squared_lengths(squared_lengths));
   EXPECT_EQ(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN)).status, Flip_status::DELAUNAY);
   EXPECT_GE(t.stage_counts()[Stage::MULTIPRECISION], 1u);
   EXPECT_EQ(IT::verify_Delaunay(t).ties, 0u);

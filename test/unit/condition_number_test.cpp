@@ -6,8 +6,8 @@
 #include "property/flip_test_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
-#include <CGAL/Intrinsic_triangulations/condition_number.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
+#include <CGAL/Intrinsic_triangulations/condition_number.h>
 #include <CGAL/Intrinsic_triangulations/weight_histogram.h>
 
 #include <Eigen/Dense>

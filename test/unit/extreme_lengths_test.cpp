@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using Defect = IT::Invalid_surface_error::Defect;
-using Rational = IT::Input_metric::Rational;
+using Rational = IT::Rational;
 
 // Two triangles that are not glued: six edges.
 IT::Delta_complex two_triangles()
@@ -133,7 +134,7 @@ TEST(Extreme_lengths, AsExactSquaresAreRefusedBeyondTheRangeOfDoubleAlone)
                                        : Rational(IT::internal::Integer(1) << exponent);
     const std::vector<Rational> squared_lengths{unit, unit, 2 * unit, unit, unit, 3 * unit};
     try {
-      const Triangulation t = Triangulation::from_squared_lengths(two_triangles(), squared_lengths);
+      const Triangulation t = Triangulation::from_metric(two_triangles(), IT::metric_from_squared_lengths(squared_lengths));
       EXPECT_LE(std::abs(exponent), 2000);
       EXPECT_EQ(t.length(IT::Edge_index(0)), std::ldexp(1., exponent / 2));
     } catch (const IT::Invalid_surface_error& error) {

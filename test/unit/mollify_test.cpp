@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/mollify.h>
 #include "samples/sample_gluings.h"
 #include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/mollify.h>
 
 #include <gtest/gtest.h>
 

@@ -14,11 +14,11 @@
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/prefetch.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/relaxed_atomic.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 
-#include <boost/atomic/atomic_ref.hpp>
 #include <boost/iterator/iterator_facade.hpp>
 
 #include <cstddef>
@@ -331,9 +331,8 @@ private:
   // them does.
   void replace_vertex_halfedge(Vertex_index v, Halfedge_index old, Halfedge_index replacement)
   {
-    const boost::atomic_ref<Halfedge_index> halfedge(vertex_halfedges_[v.idx()]);
-    if (halfedge.load(boost::memory_order_relaxed) == old)
-      halfedge.store(replacement, boost::memory_order_relaxed);
+    if (internal::relaxed_load(vertex_halfedges_[v.idx()]) == old)
+      internal::relaxed_store(vertex_halfedges_[v.idx()], replacement);
   }
 
   static bool has_equal_halfedges(const Delta_complex& a, const Delta_complex& b)

@@ -9,8 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EDGE_LENGTH_TRAITS_H
 
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Number_type_with_roots.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 
 #include <CGAL/Uncertain.h>

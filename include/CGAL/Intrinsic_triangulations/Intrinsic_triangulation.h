@@ -11,10 +11,10 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
@@ -35,9 +35,11 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 namespace internal {
-template <class Triangulation>
+template <class Traits>
+class Whole_triangulation;
+template <class Traits>
 class Triangulation_block;
-}
+} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 ///
@@ -137,20 +139,19 @@ public:
     return t;
   }
 
-  /// \brief constructs the triangulation of a surface given by the exact squared lengths of
-  /// its edges, as those between points with rational coordinates are.
+  /// \brief constructs the triangulation of a surface from its exact metric, as `metric_from_squared_lengths()`
+  /// returns it for rational coordinates.
   ///
   /// For traits with exact geometry only.
   /// \exception Invalid_surface_error if a squared length is not positive, or three
   ///   violate the triangle inequality; equality is accepted. O(size) rational operations.
   static Intrinsic_triangulation
-  from_squared_lengths(Delta_complex connectivity,
-                       std::vector<Input_metric::Rational> squared_lengths,
-                       const Traits& traits = Traits())
+  from_metric(Delta_complex connectivity,
+              Input_metric metric,
+              const Traits& traits = Traits())
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     Intrinsic_triangulation t(std::move(connectivity), traits);
-    Input_metric metric = Input_metric::from_squared_lengths(std::move(squared_lengths));
     metric.check(t.connectivity_);
     t.exponent_ = metric.unit_exponent();
     internal::construct_metric_from_input(t.connectivity_, t.traits_, metric, t.edges_, t.faces_, t.bounds_);
@@ -188,11 +189,10 @@ public:
 
   /// \brief returns the exact geometry, ready for its queries.
   ///
-  /// The first call costs O(size + number of flips). Queries remember what they computed, so that
-  /// one object must not be queried from two threads at once.
+  /// The first call costs O(size + number of flips).
   /// \exception Integer_overflow_error as `prepare()` of `Correspondence`
   /// \pre `keeps_input()`
-  Exact_geometry& exact_geometry() const
+  const Exact_geometry& exact_geometry() const
   {
     CGAL_precondition(keeps_input());
     geometry_->prepare(connectivity_);
@@ -289,38 +289,7 @@ public:
     return exact_geometry().sign_of_cotangents(connectivity_, e);
   }
 
-  /// \brief as `is_locally_Delaunay()`; where the stored numbers could not decide, they
-  /// are replaced by the tight ones that did.
-  Boolean test_and_refine(Edge_index e)
-  {
-    const Boolean answer = traits_.is_locally_Delaunay_object()(hinge(e));
-    if constexpr (uses_exact_geometry)
-      if (!is_certain(answer))
-        return decide_and_refine(e);
-    ++number_of_filter_decisions_;
-    return answer;
-  }
-
-  /// \brief returns whether bounds that are kept for the corners already tell that `e` is Delaunay.
-  ///
-  /// `false` says nothing. Most edges of an ordinary surface are known to be Delaunay, and
-  /// this is much faster than `is_locally_Delaunay()`, with which it never disagrees.
-  bool is_known_Delaunay(Edge_index e) const
-  {
-    return keeps_bounds && bounds_.imply_Delaunay(e);
-  }
-  /// \brief as above, for four edges: bit i of the result tells it of the i-th after `e`.
-  /// \pre there are that many
-  unsigned are_known_Delaunay(Edge_index e) const
-  {
-    return keeps_bounds ? bounds_.imply_Delaunay_of_four(e) : 0;
-  }
-
-  /// notes that `number` edges were found to be known as Delaunay, for `stage_counts()`.
-  void count_as_tested(std::uint64_t number) { number_of_filter_decisions_ += number; }
-
-  /// \brief returns how many calls of `test_and_refine()` each stage decided, and counts
-  /// for the filter what `count_as_tested()` was told.
+  /// \brief returns how many tests of `flip_to_Delaunay()` each stage decided.
   ///
   /// With traits that use no exact geometry all are counted for the filter.
   Stage_counts stage_counts() const
@@ -363,19 +332,17 @@ public:
   Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around)
   {
     const Hinge_data old = hinge(around);
-    typename Traits::Flipped_hinge_data flipped{};
-    const Boolean is_convex = traits_.construct_flipped_hinge_object()(old, flipped);
-    if (!certainly(is_convex))
-      return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
-    const bool is_straight = geometry_ && geometry_->flip(connectivity_, around);
-    const bool has_length = is_new_edge_known_to_have_length(old);
-    replace_hinge(around, old, flipped);
+    bool is_straight = false;
+    const Flip_outcome outcome =
+      flip_hinge(around, old, [&] { is_straight = geometry_ && geometry_->flip(connectivity_, around); });
+    if (outcome != Flip_outcome::FLIPPED)
+      return outcome;
     if constexpr (uses_exact_geometry)
       if (is_straight)
         measure_straight_faces(around);
-    if (!has_length)
+    if (!is_new_edge_known_to_have_length(old))
       check_length(edge(around.ij));
-    return Flip_outcome::FLIPPED;
+    return outcome;
   }
 
   /// returns the datum that the traits keep for `e`, in the internal unit.
@@ -387,6 +354,8 @@ public:
 
 private:
   /// \cond SKIP_IN_MANUAL
+  template <class>
+  friend class internal::Whole_triangulation;
   template <class>
   friend class internal::Triangulation_block;
   /// \endcond
@@ -427,21 +396,29 @@ private:
             face_data(connectivity_.face(around.ji))};
   }
 
-  // With what was computed from the old hinge.
-  void replace_hinge(const Hinge_halfedges& around, const Hinge_data& old,
-                     const typename Traits::Flipped_hinge_data& flipped)
+  // Computes all numbers from the old hinge, and replaces it. `before()` is called once it is certain that the flip
+  // exists; an exception of it leaves everything as it was.
+  template <class Before>
+  Flip_outcome flip_hinge(const Hinge_halfedges& around, const Hinge_data& old, const Before& before)
   {
+    typename Traits::Flipped_hinge_data flipped{};
+    const Boolean is_convex = traits_.construct_flipped_hinge_object()(old, flipped);
+    if (!certainly(is_convex))
+      return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
+    before();
     connectivity_.flip(around);
     edges_[edge(around.ij).idx()] = flipped.kl;
     faces_[connectivity_.face(around.ij).idx()] = flipped.ilk;
     faces_[connectivity_.face(around.ji).idx()] = flipped.jkl;
     internal::bound_corners_of_flipped(traits_, around, old, flipped, bounds_);
+    return Flip_outcome::FLIPPED;
   }
 
+  // Decides by the exact geometry, and replaces what was stored.
   BOOST_NOINLINE bool decide_and_refine(Edge_index e)
   {
     std::optional<Exact_geometry::Opposite_corners> corners;
-    const Sign sign = geometry_->sign_of_cotangents(connectivity_, e, corners);
+    const Sign sign = geometry_->decide(connectivity_, e, corners);
     const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
     if (corners) {
       refine(h, corners->k);
@@ -520,7 +497,7 @@ private:
   internal::Cotangent_bounds bounds_; // empty if the traits have none
   int exponent_ = 0;
   std::uint64_t number_of_filter_decisions_ = 0;
-  mutable std::optional<Exact_geometry> geometry_;
+  std::optional<Exact_geometry> geometry_;
 };
 
 } // namespace Intrinsic_triangulations

@@ -118,7 +118,7 @@ public:
   template <class ConcurrencyTag = Sequential_tag>
   Overlay(const Delta_complex& intrinsic, const Correspondence& correspondence,
           const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : arrays_(internal::Overlay_builder<ConcurrencyTag>(intrinsic, correspondence, progress).build())
+    : arrays_(internal::build_overlay<ConcurrencyTag>(intrinsic, correspondence, progress))
   {}
 
   /// \name Size

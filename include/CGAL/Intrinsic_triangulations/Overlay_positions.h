@@ -9,13 +9,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_POSITIONS_H
 
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
-#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Crossing_locator.h>
+#include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -28,6 +26,9 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+template <class Traits>
+class Intrinsic_triangulation;
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 ///
@@ -73,30 +74,19 @@ public:
       on_intrinsic_edge_(overlay.number_of_crossings(), internal::default_init),
       on_input_edge_(overlay.number_of_crossings(), internal::default_init)
   {
-    const Correspondence& correspondence = geometry.correspondence();
     static constexpr const char* what = "the search for the places of the crossings";
+    const Delta_complex& input = geometry.correspondence().input();
+    const std::size_t n = intrinsic.number_of_edges();
     if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
       internal::report_progress(progress, 0, what);
-      const std::size_t n = intrinsic.number_of_edges();
-      // Each block needs a memory of its own, of a byte an edge.
-      const std::size_t size = (std::max)(internal::elements_of_block, n / 16);
-      internal::for_each_block<ConcurrencyTag>(n, size, [&](std::size_t first, std::size_t last) {
-        internal::Decision_settings settings;
-        internal::Input_surface surface(correspondence.input(), geometry.metric(), settings);
-        internal::Crossing_locator locate(intrinsic, correspondence, surface, overlay);
-        for (std::size_t e = first; e < last; ++e)
-          find_crossings(locate, overlay, Edge_index(size_type(e)));
+      internal::for_each_block<ConcurrencyTag>(n, internal::elements_of_block, [&](std::size_t first, std::size_t last) {
+        find_crossings(intrinsic, geometry, overlay, first, last, internal::Loop_progress({}, what, 0, 1, n));
       });
     } else {
-      internal::Crossing_locator locate(intrinsic, correspondence, geometry.input_surface(), overlay);
-      const internal::Loop_progress loop(progress, what, 0, 1, intrinsic.number_of_edges());
-      for (Edge_index e : intrinsic.edges()) {
-        loop.at(e.idx());
-        find_crossings(locate, overlay, e);
-      }
+      find_crossings(intrinsic, geometry, overlay, 0, n, internal::Loop_progress(progress, what, 0, 1, n));
     }
     internal::for_each_block<ConcurrencyTag>(
-      correspondence.input().number_of_edges(), internal::elements_of_block,
+      input.number_of_edges(), internal::elements_of_block,
       [&](std::size_t first, std::size_t last) {
         for (std::size_t e = first; e < last; ++e)
           make_ascending(overlay, Edge_index(size_type(e)));
@@ -168,16 +158,9 @@ public:
 private:
   using size_type = Overlay::size_type;
 
-  void find_crossings(internal::Crossing_locator& locate, const Overlay& overlay, Edge_index e)
-  {
-    if (overlay.intrinsic_crossings(e).empty())
-      return;
-    double last = 0;
-    locate(e, [&](Overlay::Vertex x, double on_intrinsic_edge, double on_input_edge) {
-      on_intrinsic_edge_[index(x)] = last = (std::max)(last, on_intrinsic_edge);
-      on_input_edge_[index(x)] = on_input_edge;
-    });
-  }
+  // Of the intrinsic edges from `first` to `last`.
+  void find_crossings(const Delta_complex& intrinsic, const Exact_geometry& geometry, const Overlay& overlay,
+                      std::size_t first, std::size_t last, const internal::Loop_progress& progress);
 
   void make_ascending(const Overlay& overlay, Edge_index input_edge)
   {
@@ -208,5 +191,9 @@ private:
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/positions/Overlay_positions_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_POSITIONS_H

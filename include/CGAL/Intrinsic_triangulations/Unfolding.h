@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Planar_vector.h>
+#include <CGAL/Intrinsic_triangulations/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
 
 #include <CGAL/assertions.h>
@@ -76,15 +77,8 @@ public:
     Halfedge_index reference; ///< that input halfedge
   };
 
-  /// \brief the measures of a triangle as seen from one of its corners.
-  struct Corner
-  {
-    Real p;          ///< twice the scalar product of its sides
-    Real four_areas; ///< four times the area
-    Real s_first;    ///< squared length of the side clockwise
-    Real s_second;   ///< squared length of the side counterclockwise
-    Real s_opposite; ///< squared length of the opposite side
-  };
+  /// a triangle as one of its corners sees it
+  using Corner = Triangle_corner<Real>;
 
   /// \pre `correspondence.is_prepared()`
   Unfolding(const Delta_complex& complex, const Correspondence& correspondence, Metric& metric)

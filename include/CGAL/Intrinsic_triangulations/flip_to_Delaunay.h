@@ -10,9 +10,11 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Flip_report.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Tie_proof.h>
-#include <CGAL/Intrinsic_triangulations/internal/flips/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Block_flipper.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Delaunay_flipper.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -101,8 +103,9 @@ private:
   std::function<bool()> before_;
 };
 
+// \param triangulation a Whole_triangulation, or what has its members
 template <class ConcurrencyTag, class Triangulation, class ConstraintMap, class Visitor>
-Flip_report flip_all(Triangulation& triangulation, const ConstraintMap& is_constrained,
+Flip_report flip_all(Triangulation triangulation, const ConstraintMap& is_constrained,
                      Visitor& visitor, std::uint64_t budget)
 {
   const Edge_index::size_type n = triangulation.connectivity().number_of_edges();
@@ -115,10 +118,10 @@ Flip_report flip_all(Triangulation& triangulation, const ConstraintMap& is_const
   if constexpr (Triangulation::Traits::Uses_exact_geometry::value && !Is_silent<Visitor>::value)
     scope.emplace(triangulation, [&flipper] { return flipper.goes_further(); });
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
-    using Parallel = Block_flipper<Triangulation, ConstraintMap, Visitor>;
-    if (Parallel::is_useful(triangulation))
+    using Parallel = Block_flipper<typename Triangulation::Traits, ConstraintMap, Visitor>;
+    if (Parallel::is_useful(triangulation.triangulation()))
       return flipper.finish(
-        Parallel(triangulation, is_constrained, visitor, budget, marks).settle_all(flipper));
+        Parallel(triangulation.triangulation(), is_constrained, visitor, budget, marks).settle_all(flipper));
   }
   return flipper.finish(flipper.settle(0, n));
 }
@@ -147,7 +150,6 @@ Flip_report flip_all(Triangulation& triangulation, const ConstraintMap& is_const
 /// for before, it is as `Sequential_tag`.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
-/// \tparam Triangulation an `Intrinsic_triangulation`
 /// \tparam NamedParameters a sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
@@ -178,16 +180,16 @@ Flip_report flip_all(Triangulation& triangulation, const ConstraintMap& is_const
 /// \exception Undecided_error if proofs of ties are demanded (`tie_proof`), and one takes too long
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.2.
-template <class ConcurrencyTag = Sequential_tag, class Triangulation,
+template <class ConcurrencyTag = Sequential_tag, class Traits,
           class NamedParameters = parameters::Default_named_parameters>
-Flip_report flip_to_Delaunay(Triangulation& triangulation,
+Flip_report flip_to_Delaunay(Intrinsic_triangulation<Traits>& triangulation,
                              const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::get_parameter_reference;
   constexpr bool is_exact =
-    Triangulation::Traits::Has_exact_decisions::value;
+    Traits::Has_exact_decisions::value;
 
   const std::uint64_t budget = choose_parameter(
     get_parameter(np, internal_np::maximum_number),
@@ -197,10 +199,10 @@ Flip_report flip_to_Delaunay(Triangulation& triangulation,
     choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                      Static_boolean_property_map<Edge_index, false>());
   auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_flip_visitor());
-  if constexpr (Triangulation::Traits::Uses_exact_geometry::value &&
+  if constexpr (Traits::Uses_exact_geometry::value &&
                 !parameters::is_default_parameter<NamedParameters, internal::Tie_proof_tag>::value)
     triangulation.set_tie_proof(get_parameter(np, internal::Tie_proof_tag()));
-  return internal::flip_all<ConcurrencyTag>(triangulation, is_constrained,
+  return internal::flip_all<ConcurrencyTag>(internal::Whole_triangulation<Traits>(triangulation), is_constrained,
                                             internal::unwrapped(visitor), budget);
 }
 

@@ -13,11 +13,13 @@
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/check_triangles.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/copy_face_graph.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_kinds.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/check_triangles.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/copy_face_graph.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Rational_points.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -66,34 +68,23 @@ private:
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// The squared lengths of the edges exactly, or nothing if all coordinates are doubles, or not all finite.
+// The metric exactly, or nothing if all coordinates are doubles, or not all finite.
 template <class TriangleMesh, class PointMap>
-std::optional<std::vector<Rational>> rational_squared_lengths(const TriangleMesh& mesh,
-                                                              const PointMap& point_map,
-                                                              const Delta_complex& connectivity)
+std::optional<Input_metric> rational_metric(const TriangleMesh& mesh, const PointMap& point_map,
+                                            const Delta_complex& connectivity)
 {
-  std::vector<std::array<Rational, 3>> points;
-  points.reserve(connectivity.number_of_vertices());
-  bool are_doubles = true;
+  Rational_points points;
   for (typename boost::graph_traits<TriangleMesh>::vertex_descriptor v : vertices(mesh)) {
     const auto& p = get(point_map, v);
     if (!CGAL::is_finite(p.x()) || !CGAL::is_finite(p.y()) || !CGAL::is_finite(p.z()))
       return std::nullopt;
-    points.push_back({convert_number<Rational>(p.x()), convert_number<Rational>(p.y()),
-                      convert_number<Rational>(p.z())});
-    for (const Rational& x : points.back())
-      are_doubles = are_doubles && Rational(x.template convert_to<double>()) == x;
+    points.add(p.x());
+    points.add(p.y());
+    points.add(p.z());
   }
-  if (are_doubles)
+  if (points.are_doubles())
     return std::nullopt;
-  std::vector<Rational> result;
-  result.reserve(connectivity.number_of_edges());
-  for (Edge_index e : connectivity.edges()) {
-    const Halfedge_index h = connectivity.halfedge(e);
-    result.push_back(squared_distance_3(points[connectivity.source(h).idx()],
-                                        points[connectivity.target(h).idx()]));
-  }
-  return result;
+  return points.metric(connectivity);
 }
 
 } // namespace internal
@@ -139,12 +130,10 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
                                 Edge_length_traits<typename Kernel::FT>>::value,
                   "exact geometry needs points with rational coordinates");
     Delta_complex connectivity = internal::copy_face_graph<ConcurrencyTag>(mesh);
-    std::optional<std::vector<Input_metric::Rational>> squared_lengths =
-      internal::rational_squared_lengths(mesh, point_map, connectivity);
-    if (squared_lengths) { // some coordinate is not a double
+    std::optional<Input_metric> metric = internal::rational_metric(mesh, point_map, connectivity);
+    if (metric) { // some coordinate is not a double
       internal::check_triangles(connectivity);
-      return Triangulation::from_squared_lengths(std::move(connectivity),
-                                                 std::move(*squared_lengths), traits);
+      return Triangulation::from_metric(std::move(connectivity), std::move(*metric), traits);
     }
   }
   internal::Face_graph_copier<TriangleMesh> copier(mesh);

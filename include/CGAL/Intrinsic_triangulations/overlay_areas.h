@@ -58,7 +58,7 @@ struct Areas_in_both
   template <class Traits>
   explicit Areas_in_both(const Intrinsic_triangulation<Traits>& triangulation)
   {
-    Exact_geometry& geometry = triangulation.exact_geometry();
+    const Exact_geometry& geometry = triangulation.exact_geometry();
     const Delta_complex& complex = geometry.correspondence().input();
     for (Face_index f : complex.faces())
       input.push_back(

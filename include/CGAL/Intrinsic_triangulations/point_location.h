@@ -15,8 +15,8 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Chord_search.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/Exact_side.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/affine_image.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/exact_side.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
 #include <algorithm>

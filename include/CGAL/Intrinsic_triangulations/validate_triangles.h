@@ -12,9 +12,9 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Surface_report.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Length_range.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Surface_examiner.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/Surface_examiner.h>
 
 #include <CGAL/number_utils.h>
 

@@ -72,7 +72,7 @@ Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
                      Static_boolean_property_map<Edge_index, false>());
 
   const Delta_complex& complex = triangulation.connectivity();
-  Exact_geometry& geometry = triangulation.exact_geometry();
+  const Exact_geometry& geometry = triangulation.exact_geometry();
   Delaunay_verification result;
   for (Face_index f : complex.faces()) {
     geometry.check_interruption();

@@ -9,12 +9,13 @@
 
 #include "Reference_triangulation.h"
 
+#include "samples/sample_surface_types.h"
+
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include "samples/sample_surface_types.h"
 
 #include <boost/property_map/property_map.hpp>
 

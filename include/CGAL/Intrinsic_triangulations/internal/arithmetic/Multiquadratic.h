@@ -8,9 +8,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_MULTIQUADRATIC_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_MULTIQUADRATIC_H
 
-#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Square_root_basis.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <CGAL/assertions.h>
 
@@ -31,7 +31,7 @@ public:
   using Mask = std::uint64_t;
 
   // \param work a bound on the number of terms that are computed; a large one counts more than once
-  Multiquadratic_field(Interruption& interruption, std::size_t work)
+  Multiquadratic_field(const Interruption& interruption, std::size_t work)
     : basis_(interruption, 64), interruption_(interruption), work_(work)
   {}
 
@@ -47,7 +47,7 @@ public:
 
 private:
   Square_root_basis basis_;
-  Interruption& interruption_;
+  const Interruption& interruption_;
   std::size_t work_;
 };
 

@@ -8,14 +8,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_NUMBER_TYPE_WITH_ROOTS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_NUMBER_TYPE_WITH_ROOTS_H
 
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/boost_multiprecision_floats.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/quadruple_precision.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Real_embeddable_traits.h>
 #include <CGAL/number_type_basic.h>
-
-#include <boost/multiprecision/number.hpp>
 
 #include <type_traits>
 
@@ -29,14 +26,6 @@ struct Has_roots
   : std::integral_constant<
       bool, std::is_convertible<typename Algebraic_structure_traits<FT>::Algebraic_category, Field_with_sqrt_tag>::value &&
               Real_embeddable_traits<FT>::Is_real_embeddable::value>
-{};
-// Of some kinds of number CGAL only says that there are such templates. A comparison of Boost's
-// intervals has no third answer.
-template <class FT>
-struct Has_roots<FT, std::enable_if_t<boost::multiprecision::is_number<FT>::value>>
-  : std::integral_constant<bool, boost::multiprecision::number_category<FT>::value ==
-                                     boost::multiprecision::number_kind_floating_point &&
-                                   !boost::multiprecision::is_interval_number<FT>::value>
 {};
 
 template <class T>
@@ -52,7 +41,8 @@ auto checked_number_type()
 {
   static_assert(Has_roots<FT>::value,
                 "the number type of Edge_length_traits and Half_angle_traits must be a field with square root that CGAL knows: "
-                "take double, a float of Boost.Multiprecision or the FT of a kernel with square roots, or, for exact "
+                "take double, a float of Boost.Multiprecision (include its header, or boost_multiprecision_floats.h, before "
+                "those of Intrinsic_triangulations) or the FT of a kernel with square roots, or, for exact "
                 "decisions on points with rational coordinates, no traits at all");
   return Type<std::conditional_t<Has_roots<FT>::value, FT, double>>();
 }
@@ -64,5 +54,10 @@ using Number_type_with_roots = typename decltype(checked_number_type<FT>())::typ
 } // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
+
+// Who has included Boost.Multiprecision need not ask for what makes its floats work; others need not parse it.
+#if defined(BOOST_MP_NUMBER_HPP) || defined(BOOST_MATH_EXTENDED_REAL_HPP) // since Boost 1.76, and before
+#include <CGAL/Intrinsic_triangulations/boost_multiprecision_floats.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_NUMBER_TYPE_WITH_ROOTS_H

@@ -9,10 +9,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_RESIDUES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_RESIDUES_H
 
-#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Prime_field.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Square_root_basis.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <algorithm>
 #include <array>
@@ -85,7 +85,7 @@ class Residue_rings
 {
 public:
   // \param maximum_number_of_roots the number of independent roots from which on Too_costly is thrown
-  Residue_rings(const Prime_fields& fields, Interruption& interruption,
+  Residue_rings(const Prime_fields& fields, const Interruption& interruption,
                 std::size_t maximum_number_of_roots = Square_root_basis::unlimited)
     : fields_(fields), basis_(interruption, maximum_number_of_roots)
   {

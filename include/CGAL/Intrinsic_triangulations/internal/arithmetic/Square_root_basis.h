@@ -8,8 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_SQUARE_ROOT_BASIS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_SQUARE_ROOT_BASIS_H
 
-#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <boost/dynamic_bitset.hpp>
 
@@ -68,7 +68,7 @@ public:
   static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
 
   // \param maximum_size the number of generators from which on Too_costly is thrown
-  explicit Square_root_basis(Interruption& interruption, std::size_t maximum_size = unlimited)
+  explicit Square_root_basis(const Interruption& interruption, std::size_t maximum_size = unlimited)
     : interruption_(interruption), maximum_size_(maximum_size)
   {
     rebuild(128);
@@ -216,7 +216,7 @@ private:
     return generators_.size() + spare <= number_of_symbols_;
   }
 
-  Interruption& interruption_;
+  const Interruption& interruption_;
   std::size_t maximum_size_;
   std::vector<Integer> generators_;
   std::vector<std::uint32_t> primes_;

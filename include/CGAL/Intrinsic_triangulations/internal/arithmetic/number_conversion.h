@@ -12,7 +12,6 @@
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
@@ -22,6 +21,10 @@
 #include <type_traits>
 
 namespace CGAL {
+
+template <typename ET>
+class Lazy_exact_nt;
+
 namespace Intrinsic_triangulations {
 namespace internal {
 
@@ -33,7 +36,7 @@ const T& without_laziness(const T& x)
 template <class ET>
 const ET& without_laziness(const Lazy_exact_nt<ET>& x)
 {
-  return CGAL::exact(x);
+  return exact(x);
 }
 
 // Numerator and denominator by their digits, which every exact number type can read.

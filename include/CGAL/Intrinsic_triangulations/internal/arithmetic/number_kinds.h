@@ -12,8 +12,6 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/tags.h>
 
-#include <boost/multiprecision/number.hpp>
-
 #include <limits>
 #include <type_traits>
 
@@ -50,7 +48,7 @@ struct Machine_type<Interval_nt<b>>
 template <class FT>
 constexpr bool has_small_exponent_range =
   is_machine_number<typename Machine_type<FT>::type> ||
-  (boost::multiprecision::is_number<FT>::value && !std::numeric_limits<FT>::is_exact &&
+  (std::numeric_limits<FT>::is_specialized && !std::numeric_limits<FT>::is_exact &&
    std::numeric_limits<FT>::max_exponent / 10 < std::numeric_limits<double>::max_exponent);
 
 // Roots of numbers beyond 2^150 come out of CORE with few correct digits, and beyond 2^160 it ends

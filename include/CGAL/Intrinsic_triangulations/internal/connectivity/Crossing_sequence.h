@@ -41,7 +41,7 @@ class Crossing_sequence
 public:
   // The pairs of neighbouring crossings of h, in order from its source.
   Crossing_sequence(const Delta_complex& complex, const Normal_coordinates& coordinates,
-                    Halfedge_index h, Interruption& interruption)
+                    Halfedge_index h, const Interruption& interruption)
     : complex_(complex), coordinates_(coordinates), start_(h)
   {
     const std::int64_t n = coordinates.number_of_crossings(complex.edge(h));
@@ -229,7 +229,7 @@ class Crossing_sequences
 public:
   const Crossing_sequence& operator()(const Delta_complex& complex,
                                       const Normal_coordinates& coordinates, Halfedge_index h,
-                                      Interruption& interruption)
+                                      const Interruption& interruption)
   {
     const auto position = sequences_.find(h);
     return position != sequences_.end()

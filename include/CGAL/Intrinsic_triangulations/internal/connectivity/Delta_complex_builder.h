@@ -11,8 +11,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/for_each_halfedge_around.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Mirror_symmetry.h>
@@ -43,13 +44,7 @@ inline Two_corners corners_beside(const Delta_complex& complex, Edge_index e)
 }
 
 template <class Metric>
-struct Opposite_corners
-{
-  typename Unfolding<Metric>::Corner k, l;
-};
-
-template <class Metric>
-Opposite_corners<Metric> unfolded_corners(const Unfolding<Metric>& unfolding, const Two_corners& corners)
+Opposite_corners<typename Metric::Real> unfolded_corners(const Unfolding<Metric>& unfolding, const Two_corners& corners)
 {
   return {unfolding.opposite_corner(corners.opposite_to_k),
           unfolding.opposite_corner(corners.opposite_to_l)};
@@ -176,7 +171,7 @@ private:
   {
     const double largest = (std::numeric_limits<double>::max)();
     if (x.lower_double() >= largest || x.upper_double() <= -largest)
-      throw Invalid_surface_error(Defect::OUT_OF_RANGE, f.idx(), 1,
+      throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, f.idx(), 1,
                                   "face " + std::to_string(f.idx()) +
                                     " is so thin that a cotangent leaves the range of double: remove it, or mollify "
                                     "the lengths first");

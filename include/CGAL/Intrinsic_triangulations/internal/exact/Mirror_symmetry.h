@@ -11,8 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -129,7 +129,7 @@ private:
     const auto sign =
       (metric.squared_length_double_double(input_, d) - metric.squared_length_double_double(input_, e)).sign();
     return is_certain(sign) && get_certain(sign) != ZERO ? false
-                                                         : metric.squared_length(input_, d) == metric.squared_length(input_, e);
+                                                         : squared_length(metric, input_, d) == squared_length(metric, input_, e);
   }
 
   // Whether two edges have the same extent along each axis, as they have if a plane between two axes mirrors them. A

@@ -56,8 +56,18 @@ public:
       return true;
     if (!is_flat(complex, points, h))
       return false;
-    united_with_[q] = p;
+    if (priority(p) > priority(q))
+      united_with_[q] = p;
+    else
+      united_with_[p] = q;
     return true;
+  }
+  // As above; remembers nothing.
+  bool are_coplanar(const Delta_complex& complex, const Points& points, Halfedge_index h) const
+  {
+    const Face_index f = complex.face(h), g = complex.face(complex.opposite(h));
+    return (*this)(f) && (*this)(g) &&
+           (united(plane_[f.idx()]) == united(plane_[g.idx()]) || is_flat(complex, points, h));
   }
 
   // To be called before the flip of the connectivity. Returns whether the new faces are straight.
@@ -75,6 +85,15 @@ public:
 private:
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 
+  // Random numbers keep the trees low, even if they are only looked at.
+  static std::uint32_t priority(std::uint32_t p) { return p * 2654435769u; }
+
+  std::uint32_t united(std::uint32_t p) const
+  {
+    while (united_with_[p] != p)
+      p = united_with_[p];
+    return p;
+  }
   std::uint32_t united(std::uint32_t p)
   {
     while (united_with_[p] != p)

@@ -15,14 +15,16 @@
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double_disk.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Mpfr_disk.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Mpfr_interval.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Multiquadratic.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Square_root_basis.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <CGAL/enum.h>
 
@@ -51,7 +53,7 @@ class Input_surface
 {
 public:
   Input_surface(const Delta_complex& connectivity, const Input_metric& metric,
-                Decision_settings& settings)
+                const Decision_settings& settings)
     : connectivity_(connectivity), metric_(metric), settings_(settings),
       flatness_(metric.points().empty() ? 0 : connectivity.number_of_edges(), UNKNOWN),
       ratios_(number_of_ratios(connectivity))
@@ -60,7 +62,7 @@ public:
   const Delta_complex& connectivity() const { return connectivity_; }
   const Input_metric& metric() const { return metric_; }
 
-  Interruption& interruption() { return settings_.interruption; }
+  const Interruption& interruption() const { return settings_.interruption; }
   bool accepts_probable_ties() const { return settings_.tie_proof == Tie_proof::PROBABLE_IF_COSTLY; }
 
   // The number of `number` of a sequence of fields that are random, but the same in each run.
@@ -136,7 +138,7 @@ private:
 
   const Delta_complex& connectivity_;
   const Input_metric& metric_;
-  Decision_settings& settings_;
+  const Decision_settings& settings_;
   std::deque<Prime_fields> prime_fields_;
   double largest_size_ = 0;
   Large_vector<std::uint8_t> flatness_;
@@ -167,7 +169,7 @@ public:
     return surface_.remembered(h, compute);
   }
   bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
-  Interruption& interruption() { return surface_.interruption(); }
+  const Interruption& interruption() { return surface_.interruption(); }
   Vector ratio_in_plane(Halfedge_index h, Vertex_index from, Vertex_index to) const
   {
     const Delta_complex& c = surface_.connectivity();
@@ -213,7 +215,7 @@ public:
     count();
     const Delta_complex& c = surface_.connectivity();
     if (surface_.metric().points().empty())
-      return image_.rational(surface_.metric().squared_length(c, e));
+      return image_.rational(Intrinsic_triangulations::squared_length(surface_.metric(), c, e));
     const auto u = vector(c.source(c.halfedge(e)), c.target(c.halfedge(e)));
     return image_.real(scalar_product(u, u));
   }
@@ -221,7 +223,7 @@ public:
   {
     count();
     return remembered_in(roots_, f, [&] {
-      return image_.root(surface_.metric().squared_four_areas(surface_.connectivity(), f));
+      return image_.root(squared_four_areas(surface_.metric(), surface_.connectivity(), f));
     });
   }
   template <class Compute>
@@ -231,7 +233,7 @@ public:
     return remembered_in(ratios_, h, compute);
   }
   bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
-  Interruption& interruption() { return surface_.interruption(); }
+  const Interruption& interruption() { return surface_.interruption(); }
   Vector ratio_in_plane(Halfedge_index h, Vertex_index from, Vertex_index to)
   {
     count();

@@ -101,12 +101,13 @@ private:
 // Settles what can be settled within blocks of consecutive edges on several threads, then what
 // can be within blocks that are shifted by half of their size, and then the few edges that
 // remain on one thread. The blocks do not depend on the number of threads, nor does the result.
-template <class Triangulation, class ConstraintMap, class Visitor>
+template <class Traits, class ConstraintMap, class Visitor>
 class Block_flipper
 {
-  using Block = Triangulation_block<Triangulation>;
+  using Triangulation = Intrinsic_triangulation<Traits>;
+  using Block = Triangulation_block<Traits>;
   using Block_visitor = typename Shared_visitor<Visitor>::Of_block;
-  using Flipper = Delaunay_flipper<Triangulation, ConstraintMap, Visitor>;
+  using Flipper = Delaunay_flipper<Whole_triangulation<Traits>, ConstraintMap, Visitor>;
 
   // In smaller blocks more hinges are not contained, larger ones are too few for many threads.
   static constexpr int exponent = 16;
@@ -145,7 +146,7 @@ public:
       for (Task& task : tasks) {
         exception = exception ? exception : task.exception;
         flipper.add(task.report);
-        triangulation_.count_as_tested(task.report.tests);
+        Whole_triangulation<Traits>(triangulation_).count_as_tested(task.report.tests);
         journals.push_back(std::move(task.journal));
         postponed_.insert(postponed_.end(), task.postponed.begin(), task.postponed.end());
       }

@@ -11,9 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Flip_report.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Triangulation_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/flips/Triangulation_block.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/property_map.h>
@@ -76,8 +76,8 @@ struct Is_silent<Visitor, std::void_t<typename Visitor::Is_silent>> : Visitor::I
 template <class Triangulation>
 struct Is_whole_triangulation : std::true_type
 {};
-template <class Triangulation>
-struct Is_whole_triangulation<Triangulation_block<Triangulation>> : std::false_type
+template <class Traits>
+struct Is_whole_triangulation<Triangulation_block<Traits>> : std::false_type
 {};
 
 // The edges are settled group by group, and a group in rounds: all candidates are tested, those

@@ -9,6 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_TRIANGULATION_BLOCK_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <CGAL/Uncertain.h>
@@ -31,11 +33,12 @@ namespace internal {
 //
 // What needs a look at the rest of the triangulation is postponed: the exact stages follow
 // edges through input faces wherever they lie.
-template <class Triangulation>
+template <class Traits_>
 class Triangulation_block
 {
 public:
-  using Traits = typename Triangulation::Traits;
+  using Triangulation = Intrinsic_triangulation<Traits_>;
+  using Traits = Traits_;
   using Boolean = typename Triangulation::Boolean;
   enum class Flip_outcome {
     FLIPPED,
@@ -75,8 +78,8 @@ public:
            contains(complex.prev(g));
   }
 
-  bool is_known_Delaunay(Edge_index e) const { return triangulation_.is_known_Delaunay(e); }
-  unsigned are_known_Delaunay(Edge_index e) const { return triangulation_.are_known_Delaunay(e); }
+  bool is_known_Delaunay(Edge_index e) const { return whole().is_known_Delaunay(e); }
+  unsigned are_known_Delaunay(Edge_index e) const { return whole().are_known_Delaunay(e); }
 
   // By what is stored alone.
   Boolean is_locally_Delaunay(Edge_index e) const
@@ -92,17 +95,24 @@ public:
     if constexpr (Triangulation::uses_exact_geometry)
       if (!triangulation_.is_new_edge_known_to_have_length(old))
         return Flip_outcome::POSTPONED;
-    typename Traits::Flipped_hinge_data flipped{};
-    const Boolean is_convex = triangulation_.traits_.construct_flipped_hinge_object()(old, flipped);
-    if (!certainly(is_convex))
-      return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
-    if (triangulation_.geometry_)
-      journal_.push_back(around);
-    triangulation_.replace_hinge(around, old, flipped);
-    return Flip_outcome::FLIPPED;
+    const auto note = [&] {
+      if (triangulation_.geometry_)
+        journal_.push_back(around);
+    };
+    switch (triangulation_.flip_hinge(around, old, note)) {
+    case Triangulation::Flip_outcome::FLIPPED:
+      return Flip_outcome::FLIPPED;
+    case Triangulation::Flip_outcome::NOT_CONVEX:
+      return Flip_outcome::NOT_CONVEX;
+    case Triangulation::Flip_outcome::UNDECIDED:
+      break;
+    }
+    return Flip_outcome::UNDECIDED;
   }
 
 private:
+  Whole_triangulation<Traits> whole() const { return Whole_triangulation<Traits>(triangulation_); }
+
   bool contains(Halfedge_index h) const
   {
     return connectivity().edge(h).idx() - first_ < size_; // the difference is unsigned

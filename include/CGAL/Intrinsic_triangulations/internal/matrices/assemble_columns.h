@@ -9,8 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_ASSEMBLE_COLUMNS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/for_each_halfedge_around.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <Eigen/SparseCore>
 

@@ -11,13 +11,13 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
+#include <CGAL/Mpzf.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/Number_types/internal/Exact_type_selector.h>
 
 #include <array>
 #include <cmath>
@@ -28,8 +28,13 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 using Points = Large_vector<std::array<double, 3>>;
-// Exact sums and products of doubles; no division.
-using Exact_ring = CGAL::internal::Exact_ring_selector<double>::Type;
+// Exact sums and products of doubles; no division. The fastest type that CGAL has, by its name: the header that would select it
+// has 50,000 lines.
+#ifdef CGAL_HAS_MPZF
+using Exact_ring = Mpzf;
+#else
+using Exact_ring = Rational;
+#endif
 
 template <class FT>
 using Vector_3 = std::array<FT, 3>;

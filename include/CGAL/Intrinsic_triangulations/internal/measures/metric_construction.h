@@ -12,18 +12,17 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/check_triangles.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/relaxed_atomic.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
-
-#include <boost/atomic/atomic_ref.hpp>
 
 #include <algorithm>
 #include <array>
@@ -160,6 +159,21 @@ public:
     return int(!possibly(traits_.compute_squared_length_object()(e) > FT(0)));
   }
 
+  // What was found out about the faces that were measured.
+  struct Findings
+  {
+    int has_zero = 0;                  // a side has length zero
+    std::uint32_t has_other_faces = 0; // with more or fewer than three sides
+    Two_doubles shortest = std::numeric_limits<double>::infinity();
+
+    bool are_fine() const
+    {
+      return has_zero == 0 && has_other_faces == 0 && shortest.first() > 0 && shortest.second() > 0;
+    }
+  };
+
+  void measure(std::size_t first, std::size_t end, Findings& findings) const;
+
   // Returns whether a side has length zero, as is_zero() does.
   int measure(const Sides& sides) const
   {
@@ -212,7 +226,7 @@ private:
   {
     Edge_data& to = edges_[complex_.edge(h).idx()];
     if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
-      boost::atomic_ref<Edge_data>(to).store(e, boost::memory_order_relaxed);
+      relaxed_store(to, e);
     else
       to = e;
   }
@@ -229,6 +243,27 @@ private:
   Face_data* faces_;
   Cotangent_bounds& bounds_;
 };
+
+// Not in the class, so that it can be compiled once for the default traits.
+template <class ConcurrencyTag, class Traits>
+void Face_measurer<ConcurrencyTag, Traits>::measure(std::size_t first, std::size_t end, Findings& findings) const
+{
+  const Face_measurer measurer = *this; // in registers
+  Findings found = findings;
+  const auto sides = [&](std::size_t f) { return Sides(measurer.complex_, Face_index(std::uint32_t(f))); };
+  std::size_t f = first;
+  if constexpr (Takes_two_faces<Traits>::value)
+    for (; f + 1 < end; f += 2) {
+      const Sides one = sides(f), two = sides(f + 1);
+      found.has_other_faces |= one.is_other_face(measurer.complex_) | two.is_other_face(measurer.complex_);
+      found.shortest = min_of(measurer.measure(one, two), found.shortest);
+    }
+  for (; f < end; ++f) {
+    found.has_other_faces |= sides(f).is_other_face(measurer.complex_);
+    found.has_zero |= measurer.measure(sides(f));
+  }
+  findings = found;
+}
 
 // For a complex that is complete: what construct_metric_from_points() asks of a `Face_graph_copier`.
 struct Nothing_to_copy
@@ -251,26 +286,13 @@ void construct_metric_from_points(const Delta_complex& complex, Copier& copier, 
   std::atomic<bool> is_to_be_refused{false};
 
   for_each_block<Tag>(faces.size(), elements_of_block, [&](std::size_t first, std::size_t last) {
-    const Face_measurer<Tag, Traits> measurer = faces_and_sides;
-    const auto sides = [&](std::size_t f) { return Sides(complex, Face_index(std::uint32_t(f))); };
-    int has_zero = 0;
-    std::uint32_t has_other_faces = 0;
-    Two_doubles shortest = std::numeric_limits<double>::infinity();
-    for (std::size_t f = first, end; f < last;) {
-      end = (std::min)(f + faces_at_a_time, last);
+    typename Face_measurer<Tag, Traits>::Findings findings;
+    for (std::size_t f = first; f < last; f += faces_at_a_time) {
+      const std::size_t end = (std::min)(f + faces_at_a_time, last);
       copier.copy_faces(f, end);
-      if constexpr (Takes_two_faces<Traits>::value)
-        for (; f + 1 < end; f += 2) {
-          const Sides one = sides(f), two = sides(f + 1);
-          has_other_faces |= one.is_other_face(complex) | two.is_other_face(complex);
-          shortest = min_of(measurer.measure(one, two), shortest);
-        }
-      for (; f < end; ++f) {
-        has_other_faces |= sides(f).is_other_face(complex);
-        has_zero |= measurer.measure(sides(f));
-      }
+      faces_and_sides.measure(f, end, findings);
     }
-    if (has_zero != 0 || has_other_faces != 0 || !(shortest.first() > 0 && shortest.second() > 0))
+    if (!findings.are_fine())
       is_to_be_refused = true;
   });
   copier.finish();

@@ -11,8 +11,8 @@
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_kinds.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>

@@ -479,6 +479,19 @@ private:
   Overlay_arrays overlay_;
 };
 
+// A function and no member, so that it can be compiled once.
+template <class ConcurrencyTag>
+Overlay_arrays build_overlay(const Delta_complex& intrinsic, const Correspondence& correspondence,
+                             const Progress_function& progress)
+{
+  return Overlay_builder<ConcurrencyTag>(intrinsic, correspondence, progress).build();
+}
+
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+extern template Overlay_arrays build_overlay<Sequential_tag>(const Delta_complex&, const Correspondence&,
+                                                             const Progress_function&);
+#endif
+
 } // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

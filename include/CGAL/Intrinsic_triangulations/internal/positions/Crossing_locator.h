@@ -13,11 +13,11 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Edge_layout.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Plane_strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Point_strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Strip_layout.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>

@@ -9,11 +9,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_PLANE_STRIP_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Strip_layout.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/Strip_layout.h>
 
 #include <algorithm>
 #include <array>

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <utility>
@@ -19,7 +20,7 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // The exact stages call check() before each step that takes a microsecond or more. The user's
-// function is called a hundred times a second at most, so that it need not be fast.
+// function is called a hundred times a second at most, so that it need not be fast, by whichever thread comes first.
 class Interruption
 {
 public:
@@ -28,28 +29,31 @@ public:
   // Replaces the function; returns the one before.
   Go_further exchange(Go_further go_further)
   {
-    next_question_ = Clock::now();
+    next_question_ = now();
     return std::exchange(go_further_, std::move(go_further));
   }
 
-  void check()
+  void check() const
   {
-    if (go_further_ && Clock::now() >= next_question_)
+    if (go_further_ && now() >= next_question_.load(std::memory_order_relaxed))
       ask();
   }
 
 private:
   using Clock = std::chrono::steady_clock;
+  using Ticks = Clock::duration::rep;
 
-  void ask()
+  static Ticks now() { return Clock::now().time_since_epoch().count(); }
+
+  void ask() const
   {
     if (!go_further_())
       throw Cancelled_error("an exact decision was cancelled");
-    next_question_ = Clock::now() + std::chrono::milliseconds(10);
+    next_question_.store(now() + Clock::duration(std::chrono::milliseconds(10)).count(), std::memory_order_relaxed);
   }
 
   Go_further go_further_;
-  Clock::time_point next_question_;
+  mutable std::atomic<Ticks> next_question_{0};
 };
 
 } // namespace internal

@@ -9,13 +9,13 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_SURFACE_EXAMINER_H
 
 #include <CGAL/Intrinsic_triangulations/Surface_report.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Length_range.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Element_collector.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/Length_range.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/polygon_texts.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
 
 #include <CGAL/number_utils.h>
 

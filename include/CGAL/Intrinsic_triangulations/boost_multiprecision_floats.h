@@ -5,8 +5,10 @@
 //
 // What CGAL has to know of the floating-point numbers of Boost.Multiprecision.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_BOOST_MULTIPRECISION_FLOATS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_BOOST_MULTIPRECISION_FLOATS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_BOOST_MULTIPRECISION_FLOATS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_BOOST_MULTIPRECISION_FLOATS_H
+
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Number_type_with_roots.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Real_embeddable_traits.h>
@@ -17,6 +19,8 @@
 #include <boost/math/special_functions/fpclassify.hpp>
 #include <boost/mpl/int.hpp>
 #include <boost/multiprecision/number.hpp>
+
+#include <type_traits>
 
 namespace CGAL {
 
@@ -54,7 +58,22 @@ struct RET_boost_mp<NT, boost::mpl::int_<boost::multiprecision::number_kind_floa
   };
 };
 
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Of some kinds of number CGAL only says that there are such templates. A comparison of Boost's
+// intervals has no third answer.
+template <class FT>
+struct Has_roots<FT, std::enable_if_t<boost::multiprecision::is_number<FT>::value>>
+  : std::integral_constant<bool, boost::multiprecision::number_category<FT>::value ==
+                                     boost::multiprecision::number_kind_floating_point &&
+                                   !boost::multiprecision::is_interval_number<FT>::value>
+{};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+
 /// \endcond
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_BOOST_MULTIPRECISION_FLOATS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_BOOST_MULTIPRECISION_FLOATS_H

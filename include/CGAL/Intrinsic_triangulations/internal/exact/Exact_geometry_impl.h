@@ -1,0 +1,613 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Definitions of Exact_geometry.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_GEOMETRY_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_GEOMETRY_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Coplanar_hinge.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Developed_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Straight_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/corner_signs.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
+
+#include <CGAL/Uncertain.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+// What follows the flips, and what speeds up decisions.
+//
+// Const queries read it, and change it in three ways only, all of them safe: the pool of surfaces is made for that; the integers
+// and the straight faces are found once, under the mutex, and an atomic flag tells the others that they are complete.
+struct Exact_geometry::Memory
+{
+  using Developed_faces =
+    internal::Developed_faces<internal::Bounded_double_double, internal::Double_double_disk, Corner, Image_corner>;
+
+  struct Carried_images
+  {
+    explicit Carried_images(internal::Input_surface& surface)
+      : rings(surface.prime_fields(0), surface.interruption(), 0), metric(surface, {rings})
+    {}
+    internal::Residue_rings rings; // without irrational roots
+    internal::Residue_metric metric;
+  };
+
+  template <class Compute>
+  std::optional<Image_corner> image(const Compute& compute) const
+  {
+    if (!images)
+      return std::nullopt;
+    try {
+      const Image_corner result = compute();
+      return images->rings.is_defined() ? std::make_optional(result) : std::nullopt;
+    } catch (const internal::Too_costly&) {
+      return std::nullopt;
+    }
+  }
+
+  Sign decided(Stage stage, Uncertain<Sign> sign)
+  {
+    ++counts.decided[std::size_t(stage)];
+    if (get_certain(sign) == ZERO)
+      ++counts.ties;
+    return get_certain(sign);
+  }
+
+  internal::Decision_settings settings;
+  Stage_counts counts;
+  std::vector<Edge_index> journal; // the flips until it was asked which faces are straight
+  std::optional<internal::Straight_faces> straight_faces;
+  Developed_faces developed_faces;
+  std::vector<bool> is_close_call; // a test took more than double since the last flip of the edge
+
+  std::unique_ptr<internal::Input_surface> surface_of_images;
+  std::unique_ptr<Carried_images> images; // of the developed faces, from the first tie on
+
+  std::mutex mutex;
+  std::atomic<bool> is_prepared{false}, knows_straight_faces{false};
+  internal::Scratch_pool<internal::Input_surface> surfaces;
+};
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Exact_geometry(Input_metric metric)
+  : metric_(std::move(metric)), memory_(std::make_unique<Memory>())
+{}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Exact_geometry(const Exact_geometry& other)
+  : metric_(other.metric_), memory_(std::make_unique<Memory>())
+{
+  const std::lock_guard<std::mutex> lock(other.memory_->mutex);
+  correspondence_ = other.correspondence_;
+  is_asked_ = other.is_asked_.load();
+  memory_->settings.tie_proof = other.memory_->settings.tie_proof;
+  memory_->counts = other.memory_->counts;
+  memory_->journal = other.memory_->journal;
+  memory_->straight_faces = other.memory_->straight_faces;
+  memory_->is_prepared = other.memory_->is_prepared.load();
+  memory_->knows_straight_faces = other.memory_->knows_straight_faces.load();
+}
+
+// The surfaces refer to the members, which have moved.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Exact_geometry(Exact_geometry&& other) noexcept
+  : correspondence_(std::move(other.correspondence_)), is_asked_(other.is_asked_.load()), metric_(std::move(other.metric_)),
+    memory_(std::move(other.memory_))
+{
+  if (!memory_) // it was moved from before
+    return;
+  memory_->surfaces.clear();
+  memory_->images.reset();
+  memory_->surface_of_images.reset();
+  memory_->developed_faces = {};
+  memory_->is_close_call.clear();
+  memory_->settings.interruption.exchange({});
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry& Exact_geometry::operator=(Exact_geometry other) noexcept
+{
+  correspondence_ = std::move(other.correspondence_);
+  is_asked_ = other.is_asked_.load();
+  metric_ = std::move(other.metric_);
+  memory_ = std::move(other.memory_);
+  return *this;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::~Exact_geometry() = default;
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+const Stage_counts& Exact_geometry::stage_counts() const { return memory_->counts; }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::set_tie_proof(Tie_proof tie_proof) { memory_->settings.tie_proof = tie_proof; }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Tie_proof Exact_geometry::tie_proof() const { return memory_->settings.tie_proof; }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::function<bool()> Exact_geometry::set_interruption(std::function<bool()> go_further)
+{
+  return memory_->settings.interruption.exchange(std::move(go_further));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::check_interruption() const { memory_->settings.interruption.check(); }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Surface_lease Exact_geometry::input_surface() const
+{
+  return memory_->surfaces.take(
+    [this] { return new internal::Input_surface(correspondence_.input(), metric_, memory_->settings); });
+}
+
+// ---------------------------------------------------------------- once, when it is asked for
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::prepare(const Delta_complex& complex) const
+{
+  if (memory_->is_prepared.load(std::memory_order_acquire))
+    return;
+  const std::lock_guard<std::mutex> lock(memory_->mutex);
+  if (memory_->is_prepared.load(std::memory_order_relaxed))
+    return;
+  std::vector<Edge_index> journal = correspondence_.prepare(complex);
+  if (!memory_->straight_faces)
+    memory_->journal = std::move(journal);
+  is_asked_ = true;
+  memory_->is_prepared.store(true, std::memory_order_release);
+}
+
+// Finds out which faces are straight, by repeating the flips; flip() keeps it up from then on.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::find_straight_faces(const Delta_complex& complex) const
+{
+  if (memory_->knows_straight_faces.load(std::memory_order_acquire))
+    return;
+  const std::lock_guard<std::mutex> lock(memory_->mutex);
+  if (memory_->knows_straight_faces.load(std::memory_order_relaxed))
+    return;
+  internal::Straight_faces straight_faces(complex.number_of_faces(), metric_.points().size());
+  if (!metric_.points().empty()) {
+    std::vector<Edge_index> flips = correspondence_.journaled_flips(complex);
+    flips.insert(flips.end(), memory_->journal.begin(), memory_->journal.end());
+    Delta_complex copy = complex;
+    for (std::size_t i = flips.size(); i-- > 0;)
+      copy.flip_back(flips[i]);
+    for (Edge_index e : flips) {
+      straight_faces.flip(copy, metric_.points(), e);
+      copy.flip(e);
+    }
+  }
+  memory_->straight_faces = std::move(straight_faces);
+  std::vector<Edge_index>().swap(memory_->journal);
+  is_asked_ = true;
+  memory_->knows_straight_faces.store(true, std::memory_order_release);
+}
+
+// ---------------------------------------------------------------- following the flips
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_geometry::flip_and_follow(const Delta_complex& complex, const Hinge_halfedges& around)
+{
+  if (correspondence_.number_of_journaled_flips() + memory_->journal.size() >=
+      longest_journal * std::size_t(complex.number_of_edges())) {
+    find_straight_faces(complex);
+    prepare(complex);
+  }
+  correspondence_.flip(around);
+  const Edge_index e = complex.edge(around.ij);
+  if (memory_->straight_faces)
+    return follow(complex, e);
+  if (correspondence_.is_prepared())
+    memory_->journal.push_back(e);
+  return false;
+}
+
+// Keeps up what is known of the faces, before the flip of the connectivity. Returns whether
+// the new faces are straight.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_geometry::follow(const Delta_complex& complex, Edge_index e)
+{
+  Memory& memory = *memory_;
+  const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()];
+  using Known_corner = Memory::Developed_faces::Known_corner;
+  memory.developed_faces.flip(
+    complex, e, is_close_call, [&](Halfedge_index h, bool needs_image) -> std::optional<Known_corner> {
+      if (!is_straight(complex.face(h)))
+        return std::nullopt;
+      return Known_corner{straight_corner(complex, h), needs_image ? image_of_straight_corner(complex, h) : std::nullopt};
+    });
+  if (is_close_call)
+    memory.is_close_call[e.idx()] = false;
+  return memory.straight_faces->flip(complex, metric_.points(), e);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::optional<Exact_geometry::Image_corner> Exact_geometry::image_of_straight_corner(const Delta_complex& complex, Halfedge_index h)
+{
+  return memory_->image(
+    [&] { return internal::image_of_straight_corner(complex, metric_.points(), h, memory_->images->rings); });
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::optional<Exact_geometry::Image_corner> Exact_geometry::image_of_developed_corner(const Delta_complex& complex,
+                                                                                      Halfedge_index h) const
+{
+  return memory_->developed_faces.contains(complex.face(h)) ? memory_->developed_faces.image_of_corner(complex, h)
+                                                            : std::nullopt;
+}
+
+// A tie seldom comes alone. From the first one on, images of corners in finite fields are carried along by the
+// flips, where all areas are rational: this saves laying out strips of thousands of triangles for each tie.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::carry_images()
+{
+  memory_->surface_of_images =
+    std::make_unique<internal::Input_surface>(correspondence_.input(), metric_, memory_->settings);
+  memory_->images = std::make_unique<Memory::Carried_images>(*memory_->surface_of_images);
+  memory_->developed_faces = {};
+}
+
+// As corner(), from what is kept of tests before.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Corner Exact_geometry::developed_corner(const Delta_complex& complex, Halfedge_index h,
+                                                        internal::Input_surface& surface)
+{
+  Memory& memory = *memory_;
+  const Face_index f = complex.face(h);
+  if (is_straight(f))
+    return straight_corner(complex, h);
+  if (memory.developed_faces.contains(f))
+    return memory.developed_faces.corner(complex, h);
+  internal::Crossing_sequences sequences;
+  internal::Double_double_metric metric(surface);
+  const Corner c = Unfolding<internal::Double_double_metric>(complex, correspondence_, metric, sequences).opposite_corner(h);
+  const auto image = memory.image([&] {
+    return Unfolding<internal::Residue_metric>(complex, correspondence_, memory.images->metric, sequences)
+      .opposite_corner(h);
+  });
+  memory.developed_faces.insert(complex, h, {c, image});
+  return c;
+}
+
+// ---------------------------------------------------------------- signs
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Sign Exact_geometry::decide(const Delta_complex& complex, Edge_index e, std::optional<Opposite_corners>& corners)
+{
+  Memory& memory = *memory_;
+  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+  find_straight_faces(complex);
+  if (memory.straight_faces->are_coplanar(complex, metric_.points(), h))
+    return memory.decided(Stage::COPLANAR,
+                          internal::Coplanar_hinge(complex, metric_.points(), h).sign_of_cotangents());
+  prepare(complex);
+  const Surface_lease surface = input_surface();
+  memory.is_close_call.resize(complex.number_of_edges());
+  memory.is_close_call[e.idx()] = true;
+  corners = Opposite_corners{developed_corner(complex, h, *surface), developed_corner(complex, g, *surface)};
+  // Layouts that were carried along are not the best, but what they do not decide is almost
+  // always a tie.
+  const Uncertain<Sign> sign = internal::sign_of_cotangents(corners->k, corners->l);
+  if (is_certain(sign))
+    return memory.decided(Stage::UNFOLDING, sign);
+  if (is_straight(complex.face(h)) && is_straight(complex.face(g)))
+    return memory.decided(Stage::RATIONAL,
+                          internal::sign_of_cotangents(internal::rational_corner(complex, metric_.points(), h),
+                                                       internal::rational_corner(complex, metric_.points(), g)));
+  const auto find_image = [&](Halfedge_index side) {
+    return is_straight(complex.face(side)) ? image_of_straight_corner(complex, side) : image_of_developed_corner(complex, side);
+  };
+  if (const std::optional<Sign> tie = sign_by_images(complex, e, *corners, *surface, find_image))
+    return memory.decided(Stage::MODULAR, *tie);
+  const auto decision = late_stages(complex, *surface).sign_of_cotangents(internal::corners_beside(complex, e));
+  if (decision.is_rational && !memory.images)
+    carry_images();
+  return memory.decided(decision.stage, decision.sign);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Sign Exact_geometry::sign_of_cotangents(const Delta_complex& complex, Edge_index e) const
+{
+  prepare(complex);
+  find_straight_faces(complex);
+  return sign_of_cotangents(complex, e, *input_surface());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Sign Exact_geometry::sign_of_cotangents(const Delta_complex& complex, Edge_index e, internal::Input_surface& surface) const
+{
+  const Memory& memory = *memory_; // const, so that nothing is remembered
+  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+  if (memory.straight_faces->are_coplanar(complex, metric_.points(), h))
+    return internal::Coplanar_hinge(complex, metric_.points(), h).sign_of_cotangents();
+  const auto known_corner = [&](Halfedge_index side) {
+    const Face_index f = complex.face(side);
+    return !is_straight(f) && memory.developed_faces.contains(f) ? memory.developed_faces.corner(complex, side)
+                                                                 : corner(complex, side, surface);
+  };
+  const Opposite_corners corners{known_corner(h), known_corner(g)};
+  const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
+  if (is_certain(sign))
+    return get_certain(sign);
+  if (is_straight(complex.face(h)) && is_straight(complex.face(g)))
+    return internal::sign_of_cotangents(internal::rational_corner(complex, metric_.points(), h),
+                                        internal::rational_corner(complex, metric_.points(), g));
+  // New images would be computed in rings that all threads share.
+  const auto find_image = [&](Halfedge_index side) { return image_of_developed_corner(complex, side); };
+  if (const std::optional<Sign> tie = sign_by_images(complex, e, corners, surface, find_image))
+    return *tie;
+  return late_stages(complex, surface).sign_of_cotangents(internal::corners_beside(complex, e)).sign;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Sign Exact_geometry::sign_by_unfolding(const Delta_complex& complex, Edge_index e) const
+{
+  prepare(complex);
+  const Surface_lease surface = input_surface();
+  internal::Double_double_metric metric(*surface);
+  const internal::Two_corners beside = internal::corners_beside(complex, e);
+  const Opposite_corners corners = internal::unfolded_corners(
+    Unfolding<internal::Double_double_metric>(complex, correspondence_, metric), beside);
+  const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
+  return is_certain(sign) ? get_certain(sign) : late_stages(complex, *surface).sign_of_cotangents(beside).sign;
+}
+
+// The sign of the sum of cotangents, if images that were carried along tell that the edge is a tie, or that both
+// faces have no area.
+template <class FindImage>
+std::optional<Sign> Exact_geometry::sign_by_images(const Delta_complex& complex, Edge_index e,
+                                                   const Opposite_corners& corners, internal::Input_surface& surface,
+                                                   const FindImage& find_image) const
+{
+  const Memory& memory = *memory_;
+  if (!memory.images || !surface.accepts_probable_ties())
+    return std::nullopt;
+  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+  const auto k = find_image(h), l = k ? find_image(g) : std::nullopt;
+  if (!k || !l || !(k->p * l->four_areas + l->p * k->four_areas).is_zero() || !memory.images->rings.is_defined())
+    return std::nullopt;
+  // A bound on the number of input quantities that a corner is a function of.
+  const Normal_coordinates& coordinates = correspondence_.coordinates();
+  const auto number_of_quantities = [&](Halfedge_index side) {
+    return double(coordinates.number_of_crossings(complex.edge(complex.next(side)))) +
+           double(coordinates.number_of_crossings(complex.edge(complex.prev(side)))) +
+           double(coordinates.triangle_crossings(complex, side).e_k) + 16;
+  };
+  if (internal::Residue_rings::certainty(number_of_quantities(h) + number_of_quantities(g), surface.largest_size()) < 128)
+    return std::nullopt;
+  const auto is_positive = [](const internal::Bounded_double_double& x) { return certainly(x.sign() == POSITIVE); };
+  if (is_positive(corners.k.four_areas) && is_positive(corners.l.four_areas))
+    return ZERO;
+  const Uncertain<Sign> p_k = corners.k.p.sign(), p_l = corners.l.p.sign();
+  if (k->four_areas.is_zero() && l->four_areas.is_zero() && is_certain(p_k) && is_certain(p_l))
+    return internal::sign_of_tie(get_certain(p_k), get_certain(p_l));
+  return std::nullopt;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_geometry::is_convex(const Delta_complex& complex, Edge_index e) const
+{
+  prepare(complex);
+  find_straight_faces(complex);
+  const Surface_lease surface = input_surface();
+  // At both ends of e the two angles have to sum to less than π.
+  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+  for (const internal::Two_corners& at_end :
+       {internal::Two_corners{complex.next(h), complex.prev(g)},
+        internal::Two_corners{complex.prev(h), complex.next(g)}}) {
+    const Uncertain<Sign> sign = internal::sign_of_cotangents(corner(complex, at_end.opposite_to_k, *surface),
+                                                              corner(complex, at_end.opposite_to_l, *surface));
+    if ((is_certain(sign) ? get_certain(sign) : late_stages(complex, *surface).sign_of_cotangents(at_end).sign) !=
+        POSITIVE)
+      return false;
+  }
+  return true;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Sign Exact_geometry::sign_of_area(const Delta_complex& complex, Face_index f) const
+{
+  prepare(complex);
+  return sign_of_area(complex, f, *input_surface());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Sign Exact_geometry::sign_of_area(const Delta_complex& complex, Face_index f, internal::Input_surface& surface) const
+{
+  const Halfedge_index h = complex.halfedge(f);
+  const Uncertain<Sign> sign = unfolded_corner(complex, h, surface).four_areas.sign();
+  return is_certain(sign) ? get_certain(sign) : late_stages(complex, surface).sign_of_area(h);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_geometry::has_length_zero(const Delta_complex& complex, Edge_index e) const
+{
+  prepare(complex);
+  const auto& developed_faces = memory_->developed_faces;
+  for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
+    if (!complex.is_border(h) && developed_faces.contains(complex.face(h)))
+      if (certainly(developed_faces.corner(complex, h).s_opposite.sign() == POSITIVE))
+        return false;
+  const Surface_lease surface = input_surface();
+  const internal::Bounded_double_double s = squared_length(complex, e, *surface);
+  return is_certain(s.sign()) ? s.is_zero() : late_stages(complex, *surface).has_length_zero(e);
+}
+
+// ---------------------------------------------------------------- numbers
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::length(const Delta_complex& complex, Edge_index e) const
+{
+  prepare(complex);
+  const Surface_lease surface = input_surface();
+  const internal::Bounded_double_double s = squared_length(complex, e, *surface);
+  if (s.relative_error() < 0x1p-70) {
+    const internal::Bounded_double_double l = sqrt(s);
+    return std::ldexp(l.hi() + l.lo(), metric_.unit_exponent());
+  }
+  return std::ldexp(late_stages(complex, *surface).length(e), metric_.unit_exponent());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Interval_nt<> Exact_geometry::length_interval(const Delta_complex& complex, Edge_index e) const
+{
+  prepare(complex);
+  const Surface_lease surface = input_surface();
+  const internal::Bounded_double_double l = sqrt(squared_length(complex, e, *surface));
+  double low, high;
+  if (l.error() < 0x1p-60 * l.hi()) {
+    low = high = l.hi();
+    while (low - l.hi() > l.lo() - 1.01 * l.error())
+      low = std::nextafter(low, 0.);
+    while (high - l.hi() < l.lo() + 1.01 * l.error())
+      high = std::nextafter(high, 2 * high);
+  } else {
+    const internal::Mpfr_interval m = sqrt(late_stages(complex, *surface).squared_length(e, 128));
+    low = m.lower_double();
+    high = m.upper_double();
+  }
+  // Where the scaling is not exact, it is wrong by less than the next double.
+  low = std::ldexp(low, metric_.unit_exponent());
+  high = std::ldexp(high, metric_.unit_exponent());
+  if (low >= (std::numeric_limits<double>::min)())
+    return Interval_nt<>(low, high);
+  return Interval_nt<>((std::max)(0., std::nextafter(low, 0.)), std::nextafter(high, 1.));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::cotangent(const Delta_complex& complex, Halfedge_index h) const
+{
+  prepare(complex);
+  find_straight_faces(complex);
+  return cotangent(complex, h, *input_surface());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::cotangent(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const
+{
+  const Corner c = corner(complex, h, surface);
+  const double value = c.p.hi() / c.four_areas.hi();
+  if (c.four_areas.relative_error() < 0x1p-60 && c.p.error() < 0x1p-60 * (std::abs(c.p.hi()) + c.four_areas.hi()))
+    return value;
+  return late_stages(complex, surface)
+    .number_of_corner(
+      h, [](const auto& corner) { return corner.p / corner.four_areas; },
+      [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::cotangent_weight(const Delta_complex& complex, Edge_index e) const
+{
+  prepare(complex);
+  find_straight_faces(complex);
+  const Surface_lease surface = input_surface();
+  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+  if (complex.is_border(h))
+    return cotangent(complex, g, *surface);
+  if (complex.is_border(g))
+    return cotangent(complex, h, *surface);
+  const Corner k = corner(complex, h, *surface), l = corner(complex, g, *surface);
+  const internal::Bounded_double_double weight = k.p / k.four_areas + l.p / l.four_areas;
+  if (is_certain(weight.sign()) && weight.error() < 0x1p-52 * (1 + std::abs(weight.hi())))
+    return weight.hi();
+  const double sum = cotangent(complex, h, *surface) + cotangent(complex, g, *surface);
+  if (!complex.is_flippable(e))
+    return sum;
+  const Sign exact_sign = sign_of_cotangents(complex, e, *surface);
+  if (exact_sign == ZERO)
+    return 0;
+  return CGAL::sign(sum) == exact_sign
+           ? sum
+           : late_stages(complex, *surface).sum_of_cotangents(internal::corners_beside(complex, e));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::area(const Delta_complex& complex, Face_index f) const
+{
+  prepare(complex);
+  find_straight_faces(complex);
+  const Surface_lease surface = input_surface();
+  const Halfedge_index h = complex.halfedge(f);
+  const internal::Bounded_double_double a = corner(complex, h, *surface).four_areas;
+  const auto precise_value = [&] {
+    return late_stages(complex, *surface)
+      .number_of_corner(
+        h, [](const auto& corner) { return corner.four_areas; },
+        [](double width, double magnitude) { return width <= 0x1p-51 * magnitude; });
+  };
+  const double value = a.is_zero() || a.relative_error() < 0x1p-54  ? a.hi()
+                       : sign_of_area(complex, f, *surface) == ZERO ? 0
+                                                                    : precise_value();
+  return internal::area_in_input_unit(value / 4, metric_.unit_exponent(), f);
+}
+
+// ---------------------------------------------------------------- corners
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Corner Exact_geometry::corner(const Delta_complex& complex, Halfedge_index h) const
+{
+  prepare(complex);
+  find_straight_faces(complex);
+  return corner(complex, h, *input_surface());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Corner Exact_geometry::corner(const Delta_complex& complex, Halfedge_index h,
+                                              internal::Input_surface& surface) const
+{
+  return is_straight(complex.face(h)) ? straight_corner(complex, h) : unfolded_corner(complex, h, surface);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Corner Exact_geometry::unfolded_corner(const Delta_complex& complex, Halfedge_index h,
+                                                       internal::Input_surface& surface) const
+{
+  internal::Double_double_metric metric(surface);
+  return Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).opposite_corner(h);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+internal::Bounded_double_double Exact_geometry::squared_length(const Delta_complex& complex, Edge_index e,
+                                                               internal::Input_surface& surface) const
+{
+  internal::Double_double_metric metric(surface);
+  return Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+internal::Late_stages Exact_geometry::late_stages(const Delta_complex& complex, internal::Input_surface& surface) const
+{
+  return {complex, correspondence_, surface};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_geometry::is_straight(Face_index f) const { return (*memory_->straight_faces)(f); }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Corner Exact_geometry::straight_corner(const Delta_complex& complex, Halfedge_index h) const
+{
+  return internal::straight_corner<Corner>(complex, metric_.points(), h);
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_GEOMETRY_IMPL_H

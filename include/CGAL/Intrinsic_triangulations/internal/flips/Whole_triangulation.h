@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// A triangulation as the flip algorithm sees it.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_WHOLE_TRIANGULATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_WHOLE_TRIANGULATION_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+
+#include <CGAL/Uncertain.h>
+
+#include <cstdint>
+#include <functional>
+#include <utility>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// What a Delaunay_flipper needs of a triangulation beside its public members.
+template <class Traits_>
+class Whole_triangulation
+{
+public:
+  using Triangulation = Intrinsic_triangulation<Traits_>;
+  using Traits = Traits_;
+  using Boolean = typename Triangulation::Boolean;
+  using Flip_outcome = typename Triangulation::Flip_outcome;
+
+  explicit Whole_triangulation(Triangulation& triangulation) : triangulation_(triangulation) {}
+
+  Triangulation& triangulation() const { return triangulation_; }
+  const Delta_complex& connectivity() const { return triangulation_.connectivity_; }
+
+  // Whether bounds that are kept for the corners already tell that e is Delaunay. `false` says nothing.
+  // Most edges of an ordinary surface are known to be Delaunay, and this is much faster than a test, with which it
+  // never disagrees.
+  bool is_known_Delaunay(Edge_index e) const { return Triangulation::keeps_bounds && triangulation_.bounds_.imply_Delaunay(e); }
+  // The same for four edges: bit i of the result tells it of the i-th after e. \pre there are that many
+  unsigned are_known_Delaunay(Edge_index e) const
+  {
+    return Triangulation::keeps_bounds ? triangulation_.bounds_.imply_Delaunay_of_four(e) : 0;
+  }
+
+  Boolean is_locally_Delaunay(Edge_index e) const { return triangulation_.is_locally_Delaunay(e); }
+
+  // Where the stored numbers cannot decide, they are replaced by the tight ones that do.
+  Boolean test_and_refine(Edge_index e)
+  {
+    const Boolean answer = triangulation_.traits_.is_locally_Delaunay_object()(triangulation_.hinge(e));
+    if constexpr (Triangulation::uses_exact_geometry)
+      if (!is_certain(answer))
+        return triangulation_.decide_and_refine(e);
+    count_as_tested(1);
+    return answer;
+  }
+
+  // Notes for the statistics that so many edges were found to be Delaunay or not by what is stored.
+  void count_as_tested(std::uint64_t number) { triangulation_.number_of_filter_decisions_ += number; }
+
+  Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around) { return triangulation_.flip_not_Delaunay(around); }
+
+  std::function<bool()> set_interruption(std::function<bool()> go_further)
+  {
+    return triangulation_.set_interruption(std::move(go_further));
+  }
+
+private:
+  Triangulation& triangulation_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_WHOLE_TRIANGULATION_H

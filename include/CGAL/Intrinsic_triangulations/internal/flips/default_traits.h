@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// What is compiled once for the default traits.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_DEFAULT_TRAITS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_DEFAULT_TRAITS_H
+
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
+
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <cstdint>
+
+// The library defines the macro as nothing, and so instantiates what all others only declare.
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXTERN
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXTERN extern
+#endif
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template Flip_report
+flip_all<Sequential_tag, Whole_triangulation<Filtered_edge_length_traits>, Static_boolean_property_map<Edge_index, false>,
+         Default_flip_visitor>(Whole_triangulation<Filtered_edge_length_traits>,
+                               const Static_boolean_property_map<Edge_index, false>&, Default_flip_visitor&, std::uint64_t);
+
+CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template void
+Face_measurer<Sequential_tag, Filtered_edge_length_traits>::measure(std::size_t, std::size_t, Findings&) const;
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_DEFAULT_TRAITS_H

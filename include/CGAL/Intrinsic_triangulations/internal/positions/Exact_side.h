@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// On which side of an edge of the other triangulation a point lies, exactly.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_EXACT_SIDE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_EXACT_SIDE_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/config.h>
+
+#include <CGAL/enum.h>
+
+#include <optional>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// A chord is a segment of the overlay that crosses a face of one triangulation and is part of an
+// edge of the other. Both are laid out over the input triangles that the intrinsic edge crosses;
+// barycentric coordinates are taken as they are and never divided by their sum. In a face of zero
+// area there may be no side: if the edge runs along the face, all its points lie on one line.
+class Exact_side
+{
+public:
+  Exact_side(const Delta_complex& intrinsic, const Exact_geometry& geometry, const Overlay& overlay)
+    : intrinsic_(intrinsic), geometry_(geometry), overlay_(overlay)
+  {}
+
+  // The side of a point of the input with respect to a chord of an intrinsic edge.
+  std::optional<Sign> of_intrinsic_chord(Overlay::Halfedge chord, const Surface_point& point) const;
+
+  // The side of a point of the intrinsic triangulation with respect to a chord of an input
+  // edge that begins on `side`, at a crossing.
+  std::optional<Sign> of_input_chord(Overlay::Halfedge chord, Halfedge_index side, const Surface_point& point) const;
+
+private:
+  const Delta_complex& intrinsic_;
+  const Exact_geometry& geometry_;
+  const Overlay& overlay_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/positions/Exact_side_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_EXACT_SIDE_H

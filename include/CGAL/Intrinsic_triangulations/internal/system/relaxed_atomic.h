@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Ordinary variables that several threads read or store the same value in.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_RELAXED_ATOMIC_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_RELAXED_ATOMIC_H
+
+#ifndef __GNUC__
+#include <boost/atomic/atomic_ref.hpp>
+#endif
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// What std::atomic_ref of C++20 does. Boost's has 20,000 lines, which each user of a Delta_complex would parse.
+template <class T>
+T relaxed_load(const T& from)
+{
+#ifdef __GNUC__
+  T result;
+  __atomic_load(&from, &result, __ATOMIC_RELAXED);
+  return result;
+#else
+  return boost::atomic_ref<T>(const_cast<T&>(from)).load(boost::memory_order_relaxed);
+#endif
+}
+
+template <class T>
+void relaxed_store(T& to, T value)
+{
+#ifdef __GNUC__
+  __atomic_store(&to, &value, __ATOMIC_RELAXED);
+#else
+  boost::atomic_ref<T>(to).store(value, boost::memory_order_relaxed);
+#endif
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_RELAXED_ATOMIC_H

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The metric of the input in rational numbers.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RATIONAL_METRIC_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RATIONAL_METRIC_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \brief a rational number, exact: Boost.Multiprecision's, without expression templates
+using Rational = internal::Rational;
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \brief constructs a metric from the exact squared length of each edge, as those between points with rational
+/// coordinates are. O(size).
+/// \exception Invalid_surface_error if a length leaves the range of `double`
+Input_metric metric_from_squared_lengths(std::vector<Rational> squared_lengths);
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \brief returns the squared length of an input edge exactly, in the unit of the metric. O(1).
+Rational squared_length(const Input_metric& metric, const Delta_complex& input, Edge_index e);
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \brief returns the square of four times the area of an input face exactly, in the unit of the metric. O(1).
+Rational squared_four_areas(const Input_metric& metric, const Delta_complex& input, Face_index f);
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/exact/Input_metric_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RATIONAL_METRIC_H

@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Eight threads ask one const triangulation at once, and hear what one thread hears.
+
+#include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/point_location.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+
+constexpr std::size_t number_of_threads = 8;
+
+struct Named_triangulation
+{
+  std::string name;
+  Triangulation triangulation;
+};
+
+Triangulation make(const IT::Indexed_triangles& surface, bool is_Delaunay)
+{
+  Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
+  if (is_Delaunay)
+    IT::flip_to_Delaunay(t);
+  return t;
+}
+
+// Few and many flips, ties in space and over strips, faces without area, and lengths alone.
+std::vector<Named_triangulation> triangulations()
+{
+  std::vector<Named_triangulation> result;
+  result.push_back({"bumpy sphere", make(IT::bumpy_sphere(12, 20), true)});
+  result.push_back({"bad torus, as it came", make(IT::bad_torus(10, 12), false)});
+  result.push_back({"bad torus", make(IT::bad_torus(10, 12), true)});
+  result.push_back({"pillow", make(IT::pillow(16), true)});
+  result.push_back({"prism", make(IT::prism(20, 3), true)});
+  result.push_back({"grid", make(IT::random_diagonal_grid(9, 9, 1), false)});
+  result.push_back({"cap", make(IT::cap(0), true)});
+  const Triangulation source = make(IT::bad_torus(8, 9), false);
+  std::vector<double> lengths;
+  for (IT::Edge_index e : source.connectivity().edges())
+    lengths.push_back(source.length(e));
+  Triangulation t = Triangulation::from_lengths(source.connectivity(), lengths);
+  IT::flip_to_Delaunay(t);
+  result.push_back({"lengths", std::move(t)});
+  return result;
+}
+
+// All that can be asked, beginning with a different edge in each thread.
+std::vector<double> answers(const Triangulation& t, const IT::Point_location* location, std::size_t thread)
+{
+  const IT::Delta_complex& complex = t.connectivity();
+  const IT::Exact_geometry& geometry = t.exact_geometry();
+  std::vector<std::vector<double>> of_edge(complex.number_of_edges()), of_face(complex.number_of_faces());
+  for (std::size_t i = 0; i < of_edge.size(); ++i) {
+    const std::size_t number = (i + thread * of_edge.size() / number_of_threads) % of_edge.size();
+    const IT::Edge_index e{IT::Edge_index::size_type(number)};
+    std::vector<double>& a = of_edge[number];
+    a = {t.length(e), double(t.squared_length(e)), geometry.length_interval(complex, e).inf(),
+         double(geometry.has_length_zero(complex, e)), double(geometry.correspondence().coordinates().crossings(e))};
+    if (!complex.is_flippable(e))
+      continue;
+    a.push_back(CGAL::certainly(t.is_locally_Delaunay(e)));
+    a.push_back(t.sign_of_cotangent_weight(e));
+    a.push_back(geometry.sign_of_cotangents(complex, e));
+    a.push_back(geometry.sign_by_unfolding(complex, e));
+    a.push_back(geometry.is_convex(complex, e));
+    const IT::Halfedge_index h = complex.halfedge(e);
+    if (geometry.sign_of_area(complex, complex.face(h)) == CGAL::POSITIVE &&
+        geometry.sign_of_area(complex, complex.face(complex.opposite(h))) == CGAL::POSITIVE) {
+      a.push_back(t.cotangent(h));
+      a.push_back(t.cotangent_weight(e));
+    }
+  }
+  for (std::size_t i = 0; i < of_face.size(); ++i) {
+    const std::size_t number = (i + thread * of_face.size() / number_of_threads) % of_face.size();
+    const IT::Face_index f{IT::Face_index::size_type(number)};
+    of_face[number] = {t.area(f)};
+    if (location == nullptr)
+      continue;
+    const IT::Surface_point point{complex.halfedge(f), {0.25, 0.5, 0.25}};
+    for (const IT::Surface_point& p : {location->input_to_intrinsic(point), location->intrinsic_to_input(point)}) {
+      of_face[number].push_back(double(p.halfedge.idx()));
+      of_face[number].insert(of_face[number].end(), p.coordinates.begin(), p.coordinates.end());
+    }
+  }
+  std::vector<double> result;
+  for (const auto* lists : {&of_edge, &of_face})
+    for (const std::vector<double>& list : *lists)
+      result.insert(result.end(), list.begin(), list.end());
+  return result;
+}
+
+std::vector<double> positions(const Triangulation& t)
+{
+  const IT::Overlay overlay(t);
+  const IT::Overlay_positions positions(t, overlay);
+  std::vector<double> result;
+  for (IT::Edge_index e : t.connectivity().edges())
+    for (IT::Overlay::Vertex x : overlay.intrinsic_crossings(e))
+      result.insert(result.end(), {positions.on_intrinsic_edge(x), positions.on_input_edge(x)});
+  return result;
+}
+
+// Lets all threads begin at once.
+template <class Work>
+void run(const Work& work)
+{
+  std::atomic<std::size_t> number_of_ready{0};
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < number_of_threads; ++i)
+    threads.emplace_back([&, i] {
+      ++number_of_ready;
+      while (number_of_ready < number_of_threads)
+        std::this_thread::yield();
+      work(i);
+    });
+  for (std::thread& thread : threads)
+    thread.join();
+}
+
+TEST(Const_queries, eight_threads_hear_what_one_hears)
+{
+  for (const Named_triangulation& named : triangulations()) {
+    SCOPED_TRACE(named.name);
+    // Before anything was asked, so that the threads also meet where the integers are computed.
+    const Triangulation& asked_by_all = named.triangulation;
+    const Triangulation asked_by_one = asked_by_all;
+    const IT::Overlay overlay(asked_by_one);
+    const IT::Overlay_positions overlay_positions(asked_by_one, overlay);
+    const IT::Point_location location(asked_by_one, overlay, overlay_positions);
+    const std::vector<double> expected = answers(asked_by_one, &location, 0), expected_positions = positions(asked_by_one);
+    EXPECT_GT(expected.size(), 5 * asked_by_one.connectivity().number_of_edges());
+
+    std::array<std::vector<double>, number_of_threads> alone, together, on_edges;
+    std::array<std::size_t, number_of_threads> ties{};
+    run([&](std::size_t i) { alone[i] = answers(asked_by_all, nullptr, i); });
+    const IT::Point_location location_for_all(asked_by_all, overlay, overlay_positions);
+    run([&](std::size_t i) {
+      together[i] = answers(asked_by_all, &location_for_all, i);
+      on_edges[i] = positions(asked_by_all);
+      ties[i] = IT::verify_Delaunay(asked_by_all).ties;
+    });
+    for (std::size_t i = 0; i < number_of_threads; ++i) {
+      EXPECT_EQ(alone[i], alone[0]);
+      EXPECT_EQ(together[i], expected);
+      EXPECT_EQ(on_edges[i], expected_positions);
+      EXPECT_EQ(ties[i], IT::verify_Delaunay(asked_by_one).ties);
+    }
+  }
+}
+
+TEST(Const_queries, copies_are_made_while_others_ask)
+{
+  const Triangulation t = make(IT::bad_torus(12, 14), true);
+  const std::vector<double> expected = answers(Triangulation(t), nullptr, 0);
+  std::array<std::vector<double>, number_of_threads> found;
+  run([&](std::size_t i) { found[i] = i % 2 == 0 ? answers(t, nullptr, i) : answers(Triangulation(t), nullptr, i); });
+  for (const std::vector<double>& answer : found)
+    EXPECT_EQ(answer, expected);
+}
+
+} // namespace
