@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 
 #include <boost/config.hpp>
@@ -58,11 +59,15 @@ int main(int argc, char** argv)
   } else if (is("overlay")) {
     const auto t = triangulate<Filtered>(torus);
     result = counted([&] { return IT::Overlay(t).number_of_segments(); });
+  } else if (is("positions")) {
+    const auto t = triangulate<Filtered>(torus);
+    const IT::Overlay overlay(t);
+    result = counted([&] { return IT::Overlay_positions(t, overlay); }).on_input_edge(*overlay.crossings().begin()) > 0;
   } else if (is("stiffness")) {
     const auto t = triangulate<Filtered>(torus);
     result = counted([&] { return std::size_t(IT::stiffness_matrix(t).nonZeros()); });
   } else {
-    std::fprintf(stderr, "usage: instruction_counts double|exact|ties|pillow|overlay|stiffness\n");
+    std::fprintf(stderr, "usage: instruction_counts double|exact|ties|pillow|overlay|positions|stiffness\n");
     return 2;
   }
   std::printf("%zu\n", result); // so that nothing is optimized away

@@ -80,8 +80,8 @@ TEST(Split_complex, computes_both_coordinates_as_numbers)
     const IT::Split_complex one(1, 0), i(0, 1);
     // Coordinates, as cross products with the unit vectors.
     const auto expect = [&](const IT::Split_complex& z, const Rational& zx, const Rational& zy, const Rational& scale) {
-      expect_near(exact(cross_product(z, i)), zx, 2 * scale);
-      expect_near(exact(cross_product(one, z)), zy, 2 * scale);
+      expect_near(exact(area_between(z, i)), zx, 2 * scale);
+      expect_near(exact(area_between(one, z)), zy, 2 * scale);
     };
     const Rational size_a = abs(ax) + abs(ay), size_b = abs(bx) + abs(by);
     expect(a, ax, ay, size_a);
@@ -89,7 +89,7 @@ TEST(Split_complex, computes_both_coordinates_as_numbers)
     expect(a + b, ax + bx, ay + by, size_a + size_b);
     expect(a - b, ax - bx, ay - by, size_a + size_b);
     expect(a * b, ax * bx - ay * by, ax * by + ay * bx, size_a * size_b);
-    expect_near(exact(cross_product(a, b)), ax * by - ay * bx, size_a * size_b);
+    expect_near(exact(area_between(a, b)), ax * by - ay * bx, size_a * size_b);
     EXPECT_GE(Rational(modulus(a)) * Rational(modulus(a)), ax * ax + ay * ay);
   }
 }

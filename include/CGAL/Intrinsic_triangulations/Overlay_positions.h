@@ -80,10 +80,10 @@ public:
     if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
       internal::report_progress(progress, 0, what);
       internal::for_each_block<ConcurrencyTag>(n, internal::elements_of_block, [&](std::size_t first, std::size_t last) {
-        find_crossings(intrinsic, geometry, overlay, first, last, internal::Loop_progress({}, what, 0, 1, n));
+        find_crossings(geometry, overlay, first, last, internal::Loop_progress({}, what, 0, 1, n));
       });
     } else {
-      find_crossings(intrinsic, geometry, overlay, 0, n, internal::Loop_progress(progress, what, 0, 1, n));
+      find_crossings(geometry, overlay, 0, n, internal::Loop_progress(progress, what, 0, 1, n));
     }
     internal::for_each_block<ConcurrencyTag>(
       input.number_of_edges(), internal::elements_of_block,
@@ -159,7 +159,7 @@ private:
   using size_type = Overlay::size_type;
 
   // Of the intrinsic edges from `first` to `last`.
-  void find_crossings(const Delta_complex& intrinsic, const Exact_geometry& geometry, const Overlay& overlay,
+  void find_crossings(const Exact_geometry& geometry, const Overlay& overlay,
                       std::size_t first, std::size_t last, const internal::Loop_progress& progress);
 
   void make_ascending(const Overlay& overlay, Edge_index input_edge)

@@ -13,29 +13,16 @@
 #include <CGAL/Intrinsic_triangulations/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
 
 #include <CGAL/assertions.h>
 
+#include <cstddef>
 #include <cstdint>
-#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
-
-/// \cond SKIP_IN_MANUAL
-namespace internal {
-
-// At an input halfedge ij with the third corner k to its left, both relative to ij: the
-// vector from i to k, and the vector from k to j.
-template <class Vector>
-struct Corner_ratios
-{
-  Vector at_source;
-  Vector at_target;
-};
-
-} // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 ///
@@ -100,33 +87,13 @@ public:
   Edge_vector edge_vector(Halfedge_index h) const
   {
     const Halfedge_index roundabout = correspondence_.input_halfedge(h);
-    const Vector zero(metric_.constant(0), metric_.constant(0)),
-      one(metric_.constant(1), metric_.constant(0));
     if (correspondence_.coordinates().is_original(complex_.edge(h)))
-      return {one, roundabout};
-
-    // h leaves its source between `reference` and `roundabout`.
-    const Halfedge_index reference = input_.next(input_.opposite(roundabout));
-    Run run{reference, zero, one, 1};
-    Halfedge_index crossed = input_.opposite(input_.next(run.base)); // from left to right
+      return {Vector(metric_.constant(1), metric_.constant(0)), roundabout};
     internal::Crossing_sequences own;
-    const internal::Crossing_sequence& sequence = (sequences_ ? *sequences_ : own)(
-      complex_, correspondence_.coordinates(), h, metric_.interruption());
-    const std::int64_t n = correspondence_.coordinates().number_of_crossings(complex_.edge(h));
-    bool turns_left = false;
-    for (std::int64_t crossing = 0;; ++crossing) {
-      if (crossing % 64 == 63)
-        metric_.interruption().check();
-      if (metric_.is_flat(crossed))
-        ++run.length;
-      else
-        run = next_run(run, crossed, turns_left);
-      if (crossing + 1 == n)
-        return {run.source + run.vector * ratio_to(run, input_.target(input_.next(crossed))),
-                reference};
-      turns_left = sequence.turns_left(std::size_t(crossing));
-      crossed = input_.opposite(turns_left ? input_.prev(crossed) : input_.next(crossed));
-    }
+    const Path path{input_, roundabout,
+                    (sequences_ ? *sequences_ : own)(complex_, correspondence_.coordinates(), h, metric_.interruption()),
+                    std::size_t(correspondence_.coordinates().number_of_crossings(complex_.edge(h)))};
+    return {internal::Strip<Frame>(input_, Frame(input_, metric_)).end(path), Frame::reference(input_, path.front())};
   }
 
   /// returns the squared length of `e`.
@@ -149,28 +116,21 @@ public:
     // From the frame of u to the frame of v there is a fan of input triangles.
     Vector w = v.vector;
     const Normal_coordinates& coordinates = correspondence_.coordinates();
-    const std::int64_t fan = coordinates.triangle_crossings(complex_, h).e_k +
-                             (coordinates.is_original(complex_.edge(kj)) ? 1 : 0);
+    std::int64_t fan = coordinates.triangle_crossings(complex_, h).e_k +
+                       (coordinates.is_original(complex_.edge(kj)) ? 1 : 0);
+    const Frame frame(input_, metric_);
     Halfedge_index from = u.reference;
-    for (std::int64_t i = 0; i < fan;)
-      w = w * fan_ratio(from, i, fan);
+    while (fan > 0)
+      w = w * frame.fan_ratio(from, fan);
     const Real s = reference_length(u), two_s = s + s;
     const Vector z = times_conjugate(w, u.vector);
     return {two_s * z.x(), two_s * z.y(), s * squared_norm(u.vector), s * squared_norm(w),
             s * squared_norm(w - u.vector)};
   }
 
-  /// \cond SKIP_IN_MANUAL
-  using Corner_ratios = internal::Corner_ratios<Vector>;
-
-  // The shape of the input face to the left of ij.
-  Corner_ratios corner_ratios(Halfedge_index ij) const
-  {
-    return metric_.remembered(ij, [&] { return computed_corner_ratios(ij); });
-  }
-  /// \endcond
-
 private:
+  using Frame = internal::Metric_frame<Metric>;
+
   // A face whose three edges coincide with input edges is an input face.
   bool is_input_face(Halfedge_index h) const
   {
@@ -194,67 +154,22 @@ private:
     return metric_.squared_length(input_.edge(v.reference));
   }
 
-  // The input triangles of a strip since the last bent edge. They lie in one plane, so that
-  // a corner can be found from the first edge of the run at once, by its point in space.
-  //
-  // Directions are products alone and positions sums of such products: so errors add up.
-  struct Run
+  // The input edges that a halfedge crosses which leaves its source to the right of `roundabout`.
+  struct Path
   {
-    Halfedge_index base; // the first edge, with the first triangle to its left
-    Vector source;       // where its source lies
-    Vector vector;       // from there to its target
-    std::int64_t length; // number of triangles
-  };
+    const Delta_complex& input;
+    Halfedge_index roundabout;
+    const internal::Crossing_sequence& sequence;
+    std::size_t number;
 
-  // The ratio to the base of the vector from its source to the last corner of the run.
-  Vector ratio_to(const Run& run, Vertex_index apex) const
-  {
-    return run.length == 1 ? corner_ratios(run.base).at_source
-                           : metric_.ratio_in_plane(run.base, input_.source(run.base), apex);
-  }
-
-  // The run that begins with `crossed`, to which the strip turned last.
-  Run next_run(const Run& run, Halfedge_index crossed, bool turns_left) const
-  {
-    if (run.length == 1) {
-      const Corner_ratios ratios = corner_ratios(run.base);
-      if (turns_left) // from the source of the base to the apex
-        return {crossed, run.source, run.vector * ratios.at_source, 1};
-      return {crossed, run.source + run.vector * ratios.at_source, run.vector * ratios.at_target, 1};
+    std::size_t size() const { return number; }
+    Halfedge_index front() const { return input.opposite(input.prev(input.opposite(roundabout))); }
+    bool turns_left(std::size_t i) const { return sequence.turns_left(i - 1); }
+    Halfedge_index behind(Halfedge_index h, std::size_t i) const
+    {
+      return input.opposite(turns_left(i) ? input.prev(h) : input.next(h));
     }
-    const Vertex_index from = input_.source(run.base), left = input_.source(crossed),
-                       right = input_.target(crossed);
-    return {crossed,
-            left == from ? run.source
-                         : run.source + run.vector * metric_.ratio_in_plane(run.base, from, left),
-            run.vector * metric_.ratio_in_plane(run.base, left, right), 1};
-  }
-
-  // The ratio from an input halfedge, number i of a fan, to the end of the fan's flat part, to
-  // which it is advanced.
-  Vector fan_ratio(Halfedge_index& from, std::int64_t& i, std::int64_t fan) const
-  {
-    const Halfedge_index base = from;
-    std::int64_t length = 0;
-    do {
-      from = input_.next_around_source(from);
-      ++length;
-    } while (i + length < fan && metric_.is_flat(from));
-    i += length;
-    return length == 1 ? corner_ratios(base).at_source
-                       : metric_.ratio_in_plane(base, input_.source(base), input_.target(from));
-  }
-
-  Corner_ratios computed_corner_ratios(Halfedge_index ij) const
-  {
-    const Real s_ij = metric_.squared_length(input_.edge(ij));
-    const Real s_jk = metric_.squared_length(input_.edge(input_.next(ij)));
-    const Real s_ki = metric_.squared_length(input_.edge(input_.prev(ij)));
-    const Real two_s = s_ij + s_ij;
-    const Real height = metric_.four_areas(input_.face(ij)) / two_s;
-    return {Vector((s_ij + s_ki - s_jk) / two_s, height),
-            Vector((s_ij + s_jk - s_ki) / two_s, -height)};
-  }
+  };
 
   const Delta_complex& complex_;
   const Correspondence& correspondence_;

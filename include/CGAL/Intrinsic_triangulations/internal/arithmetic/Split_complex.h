@@ -61,8 +61,8 @@ public:
     const Two_doubles sign(-1, 1);
     return sum(first, Pair::Product{sign * second.hi, sign * second.lo});
   }
-  // Positive if b is to the left of a.
-  BOOST_FORCEINLINE friend Real cross_product(const Split_complex& a, const Split_complex& b)
+  // Twice the area of the triangle (0, a, b): positive if b is to the left of a.
+  BOOST_FORCEINLINE friend Real area_between(const Split_complex& a, const Split_complex& b)
   {
     const auto product = a.xy_ * turned(b.xy_);
     return sum(Real::Product{product.hi.first(), product.lo.first()},

@@ -28,6 +28,8 @@
 
 #include <CGAL/enum.h>
 
+#include <boost/config.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -82,7 +84,7 @@ public:
   }
 
   // Whether the faces of an edge lie in one plane; found when first asked for.
-  bool is_flat(Halfedge_index h)
+  BOOST_FORCEINLINE bool is_flat(Halfedge_index h)
   {
     if (flatness_.empty())
       return false;

@@ -8,16 +8,14 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CROSSING_LOCATOR_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CROSSING_LOCATOR_H
 
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Edge_layout.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Plane_strip.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Point_strip.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Strip_layout.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/Plane_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/Space_frame.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -50,31 +48,64 @@ inline Located located(const Mpfr_interval& x)
   return {low + (high - low) / 2, high - low <= 0x1p-51 * std::abs(low)};
 }
 
+// The input edges that an intrinsic edge crosses.
+inline void find_crossed_edges(const Overlay& overlay, const Delta_complex& input, Edge_index e, Crossed_edges& result)
+{
+  result.clear();
+  for (Overlay::Vertex x : overlay.intrinsic_crossings(e))
+    result.push_back(input.opposite(overlay.crossing_input_halfedge(x)));
+}
+
+// Whether a halfedge is that of its edge.
+inline bool is_in_own_direction(Halfedge_index h) { return (h.idx() & 1) == 0; }
+
+struct Position_on_edges
+{
+  double on_intrinsic_edge;
+  double on_input_edge; // in its own direction
+};
+
+// By numbers with one bound for all their errors; gives up where that does not do.
+// \return whether all crossings were located
+template <class Frame>
+bool locate_crossings(Strip<Frame>& strip, const Crossed_edges& crossed, std::vector<Position_on_edges>& positions)
+{
+  strip.lay_out(crossed);
+  // Quotients of areas that are good to 2^-55 are good to 2^-54, before they are rounded.
+  const double enough = 0x1p55 * strip.frame().error(strip.target());
+  positions.clear();
+  return strip.for_each_crossing([&](const auto& areas, const auto&, const auto&) {
+    if (!(areas.left.hi >= enough && areas.right.hi >= enough && areas.along.hi >= enough))
+      return false;
+    const auto whole = areas.left + areas.right;
+    const double reciprocal = 1 / whole.hi;
+    const bool starts_left = is_in_own_direction(crossed[positions.size()]);
+    positions.push_back({quotient(areas.along, whole, reciprocal).hi,
+                         quotient(starts_left ? areas.left : areas.right, whole, reciprocal).hi});
+    return true;
+  });
+}
+
 class Crossing_locator
 {
 public:
   // \param surface the input, which remembers what it is asked
-  Crossing_locator(const Delta_complex& intrinsic, const Correspondence& correspondence,
-                   Input_surface& surface, const Overlay& overlay)
-    : intrinsic_(intrinsic), correspondence_(correspondence), surface_(surface), overlay_(overlay),
-      point_strip_(correspondence.input(), surface.metric().points()),
-      plane_strip_(correspondence.input(), surface.metric().points())
+  Crossing_locator(const Delta_complex& input, Input_surface& surface, const Overlay& overlay)
+    : input_(input), surface_(surface), overlay_(overlay),
+      in_space_(input, Space_frame(input, surface.metric().points())),
+      in_plane_(input, Plane_frame(input, surface.metric().points())), crossed_(input)
   {}
 
   // Calls `visit(x, on_intrinsic_edge, on_input_edge)` for each crossing of e in order.
+  // \pre e crosses input edges
   template <class Visit>
   void operator()(Edge_index e, const Visit& visit)
   {
-    bool is_good = !surface_.metric().points().empty() && locate_by_points(e);
-    if (!is_good) {
-      Double_double_metric metric(surface_);
-      is_good = locate(e, metric);
-    }
-    for (long precision : {128l, 512l, 2048l})
-      if (!is_good) {
-        Mpfr_metric precise_metric(surface_, {precision});
-        is_good = locate(e, precise_metric);
-      }
+    find_crossed_edges(overlay_, input_, e, crossed_);
+    bool is_good = !surface_.metric().points().empty() && (is_flat() ? locate_crossings(in_plane_, crossed_, positions_)
+                                                                     : locate_crossings(in_space_, crossed_, positions_));
+    if (!is_good)
+      locate_in_stages(e);
     for (std::size_t i = 0; i < positions_.size(); ++i) {
       const Overlay::Vertex x = *(overlay_.intrinsic_crossings(e).begin() + std::ptrdiff_t(i));
       visit(x, in_unit_interval(positions_[i].on_intrinsic_edge),
@@ -83,67 +114,52 @@ public:
   }
 
 private:
-  struct Position
-  {
-    double on_intrinsic_edge;
-    double on_input_edge;
-  };
-
-  bool locate_by_points(Edge_index e)
-  {
-    const Delta_complex& input = correspondence_.input();
-    crossed_.clear();
-    for (Overlay::Vertex x : overlay_.intrinsic_crossings(e))
-      crossed_.push_back(input.opposite(overlay_.crossing_input_halfedge(x)));
-    const bool is_in_plane =
-      std::all_of(crossed_.begin(), crossed_.end(),
-                  [&](Halfedge_index h) { return surface_.is_flat(h); });
-    return is_in_plane ? locate_in(plane_strip_) : locate_in(point_strip_);
-  }
-
-  template <class Strip>
-  bool locate_in(Strip& strip)
-  {
-    positions_.clear();
-    auto crossed = crossed_.begin();
-    return strip(crossed_, [&](const Strip_layout::Crossing& crossing) {
-      const bool starts_left = (crossed++->idx() & 1) == 0;
-      positions_.push_back({crossing.on_line(), starts_left ? crossing.from_left() : crossing.from_right()});
-    });
-  }
-
   static double in_unit_interval(double x) { return (std::min)(1., (std::max)(0., x)); }
 
-  // With the target of e on the positive real axis, the ends of a crossed edge lie above it and
-  // below it; the heights divide the edge.
+  bool is_flat()
+  {
+    for (Halfedge_index h : crossed_)
+      if (!surface_.is_flat(h))
+        return false;
+    return true;
+  }
+
+  // By numbers that know their errors, with more and more digits.
+  void locate_in_stages(Edge_index e)
+  {
+    Double_double_metric metric(surface_);
+    bool is_good = locate(e, metric);
+    for (long precision : {128l, 512l, 2048l})
+      if (!is_good) {
+        Mpfr_metric precise_metric(surface_, {precision});
+        is_good = locate(e, precise_metric);
+      }
+  }
+
   template <class Metric>
   bool locate(Edge_index e, Metric& metric)
   {
-    using Real = typename Metric::Real;
-    const Unfolding<Metric> unfolding(intrinsic_, correspondence_, metric);
-    const Edge_layout<Metric> layout(overlay_, correspondence_.input(), metric, unfolding, e);
-    const Real length = squared_norm(layout.target());
+    using Frame = Metric_frame<Metric>;
+    Strip<Frame> strip(input_, Frame(input_, metric));
+    strip.lay_out(crossed_);
     bool is_good = true;
     positions_.clear();
-    for (const auto& crossed : layout.crossed_edges()) {
-      const auto left = times_conjugate(crossed.left, layout.target());
-      const auto direction = times_conjugate(crossed.direction, layout.target());
-      const Real below = -(left.y() + direction.y());
-      check_sides(e, left.y().sign(), below.sign());
-      const Real drop = -direction.y();
-      const bool starts_left = (crossed.halfedge.idx() & 1) == 0;
-      if (!is_certain(drop.sign()) || get_certain(drop.sign()) == ZERO) {
+    strip.for_each_crossing([&](const auto& areas, const auto& left, const auto& right) {
+      const bool starts_left = is_in_own_direction(crossed_[positions_.size()]);
+      check_sides(e, areas.left.sign(), areas.right.sign());
+      const auto whole = areas.left + areas.right;
+      if (!is_certain(whole.sign()) || get_certain(whole.sign()) == ZERO) {
         is_good = false;
-        positions_.push_back(collinear_position(left, direction, length, starts_left));
-        continue;
+        positions_.push_back(collinear_position(left, right, strip.target(), starts_left));
+        return true;
       }
-      const Real from_left = left.y() / drop;
-      const Located on_intrinsic_edge = located((left.x() + from_left * direction.x()) / length);
-      // Both parts as quotients, so that small ones are precise.
-      const Located on_input_edge = starts_left ? located(from_left) : located(below / drop);
+      // Each part as a quotient, so that small ones are precise.
+      const Located on_intrinsic_edge = located(areas.along / whole),
+                    on_input_edge = located((starts_left ? areas.left : areas.right) / whole);
       is_good = is_good && on_intrinsic_edge.is_good && on_input_edge.is_good;
       positions_.push_back({on_intrinsic_edge.value, on_input_edge.value});
-    }
+      return true;
+    });
     return is_good;
   }
 
@@ -156,26 +172,26 @@ private:
   }
 
   // In a strip of zero area an edge can be crossed all along: the middle of what both share.
-  template <class Vector, class Real>
-  static Position collinear_position(const Vector& left, const Vector& direction,
-                                     const Real& length, bool starts_left)
+  template <class Vector>
+  static Position_on_edges collinear_position(const Vector& left, const Vector& right, const Vector& target,
+                                              bool starts_left)
   {
-    const double a = located(left.x() / length).value,
-                 b = located((left.x() + direction.x()) / length).value;
+    const auto length = squared_norm(target);
+    const double a = located(times_conjugate(left, target).x() / length).value,
+                 b = located(times_conjugate(right, target).x() / length).value;
     const double low = (std::max)(0., (std::min)(a, b)), high = (std::min)(1., (std::max)(a, b));
     const double middle = in_unit_interval(low + (high - low) / 2);
     const double from_left = a == b ? 0.5 : in_unit_interval((middle - a) / (b - a));
     return {middle, starts_left ? from_left : 1 - from_left};
   }
 
-  const Delta_complex& intrinsic_;
-  const Correspondence& correspondence_;
+  const Delta_complex& input_;
   Input_surface& surface_;
   const Overlay& overlay_;
-  Point_strip point_strip_;
-  Plane_strip plane_strip_;
-  std::vector<Halfedge_index> crossed_; // from the left to the right
-  std::vector<Position> positions_;
+  Strip<Space_frame> in_space_;
+  Strip<Plane_frame> in_plane_;
+  Crossed_edges crossed_;
+  std::vector<Position_on_edges> positions_;
 };
 
 } // namespace internal

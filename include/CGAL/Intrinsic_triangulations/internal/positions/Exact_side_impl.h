@@ -10,7 +10,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Edge_layout.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/Crossing_locator.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Exact_side.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
@@ -40,6 +42,13 @@ inline std::string description_of_distance(Edge_index e)
   return "that the distance of a point from an edge that meets edge " + std::to_string(e.idx()) + " is zero";
 }
 
+inline Crossed_edges crossed_edges(const Overlay& overlay, const Delta_complex& input, Edge_index e)
+{
+  Crossed_edges result(input);
+  find_crossed_edges(overlay, input, e, result);
+  return result;
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::optional<Sign> Exact_side::of_intrinsic_chord(Overlay::Halfedge chord, const Surface_point& point) const
 {
@@ -47,26 +56,21 @@ std::optional<Sign> Exact_side::of_intrinsic_chord(Overlay::Halfedge chord, cons
   const Edge_index e = intrinsic_.edge(overlay_.intrinsic_halfedge(chord));
   const std::size_t position =
     overlay_.segment(chord).idx() - (*overlay_.intrinsic_segments(e).begin()).idx();
+  const Crossed_edges crossed = crossed_edges(overlay_, input, e);
   const auto left_of_edge = [&](auto& metric) {
-    using Metric = std::decay_t<decltype(metric)>;
-    using Vector = typename Metric::Vector;
-    const Unfolding<Metric> unfolding(intrinsic_, geometry_.correspondence(), metric);
-    const Edge_layout<Metric> layout(overlay_, input, metric, unfolding, e);
-    const auto& crossed = layout.crossed_edges();
-    const auto zero = metric.constant(0);
+    using Frame = Metric_frame<std::decay_t<decltype(metric)>>;
+    using Vector = typename Frame::Vector;
+    const auto real = [zero = metric.constant(0)](const auto& x) { return Vector(x, zero); };
+    Strip<Frame> strip(input, Frame(input, metric));
+    strip.lay_out(crossed);
     if (position == 0) { // before the first crossing
-      const Halfedge_index base = Edge_layout<Metric>::base(input, crossed.front().halfedge);
-      const auto b = coordinates_from(metric, input, point, base);
-      const Vector p = Vector(b[1], zero) + Vector(b[2], zero) * unfolding.corner_ratios(base).at_source;
-      return times_conjugate(p, layout.target()).y();
+      const auto b = coordinates_from(metric, input, point, Frame::reference(input, crossed.front()));
+      return area_between(strip.target(), real(b[1]) * strip.first_right() + real(b[2]) * strip.first_left());
     }
-    const auto& last = crossed[position - 1];
-    const auto b = coordinates_from(metric, input, point, last.halfedge);
-    const Vector p =
-      last.left * Vector(b[0] + b[1] + b[2], zero) +
-      last.direction * (Vector(b[1], zero) +
-                        Vector(b[2], zero) * unfolding.corner_ratios(last.halfedge).at_source);
-    return times_conjugate(p, layout.target()).y();
+    const auto b = coordinates_from(metric, input, point, crossed[position - 1]);
+    const auto triangle = strip.triangle_behind(position - 1);
+    return area_between(strip.target(),
+                        real(b[0]) * triangle.left + real(b[1]) * triangle.right + real(b[2]) * triangle.apex);
   };
   const Sign side = exact_sign(*geometry_.input_surface(), left_of_edge, [e] { return description_of_distance(e); });
   if (side == ZERO && squared_four_areas(geometry_.metric(), input, input.face(point.halfedge)) == 0)
@@ -81,24 +85,27 @@ std::optional<Sign> Exact_side::of_input_chord(Overlay::Halfedge chord, Halfedge
   const Overlay::Vertex x = overlay_.source(chord);
   const Edge_index e = intrinsic_.edge(side);
   const bool is_left = side == intrinsic_.halfedge(e);
+  const Delta_complex& input = geometry_.correspondence().input();
+  const Crossed_edges crossed = crossed_edges(overlay_, input, e);
   const auto right_of_crossed_edge = [&](auto& metric) {
     using Metric = std::decay_t<decltype(metric)>;
-    using Vector = typename Metric::Vector;
-    const Unfolding<Metric> unfolding(intrinsic_, geometry_.correspondence(), metric);
-    const Edge_layout<Metric> layout(overlay_, geometry_.correspondence().input(), metric,
-                                     unfolding, e);
-    const auto& crossed = layout.crossed_edges()[overlay_.intrinsic_position(x)];
+    using Frame = Metric_frame<Metric>;
+    using Vector = typename Frame::Vector;
+    Strip<Frame> strip(input, Frame(input, metric));
+    strip.lay_out(crossed);
+    const auto triangle = strip.triangle_behind(overlay_.intrinsic_position(x));
     // The corner at the source of `side`: from there, the third corner relative to `side` is
     // (p + i four_areas) / (2 s_first). The denominator is multiplied out: it is no input quantity.
-    const auto corner = unfolding.opposite_corner(intrinsic_.next(side));
+    const auto corner = Unfolding<Metric>(intrinsic_, geometry_.correspondence(), metric)
+                          .opposite_corner(intrinsic_.next(side));
     const auto zero = metric.constant(0);
     const auto b = coordinates_from(metric, intrinsic_, point, side);
     const auto two_s = corner.s_first + corner.s_first;
     const Vector scale((b[0] + b[1] + b[2]) * two_s, zero);
     const Vector from_source(b[1] * two_s + b[2] * corner.p, b[2] * corner.four_areas);
-    const Vector p = is_left ? layout.target() * from_source
-                             : layout.target() * scale - layout.target() * from_source;
-    return times_conjugate(crossed.direction, p - crossed.left * scale).y();
+    const Vector p = is_left ? strip.target() * from_source
+                             : strip.target() * scale - strip.target() * from_source;
+    return area_between(p - triangle.left * scale, triangle.right - triangle.left);
   };
   const Sign result =
     exact_sign(*geometry_.input_surface(), right_of_crossed_edge, [e] { return description_of_distance(e); });

@@ -3,29 +3,35 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Where an intrinsic edge crosses input edges, from the points of the input: fast, or not at all.
+// Strips laid out from points in space: fast, with one bound for the error of a strip.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_POINT_STRIP_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_POINT_STRIP_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_SPACE_FRAME_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_SPACE_FRAME_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Strip_layout.h>
+
+#include <boost/config.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The layout is that of Edge_layout. Here the corner ratios come straight from the points, and
-// there is one bound for the error of all that is computed instead of one for each number:
+// The frame (see `Strip`) in which most positions are found: overlays spend their time here. Corner ratios come
+// straight from the points, and there is one bound for the error of all that is computed instead of one for each
+// number. A ratio does not depend on those before: they are computed two at a time, and only one for each triangle,
+// as each takes a root and a division. The unit is the first crossed edge.
 //
 // In double-doubles a corner ratio, divided by its absolute value, is good to 2^-97 whatever the
 // shape of the triangle: scalar and cross product are good to 2^-101 of the product of the
@@ -33,42 +39,54 @@ namespace internal {
 // triangles, and good to m 2^-96; so a position, a sum of directions of total length X, is good
 // to m 2^-95 X, and a cross product of two positions, at most Y from the source, to m 2^-93 X Y.
 // Positions on the edges are quotients of such cross products.
-//
-// A ratio does not depend on those before: they are computed two at a time.
-class Point_strip
+class Space_frame
 {
   using Pair = Split_double_double<Two_doubles>;
   using Two_vectors = std::array<Pair, 3>; // exact: differences of two points
 
 public:
-  // \param points of the input, none further from another than 4, or none at all
-  Point_strip(const Delta_complex& input, const Points& points) : input_(input), points_(points) {}
+  using Vector = Split_complex;
+  using Run = Strip_run<Vector>;
 
-  // \param crossed the input edges that an edge crosses, in order, as halfedges from the left end
-  //   to the right end
-  // \param visit as `Strip_layout::finish()`, and so is the result
-  template <class Visit>
-  bool operator()(const std::vector<Halfedge_index>& crossed, const Visit& visit)
+  // \param points of the input, none further from another than 4, or none at all
+  Space_frame(const Delta_complex& input, const Points& points) : input_(&input), points_(&points) {}
+
+  Strip_start<Vector> start(const Crossed_edges& crossed)
   {
-    if (!compute_ratios(crossed))
-      return false;
-    // The first edge is the unit.
-    const std::size_t n = crossed.size();
-    const Split_complex left = -ratios_[0], one(1, 0);
-    layout_.start(left, left + one);
-    double extent = 1 + modulus(left);
-    Split_complex direction = ratios_[1];
-    for (std::size_t i = 1; i < n; ++i) {
-      const bool turns_left = keeps_left(crossed, i);
-      layout_.add(turns_left ? layout_.left() + direction : layout_.right() - direction, turns_left);
-      extent += modulus(direction);
-      direction = direction * ratios_[i + 1];
-    }
-    const Split_complex target = layout_.left() + direction;
-    extent += modulus(direction);
-    const double error =
-      0x1p-93 * double(n + 1) * extent * (std::max)(layout_.distance(), modulus(target));
-    return layout_.finish(target, error, visit);
+    compute_ratios(crossed);
+    number_of_triangles_ = crossed.size() + 1;
+    // The first triangle is done: the run already begins with the unit.
+    const Vector left = -ratios_[0], one(1, 0);
+    distance_ = 0;
+    extent_ = 1 + modulus(left);
+    return {{crossed.front(), left, one, 1}, left + one};
+  }
+
+  std::false_type is_flat(Halfedge_index) const { return {}; }
+
+  BOOST_FORCEINLINE void turn_left(Run& run, std::size_t i)
+  {
+    run.direction = i == 1 ? ratios_[1] : run.direction * ratios_[i];
+    extent_ += modulus(run.direction);
+  }
+
+  BOOST_FORCEINLINE void turn_right(Run& run, std::size_t i, const Vector& right)
+  {
+    if (i == 0)
+      return;
+    turn_left(run, i);
+    run.left = right - run.direction;
+  }
+
+  BOOST_FORCEINLINE void note(const Vector& corner) { distance_ = (std::max)(distance_, modulus(corner)); }
+  void check_interruption() const {}
+
+  // A bound on the error of an area between the source and two corners, one of which may be the target.
+  double error(const Vector& target) const
+  {
+    return has_good_ratios_
+             ? 0x1p-93 * double(number_of_triangles_) * extent_ * (std::max)(distance_, modulus(target))
+             : std::numeric_limits<double>::infinity();
   }
 
 private:
@@ -79,26 +97,21 @@ private:
     double side;
   };
 
-  bool keeps_left(const std::vector<Halfedge_index>& crossed, std::size_t i) const
-  {
-    return crossed[i] == input_.opposite(input_.prev(crossed[i - 1]));
-  }
-
   // In triangle i of the strip, between an edge that is crossed and what comes next: the direction
   // of the edge that is crossed then, or from its left end to the target. In the first one, the
   // direction from there back to the source.
-  Corner corner(const std::vector<Halfedge_index>& crossed, std::size_t i) const
+  Corner corner(const Crossed_edges& crossed, std::size_t i) const
   {
     if (i == 0)
-      return {crossed[0], input_.next(input_.opposite(crossed[0])), -1};
+      return {crossed[0], input_->next(input_->opposite(crossed[0])), -1};
     const Halfedge_index base = crossed[i - 1];
     if (i == crossed.size())
-      return {base, input_.opposite(input_.prev(base)), 1};
-    return {base, crossed[i], keeps_left(crossed, i) ? 1. : -1.};
+      return {base, input_->opposite(input_->prev(base)), 1};
+    return {base, crossed[i], crossed.turns_left(i) ? 1. : -1.};
   }
 
-  // One for each triangle. Returns whether the error bound holds.
-  bool compute_ratios(const std::vector<Halfedge_index>& crossed)
+  // One for each triangle.
+  void compute_ratios(const Crossed_edges& crossed)
   {
     const std::size_t n = crossed.size();
     ratios_.resize(n + 2);
@@ -123,13 +136,13 @@ private:
       ratios_[i + 1] = ratios[1];
     }
     // Far from underflow; it has to be far for the error bound to hold.
-    return (std::min)(shortest.first(), shortest.second()) > 1e-100;
+    has_good_ratios_ = (std::min)(shortest.first(), shortest.second()) > 1e-100;
   }
 
   Two_vectors vectors(Halfedge_index g, Halfedge_index h) const
   {
-    const std::array<double, 3>&p = points_[input_.source(g).idx()], &q = points_[input_.target(g).idx()],
-                             &r = points_[input_.source(h).idx()], &s = points_[input_.target(h).idx()];
+    const std::array<double, 3>&p = (*points_)[input_->source(g).idx()], &q = (*points_)[input_->target(g).idx()],
+                             &r = (*points_)[input_->source(h).idx()], &s = (*points_)[input_->target(h).idx()];
     return {Pair::difference({q[0], s[0]}, {p[0], r[0]}), Pair::difference({q[1], s[1]}, {p[1], r[1]}),
             Pair::difference({q[2], s[2]}, {p[2], r[2]})};
   }
@@ -144,14 +157,17 @@ private:
     return v[0].hi * v[0].hi + v[1].hi * v[1].hi + v[2].hi * v[2].hi;
   }
 
-  const Delta_complex& input_;
-  const Points& points_;
+  const Delta_complex* input_;
+  const Points* points_;
   std::vector<Split_complex> ratios_;
-  Strip_layout layout_;
+  bool has_good_ratios_ = false;
+  std::size_t number_of_triangles_ = 0;
+  double distance_ = 0; // no corner is further from the source
+  double extent_ = 0;   // the sum of the lengths of what positions are made from
 };
 
 } // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_POINT_STRIP_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_SPACE_FRAME_H
