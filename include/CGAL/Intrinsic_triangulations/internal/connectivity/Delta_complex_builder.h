@@ -81,7 +81,23 @@ public:
     return b.assemble();
   }
 
-  // As the other two, with given names: `corner_vertex[s]` is the source of side s and
+  // With given names: `corner_vertex[s]` is the source of side s, and `glued_to[s]` the side that it is glued to, or null.
+  // \param first_side the side that becomes the halfedge of its face: 0, 1 or 2
+  // \pre the corners of a vertex form one fan, and glued sides have the same ends
+  static Delta_complex from_glued_sides(std::size_t number_of_vertices, Large_vector<std::uint32_t> corner_vertex,
+                                        Large_vector<std::uint32_t> glued_to, std::uint32_t first_side = 0)
+  {
+    Delta_complex_builder b;
+    b.number_of_vertices_ = number_of_vertices;
+    b.corner_vertex_ = std::move(corner_vertex);
+    b.glued_to_ = std::move(glued_to);
+    const auto n = std::count(b.glued_to_.begin(), b.glued_to_.end(), null);
+    b.number_of_glued_pairs_ = (b.glued_to_.size() - std::size_t(n)) / 2;
+    b.first_side_ = first_side;
+    return b.assemble();
+  }
+
+  // As from_triangles() and from_gluing(), with given names: `corner_vertex[s]` is the source of side s and
   // `halfedge_of[s]` its halfedge; halfedges that no side has are border halfedges. The
   // caller has checked that glued sides have the same ends.
   static Delta_complex from_numbered_sides(std::size_t number_of_vertices,
@@ -288,7 +304,7 @@ private:
       records[h[0]] = {h[1], h[2], v[1], s / 3};
       records[h[1]] = {h[2], h[0], v[2], s / 3};
       records[h[2]] = {h[0], h[1], v[0], s / 3};
-      face_halfedges[s / 3] = Halfedge_index(h[0]);
+      face_halfedges[s / 3] = Halfedge_index(h[first_side_]);
       point_to(v[1], h[0]);
       point_to(v[2], h[1]);
       point_to(v[0], h[2]);
@@ -343,6 +359,7 @@ private:
   Side_vector bucket_begin_;  // of each vertex, in how many sides it is the smaller end
   Side_vector glued_to_;      // of each side, its partner
   std::size_t number_of_glued_pairs_ = 0;
+  std::uint32_t first_side_ = 0; // the side that becomes the halfedge of its face
 };
 
 } // namespace internal

@@ -29,12 +29,26 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// The rows of a matrix by vertices: here each has its own.
+class Row_of_vertex
+{
+public:
+  explicit Row_of_vertex(const Delta_complex& complex) : number_of_rows_(complex.number_of_vertices()) {}
+  std::size_t number_of_rows() const { return number_of_rows_; }
+  Vertex_index::size_type operator()(Vertex_index v) const { return v.idx(); }
+
+private:
+  std::size_t number_of_rows_;
+};
+
 // Fills the compressed columns of a symmetric matrix in order, without sorting. Edges go into
 // buckets by their smaller vertex. When vertex c has its turn, all smaller vertices had
 // theirs, so that the rows above the diagonal of column c are there, in order. Now c
 // enters itself as a row: below the diagonal of the columns of just these vertices, and above
 // the diagonal of the columns of the larger vertices, which are those in its bucket.
 // Several edges between the same vertices come one after the other and are added up.
+// \tparam Row what Row_of_vertex is; several vertices may have the same row
+template <class Row>
 class Symmetric_matrix_assembler
 {
   using Matrix = Eigen::SparseMatrix<double>;
@@ -47,8 +61,8 @@ class Symmetric_matrix_assembler
   };
 
 public:
-  explicit Symmetric_matrix_assembler(const Delta_complex& complex)
-    : complex_(complex), size_(complex.number_of_vertices()), below_(size_, 0), above_(size_, 0),
+  Symmetric_matrix_assembler(const Delta_complex& complex, const Row& row)
+    : complex_(complex), row_(row), size_(row.number_of_rows()), below_(size_, 0), above_(size_, 0),
       bucket_(size_, default_init), diagonal_(size_, default_init)
   {}
 
@@ -70,7 +84,7 @@ private:
   {
     for (Edge_index e : complex_.edges()) {
       const Halfedge_index h = complex_.halfedge(e);
-      const Index v = Index(complex_.source(h).idx()), w = Index(complex_.target(h).idx());
+      const Index v = Index(row_(complex_.source(h))), w = Index(row_(complex_.target(h)));
       if (v != w)
         function(e, (std::min)(v, w), (std::max)(v, w));
     }
@@ -172,6 +186,7 @@ private:
   }
 
   const Delta_complex& complex_;
+  const Row& row_;
   const std::size_t size_;
   Large_vector<Index> below_, above_;
   Large_vector<Index> bucket_; // where each bucket begins, and when it is full, where it ends
@@ -181,24 +196,39 @@ private:
   Matrix matrix_;
 };
 
-// The matrix whose entry (v, w) is the sum of edge_value(e) over the edges e between v and w,
-// and whose entry (v, v) is diagonal_value(v, sum of the other entries of the row). Loops are
-// left out. With Parallel_tag several threads may call both functions.
+inline void check_matrix_size(const Delta_complex& complex, std::size_t number_of_rows)
+{
+  using Index = Eigen::SparseMatrix<double>::StorageIndex;
+  if (std::size_t(complex.number_of_halfedges()) + number_of_rows > std::size_t((std::numeric_limits<Index>::max)()))
+    throw Invalid_surface_error(
+      Invalid_surface_error::Defect::OUT_OF_RANGE, complex.number_of_edges(), 1,
+      std::to_string(complex.number_of_edges()) + " edges are more than a sparse matrix can hold");
+}
+
+// The matrix whose entry (v, w) is the sum of edge_value(e) over the edges e between the rows v and w,
+// and whose entry (v, v) is diagonal_value(v, sum of the other entries of the row). Edges from a row to itself are
+// left out.
+template <class Row, class Edge_value, class Diagonal_value>
+Eigen::SparseMatrix<double> assemble_symmetric_matrix(const Delta_complex& complex, const Row& row,
+                                                      const Edge_value& edge_value,
+                                                      const Diagonal_value& diagonal_value)
+{
+  check_matrix_size(complex, row.number_of_rows());
+  return Symmetric_matrix_assembler<Row>(complex, row).assemble(edge_value, diagonal_value);
+}
+
+// As above, with a row for each vertex. With Parallel_tag several threads may call both functions.
 template <class ConcurrencyTag, class Edge_value, class Diagonal_value>
 Eigen::SparseMatrix<double> assemble_symmetric_matrix(const Delta_complex& complex,
                                                       const Edge_value& edge_value,
                                                       const Diagonal_value& diagonal_value)
 {
-  using Index = Eigen::SparseMatrix<double>::StorageIndex;
-  if (std::size_t(complex.number_of_halfedges()) + complex.number_of_vertices() >
-      std::size_t((std::numeric_limits<Index>::max)()))
-    throw Invalid_surface_error(
-      Invalid_surface_error::Defect::OUT_OF_RANGE, complex.number_of_edges(), 1,
-      std::to_string(complex.number_of_edges()) + " edges are more than a sparse matrix can hold");
-  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
+    check_matrix_size(complex, complex.number_of_vertices());
     if (number_of_threads<ConcurrencyTag>() > 2) // two threads take as long for all columns as one for all edges
       return assemble_columns<ConcurrencyTag>(complex, edge_value, diagonal_value);
-  return Symmetric_matrix_assembler(complex).assemble(edge_value, diagonal_value);
+  }
+  return assemble_symmetric_matrix(complex, Row_of_vertex(complex), edge_value, diagonal_value);
 }
 
 } // namespace internal
