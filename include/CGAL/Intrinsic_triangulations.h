@@ -27,6 +27,7 @@
 #include <CGAL/Intrinsic_triangulations/graph_traits_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
 #include <CGAL/Intrinsic_triangulations/overlay_areas.h>
 #include <CGAL/Intrinsic_triangulations/overlay_triangulations.h>

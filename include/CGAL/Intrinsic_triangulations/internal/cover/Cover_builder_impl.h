@@ -1,0 +1,406 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// From triangles to the surface that covers them.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_COVER_BUILDER_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_COVER_BUILDER_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
+#include <CGAL/Intrinsic_triangulations/internal/cover/Cover_builder.h>
+#include <CGAL/Intrinsic_triangulations/internal/cover/Faces_around_edge.h>
+#include <CGAL/Intrinsic_triangulations/internal/cover/Flat_face_remover.h>
+#include <CGAL/Intrinsic_triangulations/internal/cover/Sides_by_edge.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+class Cover_builder
+{
+  using Index = std::uint32_t;
+  using Index_vector = Large_vector<Index>;
+  using Side = Sides_by_edge::Side;
+  static constexpr Index null = (std::numeric_limits<Index>::max)();
+
+public:
+  Cover_builder(const Points& points, Cleaned_triangles&& cleaned, const Tufted_cover_options& options)
+    : points_(points), cleaned_(std::move(cleaned)), options_(options),
+      sides_(points.size(), cleaned_.triangles)
+  {}
+
+  // \param coincident becomes the pairs of vertices that faces without area make one; if there are any, they
+  //   have to be merged first, and there is no cover
+  std::optional<Tufted_cover> run(std::vector<Vertex_number_pair>& coincident)
+  {
+    check_size(12 * cleaned_.triangles.size());
+    find_neighbors();
+    find_pieces();
+    count_nonmanifold_vertices();
+    make_copies();
+    glue();
+    coincident = remove_flat_faces();
+    if (!coincident.empty())
+      return std::nullopt;
+    return assemble();
+  }
+
+private:
+  using Triangles = std::vector<Index_triangle>;
+  Tufted_cover_report& report() { return cleaned_.report; }
+  const Triangles& triangles() const { return cleaned_.triangles; }
+  static Index next_side(Index s) { return Glued_faces::next(s); }
+
+  [[noreturn]] void throw_at_edge(Invalid_surface_error::Defect defect, const Side& side, const char* what) const
+  {
+    const Index s = side.side(), f = cleaned_.input_face[s / 3];
+    throw Invalid_surface_error(defect, f, 1,
+                                "edge " + std::to_string(triangles()[s / 3][s % 3]) + "-" +
+                                  std::to_string(triangles()[s / 3][next_side(s) % 3]) + " of face " +
+                                  std::to_string(f) + " " + what + "; the tufted cover takes it");
+  }
+
+  // Of each side the other one of its edge, if there are two.
+  void find_neighbors()
+  {
+    neighbor_ = Index_vector(3 * triangles().size(), null);
+    sides_.for_each_edge([&](Index, const Side* begin, const Side* end) {
+      if (end - begin == 1) {
+        ++report().border_edges;
+      } else if (end - begin == 2) {
+        const Index s = begin->side(), t = begin[1].side();
+        neighbor_[s] = 2 * t + same_direction(begin[0], begin[1]);
+        neighbor_[t] = 2 * s + same_direction(begin[0], begin[1]);
+      } else {
+        ++report().nonmanifold_edges;
+        if (options_.cover == Surface_cover::NONE)
+          throw_at_edge(Invalid_surface_error::Defect::NON_MANIFOLD_EDGE, *begin, "has more than two faces");
+      }
+    });
+  }
+  static Index same_direction(const Side& a, const Side& b)
+  {
+    return a.runs_to_smaller_end() == b.runs_to_smaller_end();
+  }
+
+  // A piece is what edges with two faces join. Turns the faces of each so that they agree with its first, and finds out whether
+  // it needs two copies.
+  void find_pieces()
+  {
+    enum : unsigned char {
+      NEW,
+      AS_GIVEN,
+      TURNED
+    };
+    std::vector<unsigned char> state(triangles().size(), NEW);
+    is_doubled_.assign(triangles().size(), false);
+    is_turned_.assign(triangles().size(), false);
+    std::vector<Index> piece;
+    for (Index first = 0; first < triangles().size(); ++first) {
+      if (state[first] != NEW)
+        continue;
+      bool is_closed = true;
+      Index conflict = null;
+      piece.assign(1, first);
+      state[first] = AS_GIVEN;
+      for (std::size_t i = 0; i < piece.size(); ++i)
+        for (Index s = 3 * piece[i]; s < 3 * piece[i] + 3; ++s) {
+          if (neighbor_[s] == null) {
+            is_closed = false;
+            continue;
+          }
+          const Index g = neighbor_[s] / 6;
+          const bool disagrees = (neighbor_[s] & 1) != 0;
+          const unsigned char wanted = (state[piece[i]] == TURNED) != disagrees ? TURNED : AS_GIVEN;
+          if (state[g] == NEW) {
+            state[g] = wanted;
+            piece.push_back(g);
+          } else if (state[g] != wanted) {
+            conflict = s;
+          }
+        }
+      report().is_orientable = report().is_orientable && conflict == null;
+      finish_piece(piece, is_closed, conflict, [&](Index f) { return state[f] == TURNED; });
+    }
+  }
+
+  template <class IsTurned>
+  void finish_piece(const std::vector<Index>& piece, bool is_closed, Index conflict, const IsTurned& is_turned)
+  {
+    if (options_.cover == Surface_cover::NONE) {
+      if (conflict != null)
+        throw_at_edge(Invalid_surface_error::Defect::INCONSISTENT_ORIENTATION, Side{0, 2 * conflict},
+                      "joins a face to itself turned over: the surface is not orientable");
+    } else if (!is_closed || conflict != null) {
+      for (Index f : piece)
+        is_doubled_[f] = true;
+      return;
+    }
+    for (Index f : piece)
+      is_turned_[f] = is_turned(f);
+  }
+
+  // The faces at a vertex form one fan if one gets from each to each other across edges.
+  void count_nonmanifold_vertices()
+  {
+    Disjoint_sets fans(3 * triangles().size());
+    sides_.for_each_edge([&](Index, const Side* begin, const Side* end) {
+      const auto corner_at_smaller = [](const Side& s) { return s.runs_to_smaller_end() ? next_side(s.side()) : s.side(); };
+      const auto corner_at_larger = [](const Side& s) { return s.runs_to_smaller_end() ? s.side() : next_side(s.side()); };
+      for (const Side* s = begin + 1; s < end; ++s) {
+        fans.unite(corner_at_smaller(*begin), corner_at_smaller(*s));
+        fans.unite(corner_at_larger(*begin), corner_at_larger(*s));
+      }
+    });
+    std::vector<unsigned char> fans_at(points_.size(), 0);
+    for (Index c = 0; c < 3 * triangles().size(); ++c)
+      if (fans.find(c) == c)
+        if (unsigned char& n = fans_at[triangles()[c / 3][c % 3]]; n < 2 && ++n == 2)
+          ++report().nonmanifold_vertices;
+  }
+
+  void make_copies()
+  {
+    const std::size_t n = triangles().size() + std::size_t(std::count(is_doubled_.begin(), is_doubled_.end(), true));
+    first_copy_ = Index_vector(triangles().size(), default_init);
+    cover_.corners = Index_vector(3 * n, default_init);
+    cover_.face_of.resize(n);
+    cover_.is_back.resize(n);
+    Index copy = 0;
+    for (Index f = 0; f < triangles().size(); ++f) {
+      first_copy_[f] = copy;
+      const auto& [a, b, c] = triangles()[f];
+      if (is_doubled_[f] || !is_turned_[f])
+        make_copy(copy++, f, a, b, c, false);
+      if (is_doubled_[f] || is_turned_[f])
+        make_copy(copy++, f, a, c, b, true);
+    }
+  }
+  void make_copy(Index copy, Index f, Index a, Index b, Index c, bool is_back)
+  {
+    cover_.face_of[copy] = f;
+    cover_.is_back[copy] = is_back;
+    cover_.corners[3 * copy] = a;
+    cover_.corners[3 * copy + 1] = b;
+    cover_.corners[3 * copy + 2] = c;
+  }
+
+  // The side of the copy that runs to the smaller end, or of the one that does not.
+  Index side_of_copy(const Side& side, bool runs_to_smaller_end) const
+  {
+    const Index s = side.side(), f = s / 3;
+    const bool is_back = is_doubled_[f] ? side.runs_to_smaller_end() != runs_to_smaller_end : bool(is_turned_[f]);
+    return 3 * (first_copy_[f] + (is_doubled_[f] && is_back ? 1 : 0)) + (is_back ? 2 - s % 3 : s % 3);
+  }
+
+  // What the copy of a face sees that runs along an edge with the face on its left is the next face, counterclockwise.
+  void glue()
+  {
+    cover_.glued_to = Index_vector(cover_.corners.size(), null);
+    std::vector<Faces_around_edge::Face> around;
+    std::vector<const Side*> sorted;
+    sides_.for_each_edge([&](Index v, const Side* begin, const Side* end) {
+      const std::ptrdiff_t n = end - begin;
+      if (!is_doubled_[begin->face()]) { // one or two sides, like all others of their piece
+        if (n == 2)
+          cover_.glue(side_of_copy(begin[0], false), side_of_copy(begin[1], true));
+        return;
+      }
+      if (n <= 2) {
+        for (std::ptrdiff_t i = 0; i < n; ++i)
+          cover_.glue(side_of_copy(begin[i], false), side_of_copy(begin[n - 1 - i], true));
+        return;
+      }
+      around.clear();
+      for (const Side* s = begin; s < end; ++s)
+        around.push_back({third_vertex(s->side()), Index(s - begin)});
+      if (!scaled_points_)
+        scale_points();
+      Faces_around_edge(*scaled_points_, v, begin->larger_end).sort(around);
+      for (std::ptrdiff_t i = 0; i < n; ++i)
+        cover_.glue(side_of_copy(begin[around[i].side], false), side_of_copy(begin[around[(i + 1) % n].side], true));
+    });
+  }
+  // Into a range in which products neither over- nor underflow.
+  void scale_points()
+  {
+    std::vector<bool> is_used(points_.size(), false);
+    for (const Index_triangle& t : triangles())
+      for (Index v : t)
+        is_used[v] = true;
+    scaled_points_ = points_;
+    normalize_points(*scaled_points_, [&](std::size_t v) { return bool(is_used[v]); });
+  }
+  Index third_vertex(Index s) const { return triangles()[s / 3][(s + 2) % 3]; }
+
+  // Drops the parts of the cover that have no area: not only those of the input, as two faces without area that lie on each
+  // other enclose one. The other faces without area are flipped away.
+  std::vector<Vertex_number_pair> remove_flat_faces()
+  {
+    std::vector<bool> is_flat(triangles().size());
+    bool is_any_flat = false;
+    for (Index f = 0; f < triangles().size(); ++f) {
+      const auto& [a, b, c] = triangles()[f];
+      is_flat[f] = are_collinear(points_[a], points_[b], points_[c]);
+      is_any_flat = is_any_flat || is_flat[f];
+    }
+    if (!is_any_flat)
+      return {};
+    drop_parts_without_area(is_flat);
+    std::vector<Index> flat;
+    for (Index f = 0; f < cover_.size(); ++f)
+      if (is_flat[cover_.face_of[f]])
+        flat.push_back(f);
+    return Flat_face_remover(points_, cover_).run(std::move(flat));
+  }
+
+  void drop_parts_without_area(const std::vector<bool>& is_flat)
+  {
+    Disjoint_sets parts(cover_.size());
+    for (Index s = 0; s < cover_.glued_to.size(); ++s)
+      if (cover_.glued_to[s] != null)
+        parts.unite(s / 3, cover_.glued_to[s] / 3);
+    std::vector<bool> has_area(cover_.size(), false), is_kept(cover_.size());
+    for (Index f = 0; f < cover_.size(); ++f)
+      if (!is_flat[cover_.face_of[f]])
+        has_area[parts.find(f)] = true;
+    std::vector<bool> has_copy(triangles().size(), false);
+    for (Index f = 0; f < cover_.size(); ++f) {
+      is_kept[f] = has_area[parts.find(f)];
+      if (is_kept[f])
+        has_copy[cover_.face_of[f]] = true;
+    }
+    cover_.keep(is_kept);
+    count_dropped(has_copy);
+  }
+  void count_dropped(const std::vector<bool>& has_copy)
+  {
+    std::vector<unsigned char> has_faces(points_.size(), 0); // 1 before, 2 afterwards
+    for (Index f = 0; f < triangles().size(); ++f) {
+      report().faces_without_area += !has_copy[f];
+      for (Index v : triangles()[f])
+        has_faces[v] = (std::max)(has_faces[v], static_cast<unsigned char>(has_copy[f] ? 2 : 1));
+    }
+    for (Index v : cleaned_.representative)
+      report().unreferenced_vertices += has_faces[v] == 1;
+  }
+
+  // The fans of corners; the first of each input vertex keeps its number.
+  void name_vertices(std::vector<Index>& vertex_of, Index_vector& corner_vertex) const
+  {
+    vertex_of.reserve(2 * points_.size());
+    vertex_of.resize(points_.size());
+    for (Index v = 0; v < points_.size(); ++v)
+      vertex_of[v] = v;
+    const Index_vector &corners = cover_.corners, &glued_to = cover_.glued_to;
+    corner_vertex = Index_vector(corners.size(), null);
+    std::vector<bool> is_named(points_.size(), false);
+    for (Index first = 0; first < corners.size(); ++first) {
+      if (corner_vertex[first] != null)
+        continue;
+      Index name = corners[first];
+      if (is_named[name]) {
+        vertex_of.push_back(name);
+        name = Index(vertex_of.size() - 1);
+      } else {
+        is_named[name] = true;
+      }
+      Index s = first;
+      do { // clockwise
+        corner_vertex[s] = name;
+        s = glued_to[s] == null ? null : next_side(glued_to[s]);
+      } while (s != null && s != first);
+      if (s == null) // the rest, counterclockwise
+        for (s = glued_to[Glued_faces::previous(first)]; s != null; s = glued_to[Glued_faces::previous(s)])
+          corner_vertex[s] = name;
+    }
+  }
+
+  Tufted_cover assemble()
+  {
+    std::vector<Index> vertex_of;
+    Index_vector corner_vertex;
+    name_vertices(vertex_of, corner_vertex);
+    // The halfedge of a face is that of a Surface_mesh: so numbers are rounded in the same way.
+    Delta_complex complex =
+      Delta_complex_builder::from_glued_sides(vertex_of.size(), std::move(corner_vertex), std::move(cover_.glued_to), 2);
+    using Triangulation = Intrinsic_triangulation<Filtered_edge_length_traits>;
+    Points points;
+    points.reserve(vertex_of.size());
+    for (Index v : vertex_of)
+      points.push_back(points_[v]);
+    for (Vertex_index v : complex.vertices())
+      if (!complex.halfedge(v).is_valid())
+        points[v.idx()] = {0, 0, 0}; // it may have been anything
+    std::vector<bool> is_half;
+    is_half.reserve(cover_.size());
+    for (Index& f : cover_.face_of) {
+      is_half.push_back(is_doubled_[f]);
+      f = cleaned_.input_face[f];
+    }
+    return {options_.mollification > 0 ? mollified(std::move(complex), points)
+                                       : Triangulation(std::move(complex), std::move(points)),
+            std::move(vertex_of), std::move(cover_.face_of), std::move(cover_.is_back), std::move(is_half),
+            std::move(cleaned_.representative), cleaned_.report};
+  }
+
+  Intrinsic_triangulation<Filtered_edge_length_traits> mollified(Delta_complex complex, const Points& points)
+  {
+    std::vector<double> lengths;
+    for (Edge_index e : complex.edges()) {
+      const auto& p = points[complex.source(complex.halfedge(e)).idx()];
+      const auto& q = points[complex.target(complex.halfedge(e)).idx()];
+      lengths.push_back(std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]));
+    }
+    report().mollification = mollify_lengths(complex, lengths, options_.mollification, false);
+    return Intrinsic_triangulation<Filtered_edge_length_traits>::from_lengths(std::move(complex), std::move(lengths));
+  }
+
+  const Points& points_;
+  Cleaned_triangles cleaned_;
+  const Tufted_cover_options& options_;
+  Sides_by_edge sides_;
+  Index_vector neighbor_;                    // of each side twice the other one, plus 1 if both run in the same direction
+  std::vector<bool> is_doubled_, is_turned_; // of each triangle
+  Index_vector first_copy_;
+  Glued_faces cover_;                   // faces are copies of triangles
+  std::optional<Points> scaled_points_; // if faces have to be ordered around some edge
+};
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Tufted_cover build_cover(const Points& points, const std::vector<Index_triangle>& triangles,
+                         const Tufted_cover_options& options)
+{
+  std::vector<Vertex_number_pair> merged, coincident;
+  for (;;) {
+    Cover_builder builder(points, clean_triangles(points, triangles, options, merged), options);
+    if (std::optional<Tufted_cover> cover = builder.run(coincident))
+      return std::move(*cover);
+    if (options.coincident_vertices != Coincident_vertices::MERGE) {
+      const auto& [v, w] = coincident[0];
+      throw Invalid_surface_error(Invalid_surface_error::Defect::ZERO_LENGTH_EDGE, v, coincident.size(),
+                                  "vertices " + std::to_string(v) + " and " + std::to_string(w) +
+                                    " are at the same place, and faces without area join them; merge them");
+    }
+    merged.insert(merged.end(), coincident.begin(), coincident.end());
+  }
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_COVER_BUILDER_IMPL_H

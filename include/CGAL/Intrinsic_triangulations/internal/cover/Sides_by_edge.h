@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The sides of triangles, those of one edge together. Side 3f + i runs from corner i of face f to corner i + 1.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_SIDES_BY_EDGE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_SIDES_BY_EDGE_H
+
+#include <CGAL/Intrinsic_triangulations/internal/cover/Cleaned_triangles.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+class Sides_by_edge
+{
+public:
+  // A side in the bucket of the smaller end of its edge.
+  struct Side
+  {
+    std::uint32_t larger_end;
+    std::uint32_t side_and_direction; // odd if it runs to the smaller end
+    std::uint32_t side() const { return side_and_direction >> 1; }
+    std::uint32_t face() const { return side() / 3; }
+    bool runs_to_smaller_end() const { return (side_and_direction & 1) != 0; }
+  };
+
+  Sides_by_edge(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles)
+    : bucket_begin_(number_of_vertices + 2, 0), sides_(3 * triangles.size(), default_init)
+  {
+    for (const Index_triangle& t : triangles)
+      for (int i = 0; i < 3; ++i)
+        ++bucket_begin_[(std::min)(t[i], t[i == 2 ? 0 : i + 1]) + 2];
+    for (std::size_t v = 2; v < bucket_begin_.size(); ++v)
+      bucket_begin_[v] += bucket_begin_[v - 1];
+    std::uint32_t s = 0;
+    for (const Index_triangle& t : triangles)
+      for (int i = 0; i < 3; ++i, ++s) {
+        const std::uint32_t v = t[i], w = t[i == 2 ? 0 : i + 1];
+        sides_[bucket_begin_[(std::min)(v, w) + 1]++] = {(std::max)(v, w), 2 * s + (v > w ? 1 : 0)};
+      }
+    for (std::size_t v = 0; v < number_of_vertices; ++v)
+      sort_bucket(sides_.data() + bucket_begin_[v], sides_.data() + bucket_begin_[v + 1]);
+  }
+
+  // Calls function(smaller end, first side, end) for each edge; its sides are in the order of their numbers.
+  template <class Function>
+  void for_each_edge(const Function& function) const
+  {
+    for (std::uint32_t v = 0; v + 2 < bucket_begin_.size(); ++v)
+      for (std::uint32_t i = bucket_begin_[v], j = i; i < bucket_begin_[v + 1]; i = j) {
+        while (j < bucket_begin_[v + 1] && sides_[j].larger_end == sides_[i].larger_end)
+          ++j;
+        function(v, sides_.data() + i, sides_.data() + j);
+      }
+  }
+
+private:
+  static bool precedes(const Side& a, const Side& b)
+  {
+    return a.larger_end != b.larger_end ? a.larger_end < b.larger_end : a.side_and_direction < b.side_and_direction;
+  }
+
+  static void sort_bucket(Side* begin, Side* end)
+  {
+    constexpr std::ptrdiff_t few = 24; // for which a sort by insertion is quicker
+    if (end - begin > few)
+      return std::sort(begin, end, precedes);
+    for (Side* i = begin; i < end; ++i) {
+      const Side side = *i;
+      Side* j = i;
+      for (; j > begin && precedes(side, j[-1]); --j)
+        *j = j[-1];
+      *j = side;
+    }
+  }
+
+  Large_vector<std::uint32_t> bucket_begin_; // of each vertex, and the end of the last
+  Large_vector<Side> sides_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_SIDES_BY_EDGE_H

@@ -1,0 +1,10 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What is compiled once of covers.
+
+#include <CGAL/Intrinsic_triangulations/internal/cover/Cleaned_triangles_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/cover/Cover_builder_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/cover/Cover_of_complex_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/cover/Faces_around_edge_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/cover/Flat_face_remover_impl.h>
