@@ -37,6 +37,7 @@ struct Algorithm
 struct Not_applicable
 {};
 
+std::vector<Algorithm> cover_algorithms();
 std::vector<Algorithm> metric_algorithms();
 std::vector<Algorithm> operator_algorithms();
 
@@ -55,6 +56,17 @@ inline IT::Delta_complex connectivity(const Surface& surface)
   return IT::make_Delta_complex_from_gluing(s.number_of_faces, s.glued_sides);
 }
 
+inline std::vector<double> edge_lengths(const IT::Glued_triangles& surface, const IT::Delta_complex& complex)
+{
+  std::vector<double> lengths(complex.number_of_edges());
+  for (IT::Face_index f : complex.faces()) {
+    IT::Halfedge_index h = complex.halfedge(f);
+    for (std::size_t i = 0; i < 3; ++i, h = complex.next(h))
+      lengths[complex.edge(h).idx()] = surface.side_lengths[3 * f.idx() + i];
+  }
+  return lengths;
+}
+
 template <class Traits>
 IT::Intrinsic_triangulation<Traits> triangulation(const Surface& surface)
 {
@@ -62,12 +74,7 @@ IT::Intrinsic_triangulation<Traits> triangulation(const Surface& surface)
   IT::Delta_complex complex = connectivity(surface);
   if (const auto* s = std::get_if<IT::Indexed_triangles>(&surface))
     return Result(std::move(complex), s->points);
-  std::vector<double> lengths(complex.number_of_edges());
-  for (IT::Face_index f : complex.faces()) {
-    IT::Halfedge_index h = complex.halfedge(f);
-    for (std::size_t i = 0; i < 3; ++i, h = complex.next(h))
-      lengths[complex.edge(h).idx()] = std::get<IT::Glued_triangles>(surface).side_lengths[3 * f.idx() + i];
-  }
+  std::vector<double> lengths = edge_lengths(std::get<IT::Glued_triangles>(surface), complex);
   return Result::from_lengths(std::move(complex), std::move(lengths));
 }
 

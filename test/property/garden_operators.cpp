@@ -14,12 +14,14 @@
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/parameterization_quality.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
+#include <CGAL/Intrinsic_triangulations/tufted_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/weight_histogram.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <cmath>
+#include <variant>
 
 namespace garden {
 namespace {
@@ -82,6 +84,27 @@ void project(const Surface& surface)
     expect_near((x - ones).cwiseAbs().maxCoeff(), 0, 1e-6, "projected constant");
 }
 
+// As for a stiffness matrix, but for any triangles and without exceptions for the border.
+void tufted(const Surface& surface)
+{
+  const auto* const s = std::get_if<IT::Indexed_triangles>(&surface);
+  const auto from_gluing = [&] {
+    const IT::Delta_complex complex = connectivity(surface);
+    return IT::tufted_laplacian(complex, edge_lengths(std::get<IT::Glued_triangles>(surface), complex));
+  };
+  const IT::Tufted_laplacian result = s ? IT::tufted_laplacian(s->points, s->triangles) : from_gluing();
+  EXPECT_GE(result.minimum_weight, 0);
+  for (int v = 0; v < result.stiffness.outerSize(); ++v) {
+    double row_sum = 0;
+    for (Matrix::InnerIterator i(result.stiffness, v); i; ++i) {
+      row_sum += i.value();
+      EXPECT_TRUE(i.row() == v ? i.value() >= 0 : i.value() <= 0) << i.value();
+    }
+    expect_near(row_sum, 0, 1e-12 * result.stiffness.coeff(v, v), "row sum");
+    EXPECT_GE(result.mass.coeff(v, v), 0);
+  }
+}
+
 void expect_map(const Triangulation& t, const IT::Planar_points& uv)
 {
   EXPECT_EQ(uv.size(), t.connectivity().number_of_vertices());
@@ -119,6 +142,8 @@ void map_by_circles(const Surface& surface)
 }
 
 } // namespace
+
+std::vector<Algorithm> cover_algorithms() { return {{"tufted", tufted}}; }
 
 std::vector<Algorithm> operator_algorithms()
 {

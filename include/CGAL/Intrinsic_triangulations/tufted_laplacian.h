@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The Laplace-Beltrami operator of any triangles.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_LAPLACIAN_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_LAPLACIAN_H
+
+#include <CGAL/Intrinsic_triangulations/Flip_report.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
+#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
+#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsCover
+/// \brief the kind of a mass matrix.
+enum class Mass_type {
+  LUMPED,  ///< diagonal: a third of the area around each vertex
+  GALERKIN ///< that of linear finite elements
+};
+
+/// \ingroup PkgIntrinsicTriangulationsCover
+/// \brief how a cover and its operator are made.
+struct Tufted_laplacian_options : Tufted_cover_options
+{
+  /// which mass matrix is returned
+  Mass_type mass_type = Mass_type::LUMPED;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsCover
+/// \brief stiffness matrix `L` and mass matrix `M` of any triangles: `L u = λ M u` is the eigenvalue problem of `−Δ`.
+struct Tufted_laplacian
+{
+  Eigen::SparseMatrix<double> stiffness; ///< positive semidefinite, as with `Stiffness_factor::HALF`
+  Eigen::SparseMatrix<double> mass;      ///< lumped or Galerkin
+  /// for each input vertex, the vertex that stands for it: the row of a merged vertex is zero, and its value that of this one
+  std::vector<std::uint32_t> representative;
+  Tufted_cover_report report; ///< what was found in the triangles, and what was done with them
+  Flip_report flips;          ///< how the cover became Delaunay
+  double minimum_weight = 0;  ///< the smallest of the numbers `(cot k + cot l)/2` of edges of the cover
+};
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// The vertices of a cover by the rows of its matrices.
+class Row_of_cover_vertex
+{
+public:
+  explicit Row_of_cover_vertex(const Tufted_cover& cover) : cover_(cover) {}
+  std::size_t number_of_rows() const { return cover_.representative.size(); }
+  std::uint32_t operator()(Vertex_index v) const { return cover_.vertex_of[v.idx()]; }
+
+private:
+  const Tufted_cover& cover_;
+};
+
+inline double share(const Tufted_cover& cover, Face_index f) { return cover.is_half[f.idx()] ? 0.5 : 1; }
+inline double share(const Tufted_cover& cover, Edge_index e)
+{
+  const Delta_complex& complex = cover.triangulation.connectivity();
+  const Halfedge_index h = complex.halfedge(e);
+  return share(cover, complex.face(complex.is_border(h) ? complex.opposite(h) : h));
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsCover
+/// \brief returns the stiffness matrix of a cover for the vertices of the input.
+///
+/// As `stiffness_matrix()` of a triangulation, with the edges between all vertices of the cover over the same two input vertices
+/// added up, and halved where there are two copies of each face. If the cover was made Delaunay and has no border, no entry
+/// off the diagonal is positive. O(size).
+/// \param cover the cover, flipped or not
+/// \param minimum_weight if not null, becomes the smallest `(cot k + cot l)/2` of an edge between different vertices of the
+///   input; 0 if there is none
+/// \exception Invalid_surface_error as `cotangent_weights()`
+inline Eigen::SparseMatrix<double> stiffness_matrix(const Tufted_cover& cover, double* minimum_weight = nullptr)
+{
+  const internal::Cotangent_weight<Filtered_edge_length_traits> weight(cover.triangulation);
+  double minimum = std::numeric_limits<double>::infinity();
+  Eigen::SparseMatrix<double> result = internal::assemble_symmetric_matrix(
+    cover.triangulation.connectivity(), internal::Row_of_cover_vertex(cover),
+    [&](Edge_index e) {
+      const double w = weight(e);
+      minimum = (std::min)(minimum, w);
+      return -0.5 * internal::share(cover, e) * w;
+    },
+    [](int, double sum_of_others) { return 0 - sum_of_others; });
+  if (minimum_weight)
+    *minimum_weight = minimum < std::numeric_limits<double>::infinity() ? minimum / 2 : 0;
+  return result;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCover
+/// \brief returns the lumped mass matrix of a cover for the vertices of the input: a third of the area of the faces at
+/// each vertex. O(size).
+/// \exception Invalid_surface_error as `face_areas()`
+inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Tufted_cover& cover)
+{
+  const Delta_complex& complex = cover.triangulation.connectivity();
+  const internal::Row_of_cover_vertex row(cover);
+  const std::vector<double> areas = face_areas(cover.triangulation);
+  Eigen::SparseMatrix<double> mass(Eigen::Index(row.number_of_rows()), Eigen::Index(row.number_of_rows()));
+  mass.setIdentity();
+  std::fill(mass.valuePtr(), mass.valuePtr() + row.number_of_rows(), 0.);
+  for (Halfedge_index h : complex.halfedges())
+    if (!complex.is_border(h)) {
+      const Face_index f = complex.face(h);
+      mass.valuePtr()[row(complex.target(h))] += 1. / 3 * internal::share(cover, f) * areas[f.idx()];
+    }
+  return mass;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCover
+/// \brief returns the Galerkin mass matrix of a cover for the vertices of the input. O(size).
+/// \exception Invalid_surface_error as `face_areas()`
+inline Eigen::SparseMatrix<double> Galerkin_mass_matrix(const Tufted_cover& cover)
+{
+  const Delta_complex& complex = cover.triangulation.connectivity();
+  const internal::Row_of_cover_vertex row(cover);
+  const std::vector<double> areas = face_areas(cover.triangulation);
+  const auto mass_of = [&](Halfedge_index h) {
+    return complex.is_border(h) ? 0 : internal::share(cover, complex.face(h)) * areas[complex.face(h).idx()];
+  };
+  std::vector<double> diagonal(row.number_of_rows(), 0);
+  for (Halfedge_index h : complex.halfedges()) {
+    const std::uint32_t v = row(complex.target(h));
+    diagonal[v] += mass_of(h) / 6;
+    if (v == row(complex.source(h))) // two corners of the face at the same vertex
+      diagonal[v] += mass_of(h) / 6;
+  }
+  return internal::assemble_symmetric_matrix(
+    complex, row,
+    [&](Edge_index e) {
+      const Halfedge_index h = complex.halfedge(e);
+      return (mass_of(h) + mass_of(complex.opposite(h))) / 12;
+    },
+    [&](int v, double) { return diagonal[std::size_t(v)]; });
+}
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+inline Tufted_laplacian operator_of_cover(Tufted_cover cover, Flip_report flips, Mass_type mass_type)
+{
+  if (flips.status == Flip_status::CANCELLED)
+    throw Cancelled_error("cancelled while edges were flipped");
+  Tufted_laplacian result;
+  result.stiffness = stiffness_matrix(cover, &result.minimum_weight);
+  result.mass = mass_type == Mass_type::LUMPED ? lumped_mass_matrix(cover) : Galerkin_mass_matrix(cover);
+  result.representative = std::move(cover.representative);
+  result.report = cover.report;
+  result.flips = std::move(flips);
+  return result;
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsCover
+/// \brief returns the Laplace-Beltrami operator of any triangles, by their tufted cover made intrinsic Delaunay.
+///
+///     auto result = tufted_laplacian(points, triangles);
+///     // result.stiffness, result.mass
+///
+/// Rows are those of the input vertices. `L` is symmetric and positive semidefinite; its rows sum to zero; no entry off the
+/// diagonal is positive. Neither depends on a tolerance, and no length is changed unless mollification is asked for. Scale and
+/// sign are those of `intrinsic_Delaunay_Laplacian()`, and on a closed oriented surface both are the same. On a surface with
+/// border they are not: here edges at the border are flipped as well.
+///
+/// A vertex without faces, or whose faces were all dropped or collapsed, has a row of zeros in both matrices, and so has one that
+/// was merged with another, its `representative`.
+///
+/// \param points, triangles as for `make_tufted_cover()`
+/// \param options what is built, and what is done with degenerate input
+/// \param np the named parameters of `flip_to_Delaunay()`
+///
+/// \exception Invalid_surface_error as `make_tufted_cover()`; also if there is a face without area that
+///   flips cannot remove, which needs a border
+/// \exception Cancelled_error if the visitor ends the flips
+///
+/// Complexity: that of `make_tufted_cover()` and the flips.
+///
+/// Source: N. Sharp, K. Crane, "A Laplacian for nonmanifold triangle meshes", 2020.
+template <class PointRange, class TriangleRange, class NamedParameters = parameters::Default_named_parameters>
+Tufted_laplacian tufted_laplacian(const PointRange& points, const TriangleRange& triangles,
+                                  const Tufted_laplacian_options& options = Tufted_laplacian_options(),
+                                  const NamedParameters& np = parameters::default_values())
+{
+  Tufted_cover cover = make_tufted_cover(points, triangles, options);
+  Flip_report flips = flip_to_Delaunay(cover.triangulation, np);
+  return internal::operator_of_cover(std::move(cover), std::move(flips), options.mass_type);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCover
+/// \brief as above, for a surface that is given by lengths.
+/// \param complex the triangles
+/// \param lengths the length of each edge
+/// \param options as above
+/// \param np the named parameters of `flip_to_Delaunay()`
+template <class NamedParameters = parameters::Default_named_parameters>
+Tufted_laplacian tufted_laplacian(const Delta_complex& complex, const std::vector<double>& lengths,
+                                  const Tufted_laplacian_options& options = Tufted_laplacian_options(),
+                                  const NamedParameters& np = parameters::default_values())
+{
+  Tufted_cover cover = make_tufted_cover(complex, lengths, options);
+  Flip_report flips = flip_to_Delaunay(cover.triangulation, np);
+  return internal::operator_of_cover(std::move(cover), std::move(flips), options.mass_type);
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_LAPLACIAN_H
