@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Eigenvalues of surfaces that are no manifolds, and of point clouds, against those that are known.
+
+#include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/point_cloud_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/smallest_eigenvalues.h>
+#include <CGAL/Intrinsic_triangulations/tufted_laplacian.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Points = std::vector<std::array<double, 3>>;
+using Triangles = std::vector<std::array<int, 3>>;
+
+constexpr double pi = 3.14159265358979;
+
+TEST(Smallest_eigenvalues, sphere)
+{
+  const IT::Indexed_triangles sphere = IT::latitude_longitude_sphere(80, 40);
+  for (IT::Mass_type mass_type : {IT::Mass_type::LUMPED, IT::Mass_type::GALERKIN}) {
+    IT::Tufted_laplacian_options options;
+    options.mass_type = mass_type;
+    const IT::Tufted_laplacian L = IT::tufted_laplacian(sphere.points, sphere.triangles, options);
+    const std::vector<double> found = IT::smallest_eigenvalues(L.stiffness, L.mass, 16);
+    ASSERT_EQ(found.size(), 16u);
+    EXPECT_NEAR(found[0], 0, 1e-8);
+    for (std::size_t i = 1; i < 16; ++i) {
+      const double expected = i < 4 ? 2 : i < 9 ? 6
+                                                : 12; // l (l + 1), 2 l + 1 times
+      EXPECT_NEAR(found[i], expected, 0.01 * expected) << i;
+    }
+  }
+}
+
+// Half-disks of radius 1 on one diameter, with rings of triangles.
+void make_half_disks(int number, int rings, Points& points, Triangles& triangles)
+{
+  const int columns = 3 * rings; // in each half-disk
+  points = {{0, 0, 0}};
+  const auto diameter = [&](int ring, int end) { return 1 + 2 * (ring - 1) + end; };
+  for (int ring = 1; ring <= rings; ++ring)
+    for (int end : {1, -1})
+      points.push_back({double(end) * ring / rings, 0, 0});
+  for (int sheet = 0; sheet < number; ++sheet) {
+    const int first = int(points.size());
+    const double tilt = 2 * pi * sheet / number;
+    const auto vertex = [&](int ring, int column) {
+      if (ring == 0)
+        return 0;
+      if (column == 0 || column == columns)
+        return diameter(ring, column == 0 ? 0 : 1);
+      return first + (ring - 1) * (columns - 1) + column - 1;
+    };
+    for (int ring = 1; ring <= rings; ++ring)
+      for (int column = 1; column < columns; ++column) {
+        const double a = pi * column / columns, r = double(ring) / rings;
+        points.push_back({r * std::cos(a), r * std::sin(a) * std::cos(tilt), r * std::sin(a) * std::sin(tilt)});
+      }
+    for (int ring = 0; ring < rings; ++ring)
+      for (int column = 0; column < columns; ++column) {
+        triangles.push_back({vertex(ring, column), vertex(ring + 1, column), vertex(ring + 1, column + 1)});
+        if (ring > 0)
+          triangles.push_back({vertex(ring, column), vertex(ring + 1, column + 1), vertex(ring, column + 1)});
+      }
+  }
+}
+
+// Functions that are the same on all sheets are those of a half-disk with a free diameter; those whose sum vanishes have the
+// diameter fixed, and there are two for each. Both are Bessel functions of the disk.
+TEST(Smallest_eigenvalues, three_half_disks_on_one_edge)
+{
+  Points points;
+  Triangles triangles;
+  make_half_disks(3, 40, points, triangles);
+  const IT::Tufted_laplacian L = IT::tufted_laplacian(points, triangles);
+  EXPECT_EQ(L.report.nonmanifold_edges, 80u);
+  const std::vector<double> found = IT::smallest_eigenvalues(L.stiffness, L.mass, 11);
+  const double one = 3.3900, two = 9.3284, zero = 14.6820, three = 17.6500; // squares of zeros of the derivatives of J
+  const std::vector<double> expected = {0, one, one, one, two, two, two, zero, three, three, three};
+  ASSERT_EQ(found.size(), expected.size());
+  EXPECT_NEAR(found[0], 0, 1e-8);
+  for (std::size_t i = 1; i < found.size(); ++i)
+    EXPECT_NEAR(found[i], expected[i], 0.005 * expected[i]) << i;
+}
+
+void make_Moebius_strip(int n, Points& points, Triangles& triangles)
+{
+  const int columns = 12 * n, rows = 2 * n; // an even number of rows
+  points.clear();
+  triangles.clear();
+  for (int c = 0; c < columns; ++c)
+    for (int r = 0; r <= rows; ++r) {
+      const double a = 2 * pi * c / columns, s = double(2 * r - rows) / rows * 0.4;
+      points.push_back({(1 + s * std::cos(a / 2)) * std::cos(a), (1 + s * std::cos(a / 2)) * std::sin(a), s * std::sin(a / 2)});
+    }
+  const auto vertex = [&](int c, int r) { return c < columns ? c * (rows + 1) + r : rows - r; };
+  for (int c = 0; c < columns; ++c)
+    for (int r = 0; r < rows; ++r) {
+      triangles.push_back({vertex(c, r), vertex(c + 1, r), vertex(c, r + 1)});
+      triangles.push_back({vertex(c + 1, r), vertex(c + 1, r + 1), vertex(c, r + 1)});
+    }
+}
+
+TEST(Smallest_eigenvalues, Moebius_strips_converge_quadratically)
+{
+  const auto eigenvalues = [](int n) {
+    Points points;
+    Triangles triangles;
+    make_Moebius_strip(n, points, triangles);
+    const IT::Tufted_laplacian L = IT::tufted_laplacian(points, triangles);
+    EXPECT_FALSE(L.report.is_orientable);
+    return IT::smallest_eigenvalues(L.stiffness, L.mass, 6);
+  };
+  const std::vector<double> coarse = eigenvalues(4), fine = eigenvalues(8), finest = eigenvalues(16);
+  EXPECT_NEAR(finest[0], 0, 1e-8);
+  for (std::size_t i = 1; i < 6; ++i) {
+    EXPECT_NEAR(fine[i], finest[i], 0.01 * finest[i]) << i;
+    EXPECT_NEAR((coarse[i] - fine[i]) / (fine[i] - finest[i]), 4, 1) << i;
+  }
+}
+
+TEST(Smallest_eigenvalues, zeros_are_counted_by_components_and_rows_without_mass_are_left_out)
+{
+  const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {9, 9, 9}};
+  const IT::Tufted_laplacian L = IT::tufted_laplacian(points, Triangles{{0, 1, 2}, {3, 4, 5}});
+  const std::vector<double> found = IT::smallest_eigenvalues(L.stiffness, L.mass, 100);
+  ASSERT_EQ(found.size(), 6u);
+  EXPECT_NEAR(found[1], 0, 1e-12);
+  // L = (2, -1, -1; -1, 1, 0; -1, 0, 1)/2 and M = 1/6
+  for (std::size_t i : {2, 3})
+    EXPECT_NEAR(found[i], 3, 1e-12);
+  for (std::size_t i : {4, 5})
+    EXPECT_NEAR(found[i], 9, 1e-12);
+}
+
+Points random_sphere(int n)
+{
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  Points points;
+  for (int i = 0; i < n; ++i) {
+    const double x = normal(random), y = normal(random), z = normal(random), r = std::sqrt(x * x + y * y + z * z);
+    points.push_back({x / r, y / r, z / r});
+  }
+  return points;
+}
+
+TEST(Point_cloud_laplacian, random_points_on_a_sphere)
+{
+  Points points = random_sphere(2000);
+  points.push_back(points[7]);
+  const IT::Tufted_laplacian L = IT::point_cloud_laplacian(points);
+  EXPECT_NEAR(L.mass.sum(), 4 * pi, 0.01 * 4 * pi);
+  EXPECT_GE(L.minimum_weight, 0);
+  EXPECT_EQ(L.report.merged_vertices, 1u);
+  EXPECT_EQ(L.representative[2000], 7u);
+  EXPECT_EQ(L.mass.coeff(2000, 2000), 0);
+  for (int c = 0; c < L.stiffness.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(L.stiffness, c); i; ++i) {
+      if (i.row() != i.col()) {
+        EXPECT_LE(i.value(), 0);
+      }
+    }
+  const std::vector<double> found = IT::smallest_eigenvalues(L.stiffness, L.mass, 9);
+  EXPECT_NEAR(found[0], 0, 1e-8);
+  for (std::size_t i = 1; i < 9; ++i)
+    EXPECT_NEAR(found[i], i < 4 ? 2 : 6, i < 4 ? 0.2 : 0.7) << i;
+}
+
+// The star of each point is that of the triangulation of all, so each triangle is there three times.
+TEST(Point_cloud_laplacian, points_in_a_plane_have_three_copies_of_their_triangulation)
+{
+  Points points;
+  for (int i = 0; i < 12; ++i)
+    for (int j = 0; j < 12; ++j)
+      points.push_back({i + 0.3 * std::sin(5 * i + 3 * j), j + 0.3 * std::sin(2 * i + 7 * j), 2});
+  const IT::Tufted_laplacian L = IT::point_cloud_laplacian(points, 143);
+  EXPECT_EQ(L.report.number_of_faces % 3, 0u);
+  EXPECT_NEAR(L.mass.sum(), 121, 15); // the hull of the points
+  const std::vector<double> found = IT::smallest_eigenvalues(L.stiffness, L.mass, 3);
+  EXPECT_NEAR(found[1], pi * pi / 121, 0.1 * pi * pi / 121);
+}
+
+TEST(Point_cloud_laplacian, points_that_make_no_surface_are_refused)
+{
+  EXPECT_THROW(IT::point_cloud_laplacian(Points{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::point_cloud_laplacian(Points{{0, 0, 0}, {1, 0, 0}}), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::point_cloud_laplacian(Points{{0, 0, 0}, {1, 0, 0}, {0, std::nan(""), 0}}), IT::Invalid_surface_error);
+}
+
+} // namespace
