@@ -101,16 +101,6 @@ void check_points(const Surface& surface)
         (surface.mollification ? ", since --mollify has changed them" : ""));
 }
 
-template <class Write>
-void write_file(const std::string& path, const Write& write)
-{
-  if (path.empty())
-    return;
-  Output_file file(path);
-  write(file.stream());
-  file.commit();
-}
-
 void write_files(const Triangulate_options& options, Triangulation_result& result)
 {
   const Stopwatch stopwatch;

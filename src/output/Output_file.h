@@ -43,6 +43,18 @@ private:
   bool is_committed_ = false;
 };
 
+// Calls write(stream) for a file, unless its name is empty.
+// \exception Output_error as Output_file
+template <class Write>
+void write_file(const std::string& path, const Write& write)
+{
+  if (path.empty())
+    return;
+  Output_file file(path);
+  write(file.stream());
+  file.commit();
+}
+
 // Refuses output files that would replace each other or an input.
 // \exception Usage_error
 void check_output_paths(const std::vector<std::string>& outputs,

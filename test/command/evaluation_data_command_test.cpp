@@ -9,8 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <iostream>
 #include <map>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -67,6 +71,15 @@ protected:
   }
 };
 
+// What nothing can make up for.
+const std::map<std::string, std::string> hopeless = {
+  {"geogram_corrupted_invalid_facet_vertex.off", "the face names vertex 7, but there are 6 vertices"},
+  {"geogram_corrupted_invalid_facet_vertex_2.off", "the face names vertex 100, but there are 12 vertices"},
+  {"libhedra_hexagonalminimal_plusgauss.off", "the face names vertex 400, but there are 400 vertices"},
+  {"synth_bad_inf.off", "vertex 0"},
+  {"synth_bad_nan.off", "vertex 0"},
+  {"synth_bad_only_vertices.off", "no face"}};
+
 TEST_F(Command_evaluation_data, good_meshes_become_Delaunay)
 {
   for (const char* folder : {"table1", "good"})
@@ -83,14 +96,6 @@ TEST_F(Command_evaluation_data, good_meshes_become_Delaunay)
 
 TEST_F(Command_evaluation_data, bad_meshes_are_refused_with_a_reason_or_repaired)
 {
-  // What nothing can make up for.
-  const std::map<std::string, std::string> hopeless = {
-    {"geogram_corrupted_invalid_facet_vertex.off", "the face names vertex 7, but there are 6 vertices"},
-    {"geogram_corrupted_invalid_facet_vertex_2.off", "the face names vertex 100, but there are 12 vertices"},
-    {"libhedra_hexagonalminimal_plusgauss.off", "the face names vertex 400, but there are 400 vertices"},
-    {"synth_bad_inf.off", "vertex 0"},
-    {"synth_bad_nan.off", "vertex 0"},
-    {"synth_bad_only_vertices.off", "no face"}};
   std::size_t number_of_hopeless = 0;
   for (const fs::path& path : meshes("bad")) {
     SCOPED_TRACE(path);
@@ -111,6 +116,52 @@ TEST_F(Command_evaluation_data, bad_meshes_are_refused_with_a_reason_or_repaired
       EXPECT_FALSE(contains(outcome, "--repair")) << outcome;
     }
   }
+  EXPECT_EQ(number_of_hopeless, hopeless.size());
+}
+
+// Rows sum to zero, no entry off the diagonal is positive, and what is on it is not negative: so it is positive semidefinite.
+void check_operator(const fs::path& path)
+{
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  std::getline(file, line);
+  std::size_t rows = 0, columns = 0, entries = 0;
+  file >> rows >> columns >> entries;
+  std::vector<double> sum(rows, 0), diagonal(rows, 0);
+  std::size_t row, column, number_of_entries = 0;
+  for (double value; file >> row >> column >> value; ++number_of_entries) {
+    sum[row - 1] += value;
+    if (row == column) {
+      diagonal[row - 1] = value;
+    } else {
+      sum[column - 1] += value;
+      EXPECT_LE(value, 0) << row << ' ' << column;
+    }
+  }
+  EXPECT_GT(rows, 0u);
+  EXPECT_EQ(number_of_entries, entries);
+  for (std::size_t i = 0; i < rows; ++i)
+    EXPECT_LE(std::abs(sum[i]), 1e-12 * diagonal[i]) << i + 1;
+}
+
+TEST_F(Command_evaluation_data, all_meshes_have_a_Laplacian)
+{
+  std::size_t number_of_hopeless = 0;
+  for (const char* folder : {"table1", "good", "bad"})
+    for (const fs::path& path : meshes(folder)) {
+      SCOPED_TRACE(path);
+      const Command_run run = idt("laplacian '" + fs::canonical(path).string() + "' --stiffness L.mtx");
+      const auto found = hopeless.find(path.filename().string());
+      if (found == hopeless.end()) {
+        EXPECT_EQ(run.status, 0) << run.err;
+        check_operator(folder_ / "L.mtx");
+      } else {
+        ++number_of_hopeless;
+        EXPECT_EQ(run.status, 3);
+        EXPECT_TRUE(contains(run.err, found->second)) << run.err;
+      }
+    }
   EXPECT_EQ(number_of_hopeless, hopeless.size());
 }
 

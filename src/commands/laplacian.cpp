@@ -1,0 +1,272 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `idt laplacian`
+
+#include "commands/commands.h"
+
+#include "input/Triangle_soup.h"
+#include "input/gluing_file.h"
+#include "output/Output_file.h"
+#include "output/write_symmetric_matrix.h"
+#include "system/Interruption.h"
+#include "system/Progress.h"
+#include "system/Stopwatch.h"
+#include "system/text.h"
+
+#include <CGAL/Intrinsic_triangulations/smallest_eigenvalues.h>
+#include <CGAL/Intrinsic_triangulations/tufted_laplacian.h>
+
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace idt {
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Json = nlohmann::ordered_json;
+
+struct Laplacian_options
+{
+  std::string input;
+  std::string stiffness_path, mass_path, stats_path;
+  std::string mass_type = "lumped";
+  std::string cover = "tufted";
+  std::string coincident_vertices = "merge";
+  bool is_welded = false;
+  double mollification = 0;
+  std::size_t number_of_eigenvalues = 0;
+
+  std::vector<std::string> output_paths() const { return {stiffness_path, mass_path, stats_path}; }
+};
+
+struct Laplacian_result
+{
+  IT::Tufted_laplacian laplacian;
+  std::size_t number_of_faces = 0, triangulated_faces = 0, small_faces = 0; // of the file
+  std::vector<double> eigenvalues;
+  double read_seconds = 0, seconds = 0;
+
+  std::size_t dropped_faces() const { return small_faces + laplacian.report.dropped_faces(); }
+};
+
+IT::Tufted_laplacian_options library_options(const Laplacian_options& options)
+{
+  IT::Tufted_laplacian_options result;
+  result.mass_type = options.mass_type == "lumped" ? IT::Mass_type::LUMPED : IT::Mass_type::GALERKIN;
+  result.cover = options.cover == "tufted" ? IT::Surface_cover::TUFTED : IT::Surface_cover::NONE;
+  const std::map<std::string, IT::Coincident_vertices> policies = {{"error", IT::Coincident_vertices::ERROR},
+                                                                   {"merge", IT::Coincident_vertices::MERGE},
+                                                                   {"drop", IT::Coincident_vertices::DROP}};
+  result.coincident_vertices = policies.at(options.coincident_vertices);
+  result.is_welded = options.is_welded;
+  result.mollification = options.mollification;
+  return result;
+}
+
+// Shows how far the flips are, and ends them when asked to.
+struct Flip_watch
+{
+  Progress& progress;
+  bool go_further(std::uint64_t tests, std::uint64_t flips)
+  {
+    progress.show_flips(tests, flips);
+    return !is_interrupted();
+  }
+  void after_flip(IT::Edge_index) {}
+};
+
+void find_operator(const Laplacian_options& options, Laplacian_result& result)
+{
+  Stopwatch stopwatch;
+  const IT::Tufted_laplacian_options wanted = library_options(options);
+  if (is_gluing_file(options.input)) {
+    IT::Delta_complex complex;
+    std::vector<double> lengths;
+    {
+      Progress progress(options.input);
+      read_gluing_file(options.input, complex, lengths, [&progress](double fraction) {
+        progress.show("reading", fraction);
+        return !is_interrupted();
+      });
+    }
+    result.number_of_faces = complex.number_of_faces();
+    result.read_seconds = stopwatch.restart();
+    Progress progress(options.input);
+    result.laplacian = IT::tufted_laplacian(complex, lengths, wanted, CGAL::parameters::visitor(Flip_watch{progress}));
+  } else {
+    const Triangle_soup soup = read_triangle_soup(options.input);
+    result.number_of_faces = soup.number_of_faces;
+    result.triangulated_faces = soup.triangulated_faces;
+    result.small_faces = soup.small_faces;
+    result.read_seconds = stopwatch.restart();
+    Progress progress(options.input);
+    result.laplacian =
+      IT::tufted_laplacian(soup.points, soup.triangles, wanted, CGAL::parameters::visitor(Flip_watch{progress}));
+  }
+  result.seconds = stopwatch.seconds();
+}
+
+Json mollification_json(const Laplacian_options& options, const IT::Mollification_report& report)
+{
+  if (options.mollification == 0)
+    return nullptr;
+  return {{"changed_edges", report.number_of_changed_edges},
+          {"epsilon", report.epsilon},
+          {"largest_relative_change", report.largest_relative_change}};
+}
+
+Json statistics(const Laplacian_options& options, const Laplacian_result& result)
+{
+  const IT::Tufted_cover_report& report = result.laplacian.report;
+  Json json = {{"input", options.input},
+               {"vertices", report.number_of_vertices},
+               {"faces", result.number_of_faces},
+               {"triangulated_faces", result.triangulated_faces},
+               {"nonmanifold_edges", report.nonmanifold_edges},
+               {"nonmanifold_vertices", report.nonmanifold_vertices},
+               {"border_edges", report.border_edges},
+               {"orientable", report.is_orientable},
+               {"dropped_faces", result.dropped_faces()},
+               {"merged_vertices", report.merged_vertices},
+               {"unreferenced_vertices", report.unreferenced_vertices},
+               {"mollification", mollification_json(options, report.mollification)},
+               {"flips", result.laplacian.flips.flips},
+               {"minimum_weight", result.laplacian.minimum_weight}};
+  if (options.number_of_eigenvalues > 0)
+    json["eigenvalues"] = result.eigenvalues;
+  json["status"] = "done";
+  json["time"] = {{"read", result.read_seconds}, {"laplacian", result.seconds}};
+  return json;
+}
+
+void write_report(std::ostream& os, const Laplacian_options& options, const Laplacian_result& result)
+{
+  const IT::Tufted_cover_report& report = result.laplacian.report;
+  os << options.input << "\n  input             " << counted(report.number_of_vertices, "vertex", "vertices") << ", "
+     << counted(result.number_of_faces, "face", "faces");
+  if (result.triangulated_faces > 0)
+    os << ", " << with_separators(result.triangulated_faces) << " cut into triangles";
+  os << "\n  not manifold      " << counted(report.nonmanifold_edges, "edge", "edges") << ", "
+     << counted(report.nonmanifold_vertices, "vertex", "vertices") << "; "
+     << counted(report.border_edges, "border edge", "border edges")
+     << (report.is_orientable ? "" : "; not orientable");
+  const auto line = [&os](std::size_t number, const char* singular, const char* plural, const char* why) {
+    if (number > 0)
+      os << "\n  dropped           " << counted(number, singular, plural) << ' ' << why;
+  };
+  line(result.small_faces, "face", "faces", "with fewer than three corners");
+  line(report.repeated_corner_faces, "face", "faces", "with a vertex as two corners");
+  line(report.collapsed_faces, "face", "faces", "whose corners were merged");
+  line(report.zero_length_faces, "face", "faces", "with a side of length zero");
+  line(report.faces_without_area, "face", "faces", "connected with nothing that has an area");
+  if (report.merged_vertices > 0)
+    os << "\n  merged            " << counted(report.merged_vertices, "vertex", "vertices")
+       << " with another at the same place: rows of zeros";
+  if (report.unreferenced_vertices > 0)
+    os << "\n  without faces     " << counted(report.unreferenced_vertices, "vertex", "vertices") << ": rows of zeros";
+  if (options.mollification > 0)
+    os << "\n  mollification     " << counted(report.mollification.number_of_changed_edges, "edge", "edges")
+       << " longer, by a factor of 1 + " << in_short(report.mollification.largest_relative_change) << " at most";
+  os << "\n  flips             " << with_separators(result.laplacian.flips.flips)
+     << "\n  smallest weight   " << in_short(result.laplacian.minimum_weight)
+     << "\n  time              " << seconds_text(result.seconds) << '\n';
+  for (std::size_t i = 0; i < result.eigenvalues.size(); ++i)
+    os << (i == 0 ? "  eigenvalues       " : "                    ") << in_full(result.eigenvalues[i]) << '\n';
+}
+
+Exit_status run_laplacian(const Laplacian_options& options)
+{
+  check_output_paths(options.output_paths(), {options.input});
+  return for_each_input({options.input}, [&](const std::string& path) {
+    const auto named = [&path](const std::string& message) {
+      return message.find(path) == 0 ? message : path + ": " + message;
+    };
+    Laplacian_result result;
+    try {
+      find_operator(options, result);
+      if (options.number_of_eigenvalues > 0)
+        result.eigenvalues = IT::smallest_eigenvalues(result.laplacian.stiffness, result.laplacian.mass,
+                                                      options.number_of_eigenvalues);
+    } catch (const IT::Invalid_surface_error& error) {
+      throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), named(error.what()));
+    } catch (const IT::Numerical_error& error) {
+      throw IT::Numerical_error(named(error.what()));
+    } catch (const IT::Cancelled_error& error) {
+      throw IT::Cancelled_error(named(error.what()));
+    }
+    write_file(options.stiffness_path, [&](std::ostream& os) {
+      write_symmetric_matrix(os, "Laplace-Beltrami operator: -(cot + cot)/2 off the diagonal, row sums zero",
+                             result.laplacian.stiffness);
+    });
+    write_file(options.mass_path, [&](std::ostream& os) {
+      write_symmetric_matrix(os,
+                             options.mass_type == "lumped" ? "lumped mass: a third of the area of the faces at each vertex"
+                                                           : "mass of linear finite elements",
+                             result.laplacian.mass);
+    });
+    write_file(options.stats_path, [&](std::ostream& os) {
+      // A file name need not be valid UTF-8.
+      os << statistics(options, result).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    });
+    write_report(std::cout, options, result);
+    flush_standard_output();
+    return Exit_status::DONE;
+  });
+}
+
+} // namespace
+
+void add_laplacian_command(CLI::App& app, Selected_command& selected)
+{
+  const auto options = std::make_shared<Laplacian_options>();
+  CLI::App& command = *app.add_subcommand(
+    "laplacian", "Compute the Laplace-Beltrami operator of any triangles, which need not be a surface");
+  command.footer("Edges may have any number of faces, which need not be oriented; there may be borders,\n"
+                 "duplicate faces, several components and vertices without faces. No length is changed\n"
+                 "unless --mollify is given, and no entry off the diagonal is positive, except at the border\n"
+                 "with --cover none.\n");
+  command.add_option("INPUT", options->input, "a mesh (OFF, OBJ, PLY, STL, TS), or a .gluing file of triangles with lengths")
+    ->required();
+  command
+    .add_option("--stiffness", options->stiffness_path,
+                "write the operator as a Matrix Market file: positive semidefinite, entries -(cot + cot)/2, rows in the order "
+                "of the vertices")
+    ->type_name("L.mtx");
+  command.add_option("--mass", options->mass_path, "write the mass matrix")->type_name("M.mtx");
+  command
+    .add_option("--mass-type", options->mass_type,
+                "lumped: a third of the area around each vertex; galerkin: that of linear finite elements")
+    ->check(CLI::IsMember({"lumped", "galerkin"}))
+    ->capture_default_str();
+  command
+    .add_option("--cover", options->cover,
+                "tufted: two copies of each face, glued around each edge, where the surface is not closed; none: the faces "
+                "themselves, which have to be an orientable surface, with a fixed border")
+    ->check(CLI::IsMember({"tufted", "none"}))
+    ->capture_default_str();
+  command
+    .add_option("--coincident-vertices", options->coincident_vertices,
+                "what to do where an edge joins two vertices at the same place: an error, merge them, or drop its faces")
+    ->check(CLI::IsMember({"error", "merge", "drop"}))
+    ->capture_default_str();
+  command.add_flag("--weld", options->is_welded, "merge all vertices at the same place first");
+  command
+    .add_option("--mollify", options->mollification,
+                "lengthen all edges by the same amount, so that each triangle inequality holds with a margin of D times "
+                "the mean length")
+    ->type_name("D")
+    ->check(CLI::Range(0., 1e6));
+  command
+    .add_option("--eigenvalues", options->number_of_eigenvalues, "print the K smallest eigenvalues")
+    ->type_name("K")
+    ->check(CLI::Range(1, 10000));
+  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")->type_name("F.json");
+  command.callback([options, &selected] { selected = [options] { return run_laplacian(*options); }; });
+}
+
+} // namespace idt
