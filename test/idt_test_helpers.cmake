@@ -58,8 +58,12 @@ function(add_idt_test name)
     set(label LABELS threads)
     add_dependencies(thread_tests ${name})
   endif()
+  set(prefix)
+  if(arg_PREFIX)
+    set(prefix TEST_PREFIX ${arg_PREFIX})
+  endif()
   gtest_discover_tests(${name}
-    TEST_PREFIX "${arg_PREFIX}"
+    ${prefix}
     DISCOVERY_MODE PRE_TEST
     DISCOVERY_TIMEOUT 120
     PROPERTIES ${label} TIMEOUT ${arg_TIMEOUT})
