@@ -31,16 +31,17 @@ int main()
   const auto idt = IT::intrinsic_Delaunay_triangulation(mesh);
 
   Mesh overlay = IT::overlay_to_surface_mesh(idt, mesh);
-  const auto input_face = overlay.property_map<Mesh::Face_index, std::uint32_t>("f:input_face").first;
+  // Each of these maps is there already: that, and no new one, is returned.
+  const auto input_face = overlay.add_property_map<Mesh::Face_index, std::uint32_t>("f:input_face").first;
   const auto intrinsic_face =
-    overlay.property_map<Mesh::Face_index, std::uint32_t>("f:intrinsic_face").first;
+    overlay.add_property_map<Mesh::Face_index, std::uint32_t>("f:intrinsic_face").first;
   for (auto f : overlay.faces())
     std::cout << "a piece of input face " << input_face[f] << " and intrinsic face " << intrinsic_face[f] << '\n';
 
   // Values at the vertices, interpolated on the intrinsic triangles.
   const double values[] = {0, 0, 1, 3};
   const auto intrinsic_point =
-    overlay.property_map<Mesh::Halfedge_index, IT::Surface_point>("h:intrinsic_point").first;
+    overlay.add_property_map<Mesh::Halfedge_index, IT::Surface_point>("h:intrinsic_point").first;
   auto value = overlay.add_property_map<Mesh::Vertex_index, double>("v:value").first;
   for (auto h : overlay.halfedges())
     if (!overlay.is_border(h))

@@ -5,6 +5,8 @@
 
 #include "Command_test.h"
 
+#include <CGAL/Intrinsic_triangulations/internal/overlay/find_property_map.h>
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh/IO/OFF.h>
@@ -23,6 +25,8 @@
 using Json = nlohmann::json;
 
 namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
@@ -83,27 +87,27 @@ protected:
     EXPECT_EQ(mesh.number_of_vertices(), input.number_of_vertices() + number_of_crossings);
     EXPECT_EQ(std::size_t(stats["euler_characteristic"].get<int>()),
               mesh.number_of_vertices() + mesh.number_of_faces() - mesh.number_of_edges());
-    const auto kind = mesh.property_map<Mesh::Vertex_index, std::uint8_t>("v:kind");
-    const auto label = mesh.property_map<Mesh::Edge_index, std::uint8_t>("e:label");
-    const auto input_face = mesh.property_map<Mesh::Face_index, std::uint32_t>("f:input_face");
-    const auto intrinsic_face = mesh.property_map<Mesh::Face_index, std::uint32_t>("f:intrinsic_face");
-    ASSERT_TRUE(kind.second && label.second && input_face.second && intrinsic_face.second);
+    const auto kind = IT::internal::find_property_map<Mesh::Vertex_index, std::uint8_t>(mesh, "v:kind");
+    const auto label = IT::internal::find_property_map<Mesh::Edge_index, std::uint8_t>(mesh, "e:label");
+    const auto input_face = IT::internal::find_property_map<Mesh::Face_index, std::uint32_t>(mesh, "f:input_face");
+    const auto intrinsic_face = IT::internal::find_property_map<Mesh::Face_index, std::uint32_t>(mesh, "f:intrinsic_face");
+    ASSERT_TRUE(kind && label && input_face && intrinsic_face);
     for (auto v : mesh.vertices()) {
-      EXPECT_EQ(kind.first[v] == 0, std::size_t(v) < input.number_of_vertices());
-      if (kind.first[v] == 0) {
+      EXPECT_EQ(kind[v] == 0, std::size_t(v) < input.number_of_vertices());
+      if (kind[v] == 0) {
         EXPECT_EQ(mesh.point(v), input.point(v));
         continue;
       }
       std::string labels; // around a crossing, input and intrinsic edges take turns
       for (auto h : CGAL::halfedges_around_target(mesh.halfedge(v), mesh))
-        labels += char('0' + label.first[mesh.edge(h)]);
+        labels += char('0' + label[mesh.edge(h)]);
       EXPECT_TRUE(labels == "0101" || labels == "1010") << labels;
     }
     std::vector<double> covered(input.number_of_faces(), 0);
     std::set<std::uint32_t> intrinsic_faces;
     for (auto f : mesh.faces()) {
-      covered.at(input_face.first[f]) += area(mesh, f);
-      intrinsic_faces.insert(intrinsic_face.first[f]);
+      covered.at(input_face[f]) += area(mesh, f);
+      intrinsic_faces.insert(intrinsic_face[f]);
     }
     for (auto f : input.faces())
       EXPECT_NEAR(covered[f], area(input, f), 1e-12 * area(input, f));
@@ -174,7 +178,7 @@ TEST_F(Overlay_command, writes_the_kite)
   EXPECT_NEAR(std::stod(crossings[1][6]), 1. / 3, 1e-16);
   EXPECT_NEAR(std::stod(crossings[1][7]), 7. / 24, 1e-16);
   const Mesh mesh = read("k.ply");
-  const auto label = mesh.property_map<Mesh::Edge_index, std::uint8_t>("e:label").first;
+  const auto label = IT::internal::find_property_map<Mesh::Edge_index, std::uint8_t>(mesh, "e:label");
   std::map<int, int> count;
   for (auto e : mesh.edges())
     ++count[label[e]];

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/find_property_map.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
@@ -68,12 +69,12 @@ double area(const Mesh& mesh, Mesh::Face_index f)
 struct Maps
 {
   explicit Maps(const Mesh& mesh)
-    : kind(mesh.property_map<Mesh::Vertex_index, std::uint8_t>("v:kind").first),
-      label(mesh.property_map<Mesh::Edge_index, std::uint8_t>("e:label").first),
-      input_face(mesh.property_map<Mesh::Face_index, std::uint32_t>("f:input_face").first),
-      intrinsic_face(mesh.property_map<Mesh::Face_index, std::uint32_t>("f:intrinsic_face").first),
-      input_point(mesh.property_map<Mesh::Halfedge_index, IT::Surface_point>("h:input_point").first),
-      intrinsic_point(mesh.property_map<Mesh::Halfedge_index, IT::Surface_point>("h:intrinsic_point").first)
+    : kind(IT::internal::find_property_map<Mesh::Vertex_index, std::uint8_t>(mesh, "v:kind")),
+      label(IT::internal::find_property_map<Mesh::Edge_index, std::uint8_t>(mesh, "e:label")),
+      input_face(IT::internal::find_property_map<Mesh::Face_index, std::uint32_t>(mesh, "f:input_face")),
+      intrinsic_face(IT::internal::find_property_map<Mesh::Face_index, std::uint32_t>(mesh, "f:intrinsic_face")),
+      input_point(IT::internal::find_property_map<Mesh::Halfedge_index, IT::Surface_point>(mesh, "h:input_point")),
+      intrinsic_point(IT::internal::find_property_map<Mesh::Halfedge_index, IT::Surface_point>(mesh, "h:intrinsic_point"))
   {}
   Mesh::Property_map<Mesh::Vertex_index, std::uint8_t> kind;
   Mesh::Property_map<Mesh::Edge_index, std::uint8_t> label;

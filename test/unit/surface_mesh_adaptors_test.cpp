@@ -5,6 +5,7 @@
 
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 
+#include <CGAL/Intrinsic_triangulations/internal/overlay/find_property_map.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
@@ -78,16 +79,16 @@ void expect_same_metric(const SurfaceMesh& mesh, const Triangulation& t)
   using FT = typename Triangulation::FT;
   using Edge = typename SurfaceMesh::Edge_index;
   using Face = typename SurfaceMesh::Face_index;
-  const auto squared = mesh.template property_map<Edge, FT>("e:squared_length");
-  const auto length = mesh.template property_map<Edge, FT>("e:length");
-  const auto area = mesh.template property_map<Face, FT>("f:area");
-  ASSERT_TRUE(squared.second && length.second && area.second);
+  const auto squared = IT::internal::find_property_map<Edge, FT>(mesh, "e:squared_length");
+  const auto length = IT::internal::find_property_map<Edge, FT>(mesh, "e:length");
+  const auto area = IT::internal::find_property_map<Face, FT>(mesh, "f:area");
+  ASSERT_TRUE(squared && length && area);
   for (Edge_index e : t.connectivity().edges()) {
-    EXPECT_EQ(squared.first[Edge(e.idx())], t.squared_length(e));
-    EXPECT_EQ(length.first[Edge(e.idx())], t.length(e));
+    EXPECT_EQ(squared[Edge(e.idx())], t.squared_length(e));
+    EXPECT_EQ(length[Edge(e.idx())], t.length(e));
   }
   for (Face_index f : t.connectivity().faces())
-    EXPECT_EQ(area.first[Face(f.idx())], t.area(f));
+    EXPECT_EQ(area[Face(f.idx())], t.area(f));
 }
 
 } // namespace
@@ -156,7 +157,7 @@ TEST(To_surface_mesh, carries_the_metric_and_the_points_of_the_input)
   expect_same_links(from_points, idt.connectivity());
   expect_same_metric(from_points, idt);
   // A geodesic edge is at least as long as the chord between its ends.
-  const auto length = from_mesh.property_map<Mesh::Edge_index, double>("e:length").first;
+  const auto length = IT::internal::find_property_map<Mesh::Edge_index, double>(from_mesh, "e:length");
   for (auto e : from_mesh.edges())
     EXPECT_GE(length[e] * (1 + 1e-12),
               std::sqrt(CGAL::squared_distance(from_mesh.point(from_mesh.vertex(e, 0)),

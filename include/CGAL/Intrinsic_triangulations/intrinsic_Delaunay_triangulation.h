@@ -143,7 +143,8 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
   internal::for_each_element<ConcurrencyTag>(
     vertices(mesh), points.size(), [&](std::size_t first, std::size_t, auto v, auto end) {
       for (auto* point = points.data() + first; v != end; ++v, ++point) {
-        const auto& p = get(point_map, *v);
+        const auto vertex = *v; // lives as long as p, which may refer to it
+        const auto& p = get(point_map, vertex);
         using FT = typename Traits::FT;
         *point = {internal::convert_number<FT>(p.x()), internal::convert_number<FT>(p.y()),
                   internal::convert_number<FT>(p.z())};

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/convex_polygon_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/find_property_map.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 
@@ -186,11 +187,11 @@ void triangulate_overlay_faces(CGAL::Surface_mesh<Point>& mesh)
   using Halfedge = typename Mesh::Halfedge_index;
   using Edge = typename Mesh::Edge_index;
   using Face = typename Mesh::Face_index;
-  auto label = mesh.template property_map<Edge, std::uint8_t>("e:label").first;
-  auto input_face = mesh.template property_map<Face, std::uint32_t>("f:input_face").first;
-  auto intrinsic_face = mesh.template property_map<Face, std::uint32_t>("f:intrinsic_face").first;
-  auto input_point = mesh.template property_map<Halfedge, Surface_point>("h:input_point").first;
-  auto intrinsic_point = mesh.template property_map<Halfedge, Surface_point>("h:intrinsic_point").first;
+  auto label = internal::find_property_map<Edge, std::uint8_t>(mesh, "e:label");
+  auto input_face = internal::find_property_map<Face, std::uint32_t>(mesh, "f:input_face");
+  auto intrinsic_face = internal::find_property_map<Face, std::uint32_t>(mesh, "f:intrinsic_face");
+  auto input_point = internal::find_property_map<Halfedge, Surface_point>(mesh, "h:input_point");
+  auto intrinsic_point = internal::find_property_map<Halfedge, Surface_point>(mesh, "h:intrinsic_point");
   CGAL_precondition_msg(label && input_face && intrinsic_face && input_point && intrinsic_point,
                         "not an overlay mesh");
 
