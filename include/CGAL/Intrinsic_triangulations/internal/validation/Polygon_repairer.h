@@ -47,11 +47,20 @@ struct Numbered_point : Simple_cartesian<double>::Point_3
   std::size_t input = 0;
   std::size_t group = 0; // points at the same place are one if they have the same
 };
+// GCC 14 takes the copy of a polygon with fewer than two corners, in CGAL 6, for one of more.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Warray-bounds"
+#pragma GCC diagnostic ignored "-Wstringop-overflow"
+#endif
 struct Numbered_polygon : std::vector<std::size_t>
 {
   using std::vector<std::size_t>::vector;
   std::size_t input = 0;
 };
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 // Which points CGAL's functions take to be the same.
 struct Numbered_point_traits
