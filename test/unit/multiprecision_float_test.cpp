@@ -3,8 +3,6 @@
 //
 // Floats of Boost.Multiprecision: of 50 digits, with and without expression templates, and in single precision.
 
-#include <CGAL/Intrinsic_triangulations/boost_multiprecision_floats.h>
-
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 
