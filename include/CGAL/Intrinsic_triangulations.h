@@ -21,12 +21,15 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/angles.h>
 #include <CGAL/Intrinsic_triangulations/are_same_overlay.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/graph_traits_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/graph_traits_Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/halfedge_vectors.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/is_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>

@@ -164,6 +164,11 @@ public:
   /// \pre `h` is not a border halfedge, its face has positive area
   double cotangent(const Delta_complex& complex, Halfedge_index h) const;
 
+  /// returns the angle opposite to `h`, up to a relative error of `2^-49` unless it is below `2^-400`. In a face of
+  /// zero area it is 0, or π rounded to `double`.
+  /// \pre `h` is not a border halfedge
+  double angle(const Delta_complex& complex, Halfedge_index h) const;
+
   /// returns the sum of the cotangents of the one or two angles opposite to `e`, up to
   /// `2^-49` times one plus the sum of their absolute values. A sum of zero is exactly zero, and the sign is right.
   /// \pre `e` lies in faces of positive area

@@ -19,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
 
 #include <CGAL/Uncertain.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <atomic>
@@ -511,6 +512,27 @@ double Exact_geometry::cotangent(const Delta_complex& complex, Halfedge_index h,
     .number_of_corner(
       h, [](const auto& corner) { return corner.p / corner.four_areas; },
       [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::angle(const Delta_complex& complex, Halfedge_index h) const
+{
+  prepare(complex);
+  find_straight_faces(complex);
+  const Surface_lease surface = input_surface();
+  const Corner c = corner(complex, h, *surface);
+  if (c.four_areas.relative_error() < 0x1p-60 && c.p.error() < 0x1p-60 * (std::abs(c.p.hi()) + c.four_areas.hi()))
+    return std::atan2(std::abs(c.four_areas.hi()), c.p.hi()); // of a zero without its sign
+  internal::Late_stages late = late_stages(complex, *surface);
+  if (sign_of_area(complex, complex.face(h), *surface) == ZERO)
+    return late.sign_of_scalar_product(h) == NEGATIVE ? CGAL_PI : 0;
+  const auto is_narrow = [](double width, double magnitude) { return width <= 0x1p-51 * magnitude; };
+  const double four_areas = late.number_of_corner(
+    h, [](const auto& corner) { return corner.four_areas; }, is_narrow);
+  const double p = late.number_of_corner(
+    h, [](const auto& corner) { return corner.p; },
+    [&](double width, double magnitude) { return is_narrow(width, (std::max)(magnitude, four_areas)); });
+  return std::atan2(four_areas, p);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

@@ -91,6 +91,12 @@ public:
     return sign_of_corner(h, "area", [](const auto& corner) { return corner.four_areas; });
   }
 
+  // The sign of the scalar product of the two sides that meet in the corner opposite to h.
+  Sign sign_of_scalar_product(Halfedge_index h)
+  {
+    return sign_of_corner(h, "scalar product", [](const auto& corner) { return corner.p; });
+  }
+
   bool has_length_zero(Edge_index e)
   {
     const auto squared_length = [&](auto& metric) { return unfolding(metric).squared_length(e); };
@@ -199,10 +205,6 @@ private:
   }
 
   bool has_positive_area(Halfedge_index h) { return sign_of_area(h) == POSITIVE; }
-  Sign sign_of_scalar_product(Halfedge_index h)
-  {
-    return sign_of_corner(h, "scalar product", [](const auto& corner) { return corner.p; });
-  }
 
   bool is_edge(const Two_corners& corners) const
   {
