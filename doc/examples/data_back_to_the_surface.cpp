@@ -6,9 +6,9 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/point_location.h>
@@ -31,9 +31,9 @@ int main()
   Triangulation idt(IT::make_Delta_complex_from_triangles(mesh.points.size(), mesh.triangles), mesh.points);
   IT::flip_to_Delaunay(idt);
 
-  const IT::Overlay overlay(idt);
-  const IT::Overlay_positions positions(idt, overlay);
-  const IT::Transfer_mass_matrices mass = IT::transfer_mass_matrices(idt, overlay, positions);
+  const IT::Common_subdivision subdivision(idt);
+  const IT::Overlay& overlay = subdivision.overlay();
+  const IT::Transfer_mass_matrices mass = IT::transfer_mass_matrices(subdivision);
 
   // One implicit step of (M + t L) u = M u_0, with the heat in vertex 0.
   const Eigen::SparseMatrix<double> stiffness = IT::stiffness_matrix(idt);
@@ -45,15 +45,15 @@ int main()
 
   // On the overlay the solution is linear on each face: nothing is lost.
   const IT::Delta_complex& complex = idt.connectivity();
-  const std::vector<double> on_overlay = IT::interpolate_intrinsic_values(overlay, positions, complex, heat);
+  const std::vector<double> on_overlay = IT::interpolate_intrinsic_values(subdivision, heat);
   std::cout << on_overlay.size() << " values represent the solution, " << overlay.number_of_crossings()
             << " of them at crossings\n";
 
   // At a point of the mesh, here the middle of the input edge with the first crossing.
   const IT::Overlay::Vertex x = *overlay.crossings().begin();
   const IT::Halfedge_index h(2 * overlay.input_edge(x).idx());
-  const IT::Point_location location(idt, overlay, positions);
-  const double t = positions.on_input_edge(x);
+  const IT::Point_location location(subdivision);
+  const double t = subdivision.positions().on_input_edge(x);
   const IT::Surface_point at_crossing = location.input_to_intrinsic({h, {1 - t, t, 0}}),
                           middle = location.input_to_intrinsic({h, {1, 1, 0}});
   std::cout << "in the middle of input edge " << h.idx() / 2 << ": "

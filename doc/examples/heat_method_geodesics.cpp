@@ -6,11 +6,10 @@
 // whose gradient is nearest to X = -∇u/|∇u|, where u is heat that has spread for a short time. The
 // surface is a flat torus of needles, given by lengths alone, on which the distance is known.
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
@@ -92,10 +91,7 @@ int main()
   }
   std::cout << "error up to " << error << ", of distances up to " << std::hypot(n / 2, n / 2) << '\n';
   // Back on the input triangles, cut by the intrinsic edges, it is the same function.
-  const IT::Overlay overlay(t);
-  const IT::Overlay_positions positions(t, overlay);
-  const auto values =
-    IT::interpolate_intrinsic_values(overlay, positions, t.connectivity(), distance);
+  const auto values = IT::interpolate_intrinsic_values(IT::Common_subdivision(t), distance);
   std::cout << values.size() << " values on the overlay of " << n * n << " vertices\n";
   return error < 1 && values.size() > n * n ? EXIT_SUCCESS : EXIT_FAILURE;
 }

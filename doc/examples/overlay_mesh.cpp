@@ -4,6 +4,7 @@
 // The overlay of a mesh and its intrinsic Delaunay triangulation as an ordinary mesh: a function
 // that is linear on the intrinsic triangles is linear on each of its faces.
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
 
@@ -30,7 +31,7 @@ int main()
   mesh.add_face(j, i, l);
   const auto idt = IT::intrinsic_Delaunay_triangulation(mesh);
 
-  Mesh overlay = IT::overlay_to_surface_mesh(idt, mesh);
+  Mesh overlay = IT::overlay_to_surface_mesh(IT::Common_subdivision(idt), mesh);
   // Each of these maps is there already: that, and no new one, is returned.
   const auto input_face = overlay.add_property_map<Mesh::Face_index, std::uint32_t>("f:input_face").first;
   const auto intrinsic_face =

@@ -7,6 +7,7 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
@@ -43,7 +44,7 @@ int main(int argc, char* argv[])
   }
 
   // Each corner of the overlay knows its place in an intrinsic triangle.
-  Mesh overlay = IT::overlay_to_surface_mesh(idt, mesh);
+  Mesh overlay = IT::overlay_to_surface_mesh(IT::Common_subdivision(idt), mesh);
   IT::triangulate_overlay_faces(overlay);
   // The map is there already: that, and no new one, is returned.
   const auto place =

@@ -9,6 +9,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_H
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>

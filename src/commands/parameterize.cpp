@@ -206,7 +206,7 @@ void write_report(std::ostream& os, const Parameterize_options& options, const R
 void write_distortion(std::ostream& os, const Result& result)
 {
   const auto text = [](double x) { return std::isfinite(x) ? in_full(x) : std::string(); };
-  const IT::Overlay& overlay = result.triangulation.outcome.overlay->graph;
+  const IT::Overlay& overlay = result.triangulation.outcome.subdivision->overlay();
   os << "input_face,intrinsic_face,over_input,over_intrinsic\n";
   for (IT::Overlay::Face f : overlay.faces()) {
     const std::size_t input = overlay.input_face(f).idx(), intrinsic = overlay.intrinsic_face(f).idx();
@@ -222,8 +222,7 @@ void write_files(const Parameterize_options& options, const Result& result)
   if (!(options.uv_path.empty() && options.uv_input_path.empty()) && !surface.has_points())
     throw Usage_error("--uv and --uv-input need points: " + surface.path + " has lengths alone");
   if (!options.uv_path.empty())
-    write_textured_mesh(options.uv_path, make_map_over_intrinsic(surface, outcome.connectivity,
-                                                                 *outcome.overlay, result.uv));
+    write_textured_mesh(options.uv_path, make_map_over_intrinsic(surface, *outcome.subdivision, result.uv));
   if (!options.uv_input_path.empty())
     write_textured_mesh(options.uv_input_path, make_map_over_input(surface, result.uv));
   if (!options.distortion_path.empty()) {

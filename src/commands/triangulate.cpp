@@ -109,13 +109,13 @@ void write_files(const Triangulate_options& options, Triangulation_result& resul
   write_file(options.edges_path, [&](std::ostream& os) { write_edges(os, result); });
   write_file(options.laplacian_path, [&](std::ostream& os) { write_laplacian(os, result); });
   write_file(options.mass_path, [&](std::ostream& os) { write_mass(os, result); });
-  if (result.outcome.overlay) {
+  if (result.outcome.subdivision) {
     write_file(options.crossings_path, [&](std::ostream& os) { write_crossings(os, result); });
     write_file(options.overlay_path, [&](std::ostream& os) {
       write_overlay(os, result, *find_mesh_format(options.overlay_path));
     });
   }
-  if (result.options.wanted.numbers || result.outcome.overlay)
+  if (result.options.wanted.numbers || result.outcome.subdivision)
     result.write_seconds = stopwatch.seconds();
   write_file(options.stats_path,
              [&](std::ostream& os) { os << statistics(result).dump(2) << '\n'; });

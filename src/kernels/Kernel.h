@@ -10,10 +10,9 @@
 #include "kernels/Number_type.h"
 #include "input/Surface.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
-#include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
@@ -88,13 +87,6 @@ struct Weight_summary
   std::size_t infinite = 0; // of all edges, the boundary too: those beside a face of zero area
 };
 
-// The graph, and where its crossings lie.
-struct Overlay_result
-{
-  CGAL::Intrinsic_triangulations::Overlay graph;
-  CGAL::Intrinsic_triangulations::Overlay_positions positions;
-};
-
 // What the normal coordinates tell.
 struct Crossing_summary
 {
@@ -138,7 +130,7 @@ struct Outcome
   std::optional<Weight_summary> weights_before;
   std::optional<Weight_summary> weights_after;
   std::optional<Crossing_summary> crossing_summary;
-  std::optional<Overlay_result> overlay;
+  std::optional<CGAL::Intrinsic_triangulations::Common_subdivision> subdivision;
   std::optional<Tessellation_summary> tessellation;
   std::optional<CGAL::Intrinsic_triangulations::Delaunay_verification> verification;
   std::optional<std::uint64_t> wrong_decisions;

@@ -6,7 +6,6 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <string>
-#include <utility>
 
 namespace idt {
 
@@ -16,17 +15,8 @@ void find_overlay(const CGAL::Intrinsic_triangulations::Delta_complex& complex,
                   Outcome& outcome)
 {
   namespace IT = CGAL::Intrinsic_triangulations;
-  // The places take longer than the graph.
-  const auto part = [&progress](double begin, double length) {
-    return progress ? IT::Progress_function([&progress, begin, length](double fraction) {
-      return progress(begin + length * fraction);
-    })
-                    : IT::Progress_function();
-  };
   try {
-    IT::Overlay graph(complex, geometry.correspondence(), part(0, 0.3));
-    IT::Overlay_positions positions(complex, geometry, graph, part(0.3, 0.7));
-    outcome.overlay.emplace(Overlay_result{std::move(graph), std::move(positions)});
+    outcome.subdivision.emplace(complex, geometry, progress);
   } catch (const IT::Cancelled_error& error) {
     outcome.is_interrupted = true;
     if (outcome.failure.empty())

@@ -24,23 +24,21 @@ Textured_mesh make_map_over_input(const Surface& surface, const IT::Planar_point
   return mesh;
 }
 
-Textured_mesh make_map_over_intrinsic(const Surface& surface, const IT::Delta_complex& intrinsic,
-                                      const Overlay_result& overlay, const IT::Planar_points& uv)
+Textured_mesh make_map_over_intrinsic(const Surface& surface, const IT::Common_subdivision& subdivision,
+                                      const IT::Planar_points& uv)
 {
-  const IT::Overlay& graph = overlay.graph;
+  const IT::Overlay& graph = subdivision.overlay();
   Textured_mesh mesh;
   mesh.points.reserve(graph.number_of_vertices());
   for (IT::Overlay::Vertex v : graph.vertices())
-    mesh.points.push_back(
-      overlay.positions.point(graph, surface.connectivity, surface.points, v));
+    mesh.points.push_back(subdivision.point(v, surface.points));
 
   std::vector<Eigen::Vector2d> images;
   images.reserve(uv.size());
   for (const auto& [u, v] : uv)
     images.emplace_back(u, v);
   mesh.uv.reserve(graph.number_of_vertices());
-  for (const Eigen::Vector2d& p :
-       IT::interpolate_intrinsic_values(graph, overlay.positions, intrinsic, images))
+  for (const Eigen::Vector2d& p : IT::interpolate_intrinsic_values(subdivision, images))
     mesh.uv.push_back({p.x(), p.y()});
 
   mesh.faces.reserve(graph.number_of_faces());

@@ -10,6 +10,7 @@
 #include "input/Surface.h"
 #include "kernels/Kernel.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/disk_boundary.h>
 
 #include <array>
@@ -36,8 +37,7 @@ make_map_over_input(const Surface& surface,
 // the faces of the overlay alone (section 2.3 of the paper), whose order these faces have.
 Textured_mesh
 make_map_over_intrinsic(const Surface& surface,
-                        const CGAL::Intrinsic_triangulations::Delta_complex& intrinsic,
-                        const Overlay_result& overlay,
+                        const CGAL::Intrinsic_triangulations::Common_subdivision& subdivision,
                         const CGAL::Intrinsic_triangulations::Planar_points& uv);
 
 } // namespace idt

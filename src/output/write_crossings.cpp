@@ -12,7 +12,8 @@ void write_crossings(std::ostream& os, const Triangulation_result& result)
   namespace IT = CGAL::Intrinsic_triangulations;
   const IT::Delta_complex &intrinsic = result.outcome.connectivity,
                           &input = result.surface.connectivity;
-  const auto& [overlay, positions] = *result.outcome.overlay;
+  const IT::Overlay& overlay = result.outcome.subdivision->overlay();
+  const IT::Overlay_positions& positions = result.outcome.subdivision->positions();
   os << "source,target,edge,position,input_source,input_target,t,u\n";
   for (IT::Edge_index e : intrinsic.edges()) {
     const IT::Halfedge_index h = intrinsic.halfedge(e);

@@ -29,8 +29,7 @@ void write_overlay(std::ostream& os, const Triangulation_result& result, Mesh_fo
   for (const auto& [x, y, z] : result.surface.points)
     points.emplace_back(x, y, z);
   const auto mesh = IT::internal::overlay_to_surface_mesh_without_corners(
-    result.outcome.overlay->graph, result.outcome.overlay->positions, result.surface.connectivity,
-    points);
+    *result.outcome.subdivision, points);
   const auto all_digits = CGAL::parameters::stream_precision(17);
   switch (format) {
   case Mesh_format::PLY:

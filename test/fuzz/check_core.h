@@ -9,6 +9,7 @@
 #include "fuzz_target.h"
 #include "property/flip_test_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -54,17 +55,16 @@ struct Recording_visitor : IT::Default_flip_visitor
 };
 
 // The overlay by the integers, by the flips one after the other, and what is read back from it.
-inline IT::Overlay check_overlay(const Filtered_triangulation& triangulation, const Recording_visitor& record,
-                                 const IT::Delta_complex& input)
+inline void check_overlay(const Filtered_triangulation& triangulation, const Recording_visitor& record,
+                          const IT::Delta_complex& input)
 {
-  IT::Overlay overlay(triangulation);
+  const IT::Overlay overlay(triangulation);
   require(record.overlay.is_valid(true), "the incremental overlay is valid");
   require(IT::are_same_overlay(overlay, record.overlay, true), "both overlays are the same");
   require(test_surfaces::are_same_links(IT::intrinsic_triangulation_of(overlay), triangulation.connectivity()),
           "the overlay contains the result");
   require(test_surfaces::are_same_links(IT::input_triangulation_of(overlay), input),
           "the overlay contains the input");
-  return overlay;
 }
 
 inline void check_positions(const IT::Overlay& overlay, const IT::Overlay_positions& positions)
@@ -86,18 +86,19 @@ inline void check_positions(const IT::Overlay& overlay, const IT::Overlay_positi
 }
 
 // Each face of either triangulation is the sum of the faces of the overlay in it.
-inline void check_areas(const Filtered_triangulation& triangulation, const IT::Overlay& overlay,
-                        const IT::Overlay_positions& positions, const std::vector<double>& input_areas)
+inline void check_areas(const Filtered_triangulation& triangulation, const IT::Common_subdivision& subdivision,
+                        const std::vector<double>& input_areas)
 {
   std::vector<double> areas;
   try {
-    areas = IT::face_areas(triangulation, overlay, positions);
+    areas = IT::face_areas(subdivision);
   } catch (const IT::Invalid_surface_error& error) { // beyond the range of double
     require(error.defect() == IT::Invalid_surface_error::Defect::OUT_OF_RANGE, error.what());
     return;
   }
   const std::vector<double> intrinsic_areas = IT::face_areas(triangulation);
   std::vector<double> in_input(input_areas.size()), in_intrinsic(intrinsic_areas.size());
+  const IT::Overlay& overlay = subdivision.overlay();
   for (IT::Overlay::Face f : overlay.faces()) {
     in_input[overlay.input_face(f).idx()] += areas[f.idx()];
     in_intrinsic[overlay.intrinsic_face(f).idx()] += areas[f.idx()];
@@ -158,9 +159,9 @@ inline void check_result(const Filtered_triangulation& triangulation, const Reco
   const IT::Delaunay_verification verification = IT::verify_Delaunay(triangulation);
   require(verification.inverted.empty(), "no face is inverted");
   require(!is_done || verification.is_Delaunay(), "the result is Delaunay");
-  const IT::Overlay overlay = check_overlay(triangulation, record, input);
-  const IT::Overlay_positions positions(triangulation, overlay);
-  check_positions(overlay, positions);
+  check_overlay(triangulation, record, input);
+  const IT::Common_subdivision subdivision(triangulation);
+  check_positions(subdivision.overlay(), subdivision.positions());
   check_numbers(triangulation, is_done, has_no_area);
   const auto& geometry = triangulation.exact_geometry();
   std::vector<double> input_areas;
@@ -168,7 +169,7 @@ inline void check_result(const Filtered_triangulation& triangulation, const Reco
     input_areas.push_back(std::ldexp(geometry.metric().four_areas_double_double(input, f).hi() / 4,
                                      2 * triangulation.unit_exponent()));
   if (has_accurate_areas)
-    check_areas(triangulation, overlay, positions, input_areas);
+    check_areas(triangulation, subdivision, input_areas);
   // A flip that straightens an angle cannot be made the other way round.
   if (!has_no_area)
     check_flips_back(triangulation, record.flips, input);

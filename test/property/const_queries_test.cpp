@@ -5,6 +5,7 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
@@ -113,11 +114,11 @@ std::vector<double> answers(const Triangulation& t, const IT::Point_location* lo
 
 std::vector<double> positions(const Triangulation& t)
 {
-  const IT::Overlay overlay(t);
-  const IT::Overlay_positions positions(t, overlay);
+  const IT::Common_subdivision subdivision(t);
+  const IT::Overlay_positions& positions = subdivision.positions();
   std::vector<double> result;
   for (IT::Edge_index e : t.connectivity().edges())
-    for (IT::Overlay::Vertex x : overlay.intrinsic_crossings(e))
+    for (IT::Overlay::Vertex x : subdivision.overlay().intrinsic_crossings(e))
       result.insert(result.end(), {positions.on_intrinsic_edge(x), positions.on_input_edge(x)});
   return result;
 }
@@ -146,16 +147,16 @@ TEST(Const_queries, eight_threads_hear_what_one_hears)
     // Before anything was asked, so that the threads also meet where the integers are computed.
     const Triangulation& asked_by_all = named.triangulation;
     const Triangulation asked_by_one = asked_by_all;
-    const IT::Overlay overlay(asked_by_one);
-    const IT::Overlay_positions overlay_positions(asked_by_one, overlay);
-    const IT::Point_location location(asked_by_one, overlay, overlay_positions);
+    const IT::Common_subdivision subdivision_for_one(asked_by_one);
+    const IT::Point_location location(subdivision_for_one);
     const std::vector<double> expected = answers(asked_by_one, &location, 0), expected_positions = positions(asked_by_one);
     EXPECT_GT(expected.size(), 5 * asked_by_one.connectivity().number_of_edges());
 
     std::array<std::vector<double>, number_of_threads> alone, together, on_edges;
     std::array<std::size_t, number_of_threads> ties{};
     run([&](std::size_t i) { alone[i] = answers(asked_by_all, nullptr, i); });
-    const IT::Point_location location_for_all(asked_by_all, overlay, overlay_positions);
+    const IT::Common_subdivision subdivision_for_all(asked_by_all);
+    const IT::Point_location location_for_all(subdivision_for_all);
     run([&](std::size_t i) {
       together[i] = answers(asked_by_all, &location_for_all, i);
       on_edges[i] = positions(asked_by_all);

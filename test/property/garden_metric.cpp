@@ -5,6 +5,7 @@
 
 #include "property/garden.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
@@ -103,11 +104,11 @@ void overlay(const Surface& surface)
 void positions(const Surface& surface)
 {
   const Triangulation t = Delaunay_triangulation(surface);
-  const IT::Overlay overlay(t);
-  const IT::Overlay_positions positions(t, overlay);
+  const IT::Common_subdivision subdivision(t);
+  const IT::Overlay_positions& positions = subdivision.positions();
   const double area = sum(IT::face_areas(t));
-  expect_near(sum(IT::face_areas(t, overlay, positions)), area, 1e-6 * area, "area of the overlay");
-  for (IT::Overlay::Vertex x : overlay.crossings()) {
+  expect_near(sum(IT::face_areas(subdivision)), area, 1e-6 * area, "area of the overlay");
+  for (IT::Overlay::Vertex x : subdivision.overlay().crossings()) {
     EXPECT_TRUE(positions.on_input_edge(x) >= 0 && positions.on_input_edge(x) <= 1);
     EXPECT_TRUE(positions.on_intrinsic_edge(x) >= 0 && positions.on_intrinsic_edge(x) <= 1);
   }
@@ -117,15 +118,15 @@ void positions(const Surface& surface)
 void transfer(const Surface& surface)
 {
   const Triangulation t = Delaunay_triangulation(surface);
-  const IT::Overlay overlay(t);
-  const IT::Overlay_positions positions(t, overlay);
-  const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
+  const IT::Common_subdivision subdivision(t);
+  const IT::Overlay& overlay = subdivision.overlay();
+  const IT::Delta_complex& input = subdivision.input();
   const std::vector<double> ones(input.number_of_vertices(), 1), at_corners(input.number_of_halfedges(), 1);
-  for (double x : IT::interpolate_input_values(overlay, positions, input, ones))
+  for (double x : IT::interpolate_input_values(subdivision, ones))
     expect_near(x, 1, 1e-12, "input value");
-  for (double x : IT::interpolate_intrinsic_values(overlay, positions, t.connectivity(), ones))
+  for (double x : IT::interpolate_intrinsic_values(subdivision, ones))
     expect_near(x, 1, 1e-12, "intrinsic value");
-  const auto corners = IT::interpolate_input_corner_values(overlay, positions, input, at_corners);
+  const auto corners = IT::interpolate_input_corner_values(subdivision, at_corners);
   for (IT::Overlay::Halfedge h : overlay.halfedges())
     if (!overlay.is_border(h))
       expect_near(corners[h.idx()], 1, 1e-12, "corner value");
@@ -135,10 +136,9 @@ void transfer(const Surface& surface)
 void locate(const Surface& surface)
 {
   const Triangulation t = Delaunay_triangulation(surface);
-  const IT::Overlay overlay(t);
-  const IT::Overlay_positions positions(t, overlay);
-  const IT::Point_location location(t, overlay, positions);
-  const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
+  const IT::Common_subdivision subdivision(t);
+  const IT::Point_location location(subdivision);
+  const IT::Delta_complex& input = subdivision.input();
   for (IT::Face_index f : input.faces()) {
     const IT::Surface_point center{input.halfedge(f), {0.25, 0.25, 0.5}};
     const IT::Surface_point there = location.input_to_intrinsic(center), back = location.intrinsic_to_input(there);
@@ -156,13 +156,12 @@ void copy_to_mesh(const Surface& surface)
   for (const std::array<double, 3>& p : in_space(surface).points)
     points.emplace_back(p[0], p[1], p[2]);
   const Triangulation t = Delaunay_triangulation(surface);
-  const IT::Overlay overlay(t);
+  const IT::Common_subdivision subdivision(t);
   const auto copy = IT::to_surface_mesh(t, points);
   EXPECT_TRUE(copy.is_valid(false));
   EXPECT_EQ(copy.number_of_faces(), t.connectivity().number_of_faces());
-  auto mesh = IT::overlay_to_surface_mesh(overlay, IT::Overlay_positions(t, overlay),
-                                          t.exact_geometry().correspondence().input(), t.connectivity(), points);
-  EXPECT_EQ(mesh.number_of_faces(), overlay.number_of_faces());
+  auto mesh = IT::overlay_to_surface_mesh(subdivision, points);
+  EXPECT_EQ(mesh.number_of_faces(), subdivision.overlay().number_of_faces());
   IT::triangulate_overlay_faces(mesh);
   EXPECT_TRUE(mesh.is_valid(false));
   for (auto v : mesh.vertices())

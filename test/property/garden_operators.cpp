@@ -5,9 +5,8 @@
 
 #include "property/garden.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/condition_number.h>
 #include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
@@ -75,9 +74,7 @@ void condition_number(const Surface& surface)
 void project(const Surface& surface)
 {
   const Triangulation t = Delaunay_triangulation(surface);
-  const IT::Overlay overlay(t);
-  const IT::Transfer_mass_matrices matrices =
-    IT::transfer_mass_matrices(t, overlay, IT::Overlay_positions(t, overlay));
+  const IT::Transfer_mass_matrices matrices = IT::transfer_mass_matrices(IT::Common_subdivision(t));
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(matrices.input.rows());
   for (const Eigen::VectorXd& x : {Eigen::VectorXd(IT::L2_projection_to_input(matrices)(ones)),
                                    Eigen::VectorXd(IT::L2_projection_to_intrinsic(matrices)(ones))})

@@ -8,6 +8,7 @@
 
 #include "property/flip_test_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
@@ -100,7 +101,7 @@ class Overlay_geometry_check
 public:
   // The input in the plane, the flipped triangulation and the points of its vertices, if any.
   Overlay_geometry_check(const Faces_in_plane& input, const Triangulation& t, const std::vector<Point_3>& points)
-    : input_(input), intrinsic_(t), points_(points), overlay_(t), positions_(t, overlay_)
+    : input_(input), intrinsic_(t), points_(points), subdivision_(t)
   {}
 
   void run() const
@@ -219,8 +220,8 @@ private:
       double sum = 0, size = intrinsic_.length(e);
       for (Overlay::Segment s : overlay_.intrinsic_segments(e)) {
         const Overlay::Vertex v = overlay_.source(overlay_.halfedge(s)), w = overlay_.target(overlay_.halfedge(s));
-        const Point_3 p = positions_.point(overlay_, input_.complex(), points_, v),
-                      q = positions_.point(overlay_, input_.complex(), points_, w);
+        const Point_3 p = subdivision_.point(v, points_),
+                      q = subdivision_.point(w, points_);
         sum += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
         if (overlay_.is_crossing(v))
           for (Halfedge_index h : ends_at_crossing(v))
@@ -240,8 +241,9 @@ private:
   const Faces_in_plane& input_;
   const Faces_in_plane intrinsic_;
   const std::vector<Point_3>& points_;
-  const Overlay overlay_;
-  const Overlay_positions positions_;
+  const IT::Common_subdivision subdivision_;
+  const Overlay& overlay_ = subdivision_.overlay();
+  const Overlay_positions& positions_ = subdivision_.positions();
 };
 
 inline Overlay_numbers check_overlay(Triangulation t, const std::vector<Point_3>& points)

@@ -8,6 +8,7 @@
 
 #include "flip_test_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
@@ -27,22 +28,21 @@ namespace test_surfaces {
 
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-// An intrinsic Delaunay triangulation and its overlay.
+// An intrinsic Delaunay triangulation and its common subdivision with the input.
 struct Overlaid
 {
   explicit Overlaid(Triangulation t)
-    : triangulation(flipped(std::move(t))), overlay(triangulation), positions(triangulation, overlay)
+    : triangulation(flipped(std::move(t))), subdivision(triangulation)
   {}
   explicit Overlaid(const IT::Indexed_triangles& surface)
     : Overlaid(Triangulation(
         IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points))
   {}
 
-  const IT::Delta_complex& input() const
-  {
-    return triangulation.exact_geometry().correspondence().input();
-  }
-  const IT::Delta_complex& intrinsic() const { return triangulation.connectivity(); }
+  const IT::Delta_complex& input() const { return subdivision.input(); }
+  const IT::Delta_complex& intrinsic() const { return subdivision.intrinsic(); }
+  const IT::Overlay& overlay() const { return subdivision.overlay(); }
+  const IT::Overlay_positions& positions() const { return subdivision.positions(); }
   double input_length(IT::Halfedge_index h) const
   {
     const IT::Input_metric& metric = triangulation.exact_geometry().metric();
@@ -60,8 +60,7 @@ struct Overlaid
   }
 
   Triangulation triangulation;
-  IT::Overlay overlay;
-  IT::Overlay_positions positions;
+  IT::Common_subdivision subdivision;
 
 private:
   static Triangulation flipped(Triangulation t)

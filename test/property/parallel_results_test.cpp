@@ -7,6 +7,7 @@
 #include "samples/sample_gluings.h"
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
@@ -151,11 +152,11 @@ TEST(Parallel_results, overlays_and_positions)
   for (const auto& [name, t] : surfaces()) {
     SCOPED_TRACE(name);
     const IT::Overlay expected(t);
-    const IT::Overlay_positions expected_positions(t, expected);
+    const IT::Overlay_positions expected_positions(t.connectivity(), t.exact_geometry(), expected);
     for_each_number_of_threads([&, &t = t] {
-      const IT::Overlay overlay(t, {}, Parallel_tag());
-      expect_same_overlay(expected, overlay);
-      const IT::Overlay_positions positions(t, overlay, {}, Parallel_tag());
+      const IT::Common_subdivision subdivision(t, {}, Parallel_tag());
+      expect_same_overlay(expected, subdivision.overlay());
+      const IT::Overlay_positions& positions = subdivision.positions();
       for (IT::Overlay::Vertex x : expected.crossings()) {
         ASSERT_EQ(positions.on_input_edge(x), expected_positions.on_input_edge(x));
         ASSERT_EQ(positions.on_intrinsic_edge(x), expected_positions.on_intrinsic_edge(x));
@@ -234,7 +235,7 @@ TEST(Parallel_results, can_be_cancelled)
     EXPECT_THROW(IT::Overlay(t, progress, Parallel_tag()), IT::Cancelled_error);
   }
   EXPECT_THROW(IT::Overlay_positions(
-                 t, overlay, [](double) { return false; }, Parallel_tag()),
+                 t.connectivity(), t.exact_geometry(), overlay, [](double) { return false; }, Parallel_tag()),
                IT::Cancelled_error);
 }
 

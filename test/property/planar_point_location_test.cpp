@@ -80,7 +80,7 @@ class Planar_location
 {
 public:
   Planar_location(const Planar_mesh& mesh, const Overlaid& s)
-    : mesh_(mesh), s_(s), location_(s.triangulation, s.overlay, s.positions)
+    : mesh_(mesh), s_(s), location_(s.subdivision)
   {}
 
   void check_random_points(int number)
@@ -120,9 +120,9 @@ public:
   // Points beside crossings, so near that only multiple precision tells on which side.
   void check_points_next_to_crossings()
   {
-    for (IT::Overlay::Vertex x : s_.overlay.crossings()) {
-      const IT::Halfedge_index o = s_.input().halfedge(s_.overlay.input_edge(x)),
-                               c = s_.intrinsic().halfedge(s_.overlay.intrinsic_edge(x));
+    for (IT::Overlay::Vertex x : s_.overlay().crossings()) {
+      const IT::Halfedge_index o = s_.input().halfedge(s_.overlay().input_edge(x)),
+                               c = s_.intrinsic().halfedge(s_.overlay().intrinsic_edge(x));
       for (int i = 0; i < 2; ++i) {
         check_next_to(s_.input(), i == 0 ? o : s_.input().opposite(o), s_.intrinsic(), c, true);
         check_next_to(s_.intrinsic(), i == 0 ? c : s_.intrinsic().opposite(c), s_.input(), o, false);
@@ -229,7 +229,7 @@ private:
 void check(const Planar_mesh& mesh, Triangulation t)
 {
   const Overlaid s(std::move(t));
-  EXPECT_GT(s.overlay.number_of_crossings(), mesh.points.size());
+  EXPECT_GT(s.overlay().number_of_crossings(), mesh.points.size());
   Planar_location location(mesh, s);
   location.check_random_points(5000);
   location.check_points_on_edges();

@@ -63,7 +63,7 @@ TEST(Point_location, points_return)
 {
   test_surfaces::for_each_overlaid_surface([](const std::string& name, const Overlaid& s) {
     SCOPED_TRACE(name);
-    const IT::Point_location location(s.triangulation, s.overlay, s.positions);
+    const IT::Point_location location(s.subdivision);
     const auto input_length = [&](IT::Halfedge_index h) { return s.input_length(h); };
     std::vector<double> lengths;
     for (IT::Edge_index e : s.intrinsic().edges())
@@ -93,7 +93,7 @@ TEST(Point_location, vertices_are_vertices)
 {
   test_surfaces::for_each_overlaid_surface([](const std::string& name, const Overlaid& s) {
     SCOPED_TRACE(name);
-    const IT::Point_location location(s.triangulation, s.overlay, s.positions);
+    const IT::Point_location location(s.subdivision);
     const auto check = [&](const IT::Delta_complex& from, const IT::Delta_complex& to, auto map) {
       for (IT::Halfedge_index h : from.halfedges()) {
         if (from.is_border(h))
@@ -119,10 +119,10 @@ TEST(Point_location, points_of_common_edges_stay_on_them)
 {
   test_surfaces::for_each_overlaid_surface([](const std::string& name, const Overlaid& s) {
     SCOPED_TRACE(name);
-    const IT::Point_location location(s.triangulation, s.overlay, s.positions);
-    for (IT::Overlay::Halfedge part : s.overlay.halfedges()) {
-      const IT::Halfedge_index h = s.overlay.input_halfedge(part), g = s.overlay.intrinsic_halfedge(part);
-      if (!h.is_valid() || !g.is_valid() || s.overlay.is_border(part))
+    const IT::Point_location location(s.subdivision);
+    for (IT::Overlay::Halfedge part : s.overlay().halfedges()) {
+      const IT::Halfedge_index h = s.overlay().input_halfedge(part), g = s.overlay().intrinsic_halfedge(part);
+      if (!h.is_valid() || !g.is_valid() || s.overlay().is_border(part))
         continue;
       for (const IT::Surface_point& p : {IT::Surface_point{h, {3, 1, 0}},
                                          IT::Surface_point{s.input().next(h), {1, 0, 3}},
@@ -142,15 +142,15 @@ TEST(Point_location, the_diagonals_of_a_parallelogram_meet_in_the_middle)
   const IT::Glued_triangles torus = IT::one_vertex_torus(3, 4, 6);
   const Overlaid s(test_surfaces::triangulation<IT::Filtered_edge_length_traits>(
     test_surfaces::from_gluing("torus", torus)));
-  ASSERT_EQ(s.overlay.number_of_crossings(), 1u);
-  const IT::Point_location location(s.triangulation, s.overlay, s.positions);
-  const IT::Overlay::Vertex x = *s.overlay.crossings().begin();
-  const IT::Halfedge_index h = s.input().halfedge(s.overlay.input_edge(x));
+  ASSERT_EQ(s.overlay().number_of_crossings(), 1u);
+  const IT::Point_location location(s.subdivision);
+  const IT::Overlay::Vertex x = *s.overlay().crossings().begin();
+  const IT::Halfedge_index h = s.input().halfedge(s.overlay().input_edge(x));
   const IT::Surface_point q = location.input_to_intrinsic({h, {1, 1, 0}});
-  EXPECT_EQ(s.intrinsic().edge(q.halfedge), s.overlay.intrinsic_edge(x));
+  EXPECT_EQ(s.intrinsic().edge(q.halfedge), s.overlay().intrinsic_edge(x));
   EXPECT_EQ(q.coordinates, (std::array<double, 3>{0.5, 0.5, 0}));
   const IT::Surface_point r = location.intrinsic_to_input(q);
-  EXPECT_EQ(s.input().edge(r.halfedge), s.overlay.input_edge(x));
+  EXPECT_EQ(s.input().edge(r.halfedge), s.overlay().input_edge(x));
   EXPECT_EQ(r.coordinates, (std::array<double, 3>{0.5, 0.5, 0}));
   // An ulp beside it, the point is in a face.
   EXPECT_EQ(location.input_to_intrinsic({h, {1, 1 - 0x1p-53, 0}}).dimension(), 2);
@@ -160,7 +160,7 @@ TEST(Point_location, the_diagonals_of_a_parallelogram_meet_in_the_middle)
 TEST(Point_location, coordinates_of_any_magnitude)
 {
   const Overlaid s(IT::bumpy_sphere(8, 6));
-  const IT::Point_location location(s.triangulation, s.overlay, s.positions);
+  const IT::Point_location location(s.subdivision);
   std::mt19937_64 random(1);
   for (int i = 0; i < 1000; ++i) {
     IT::Surface_point p = test_surfaces::random_point(s.input(), random);
@@ -183,7 +183,7 @@ TEST(Point_location, coordinates_of_any_magnitude)
 TEST(Point_location, says_what_is_wrong_with_a_point)
 {
   const Overlaid s(IT::sheared_grid(3, 3));
-  const IT::Point_location location(s.triangulation, s.overlay, s.positions);
+  const IT::Point_location location(s.subdivision);
   IT::Halfedge_index inner, border;
   for (IT::Halfedge_index h : s.input().halfedges())
     (s.input().is_border(h) ? border : inner) = h;

@@ -33,7 +33,7 @@ double norm(const Matrix& a) { return a.norm(); }
 // of the overlay. Areas are those of the places of the corners in the plane of the input face.
 Matrix overlay_mass_matrix(const Overlaid& s)
 {
-  const IT::Overlay& overlay = s.overlay;
+  const IT::Overlay& overlay = s.overlay();
   std::vector<Eigen::Triplet<double>> entries;
   for (IT::Overlay::Face f : overlay.faces()) {
     const IT::Halfedge_index first = s.input().halfedge(overlay.input_face(f));
@@ -44,7 +44,7 @@ Matrix overlay_mass_matrix(const Overlaid& s)
     std::vector<int> vertices;
     IT::Overlay::Halfedge h = overlay.halfedge(f);
     do {
-      const double t = s.positions.on_input_side(overlay, h);
+      const double t = s.positions().on_input_side(overlay, h);
       places.push_back(test_surfaces::combination(
         corners,
         test_surfaces::coordinates_from(s.input(), {overlay.input_side(h), {1 - t, t, 0}}, first)));
@@ -92,10 +92,10 @@ TEST(Transfer_matrices, interpolation_is_that_of_the_functions)
       EXPECT_NEAR((matrix * values - Eigen::Map<const Vector>(expected.data(), matrix.rows())).norm(), 0,
                   1e-14 * std::sqrt(double(matrix.rows())));
     };
-    expect_equal(IT::input_interpolation_matrix(s.overlay, s.positions, s.input()),
-                 IT::interpolate_input_values(s.overlay, s.positions, s.input(), values));
-    expect_equal(IT::intrinsic_interpolation_matrix(s.overlay, s.positions, s.intrinsic()),
-                 IT::interpolate_intrinsic_values(s.overlay, s.positions, s.intrinsic(), values));
+    expect_equal(IT::input_interpolation_matrix(s.subdivision),
+                 IT::interpolate_input_values(s.subdivision, values));
+    expect_equal(IT::intrinsic_interpolation_matrix(s.subdivision),
+                 IT::interpolate_intrinsic_values(s.subdivision, values));
   });
 }
 
@@ -104,10 +104,10 @@ TEST(Transfer_matrices, integrals_are_those_over_the_overlay)
   test_surfaces::for_each_overlaid_surface([](const std::string& name, const Overlaid& s) {
     SCOPED_TRACE(name);
     const IT::Transfer_mass_matrices mass =
-      IT::transfer_mass_matrices(s.triangulation, s.overlay, s.positions);
+      IT::transfer_mass_matrices(s.subdivision);
     const Matrix on_overlay = overlay_mass_matrix(s),
-                 from_input = IT::input_interpolation_matrix(s.overlay, s.positions, s.input()),
-                 from_intrinsic = IT::intrinsic_interpolation_matrix(s.overlay, s.positions, s.intrinsic());
+                 from_input = IT::input_interpolation_matrix(s.subdivision),
+                 from_intrinsic = IT::intrinsic_interpolation_matrix(s.subdivision);
     const double tolerance = 1e-13 * norm(mass.input);
     EXPECT_LE(norm(Matrix(from_input.transpose() * on_overlay * from_input - mass.input)), tolerance);
     EXPECT_LE(norm(Matrix(from_intrinsic.transpose() * on_overlay * from_intrinsic - mass.intrinsic)),
@@ -129,7 +129,7 @@ TEST(Transfer_matrices, rows_sum_to_integrals_and_all_to_the_area)
   test_surfaces::for_each_overlaid_surface([](const std::string& name, const Overlaid& s) {
     SCOPED_TRACE(name);
     const IT::Transfer_mass_matrices mass =
-      IT::transfer_mass_matrices(s.triangulation, s.overlay, s.positions);
+      IT::transfer_mass_matrices(s.subdivision);
     const Vector ones = Vector::Ones(mass.mixed.rows());
     double area = 0;
     for (IT::Face_index f : s.input().faces())
@@ -149,12 +149,12 @@ TEST(Transfer_matrices, the_projection_is_optimal)
   test_surfaces::for_each_overlaid_surface([](const std::string& name, const Overlaid& s) {
     SCOPED_TRACE(name);
     const IT::Transfer_mass_matrices mass =
-      IT::transfer_mass_matrices(s.triangulation, s.overlay, s.positions);
+      IT::transfer_mass_matrices(s.subdivision);
     const IT::L2_projection to_input = IT::L2_projection_to_input(mass),
                             to_intrinsic = IT::L2_projection_to_intrinsic(mass);
     const Matrix on_overlay = overlay_mass_matrix(s),
-                 from_input = IT::input_interpolation_matrix(s.overlay, s.positions, s.input()),
-                 from_intrinsic = IT::intrinsic_interpolation_matrix(s.overlay, s.positions, s.intrinsic());
+                 from_input = IT::input_interpolation_matrix(s.subdivision),
+                 from_intrinsic = IT::intrinsic_interpolation_matrix(s.subdivision);
     const Vector values = Vector::Random(mass.mixed.rows()), ones = Vector::Ones(mass.mixed.rows());
     const auto check = [&](const IT::L2_projection& project, const Matrix& from_source,
                            const Matrix& from_target) {
@@ -191,17 +191,17 @@ TEST(Transfer_matrices, the_projection_leaves_functions_of_the_target_as_they_ar
 {
   const IT::Indexed_triangles grid = IT::sheared_grid(12, 12, 3.3);
   const Overlaid sheared(grid), unflipped(IT::random_diagonal_grid(8, 8, 1, 0));
-  ASSERT_GT(sheared.overlay.number_of_crossings(), 100u);
-  ASSERT_EQ(unflipped.overlay.number_of_crossings(), 0u);
+  ASSERT_GT(sheared.overlay().number_of_crossings(), 100u);
+  ASSERT_EQ(unflipped.overlay().number_of_crossings(), 0u);
   Eigen::MatrixXd places(grid.points.size(), 2);
   for (std::size_t v = 0; v < grid.points.size(); ++v)
     places.row(Eigen::Index(v)) << grid.points[v][0], grid.points[v][1];
-  const auto mass = IT::transfer_mass_matrices(sheared.triangulation, sheared.overlay, sheared.positions);
+  const auto mass = IT::transfer_mass_matrices(sheared.subdivision);
   EXPECT_LE((IT::L2_projection_to_input(mass)(places) - places).norm(), 1e-11);
   EXPECT_LE((IT::L2_projection_to_intrinsic(mass)(places) - places).norm(), 1e-11);
 
   const auto same =
-    IT::transfer_mass_matrices(unflipped.triangulation, unflipped.overlay, unflipped.positions);
+    IT::transfer_mass_matrices(unflipped.subdivision);
   const Vector values = Vector::Random(same.mixed.rows());
   EXPECT_LE((IT::L2_projection_to_intrinsic(same)(values) - values).norm(), 1e-12);
 }
@@ -212,7 +212,7 @@ TEST(Transfer_matrices, isolated_vertices_keep_their_values)
   surface.points.push_back({7, 7, 7});
   const Overlaid s(surface);
   const auto project =
-    IT::L2_projection_to_input(IT::transfer_mass_matrices(s.triangulation, s.overlay, s.positions));
+    IT::L2_projection_to_input(IT::transfer_mass_matrices(s.subdivision));
   const Vector values = Vector::Random(Eigen::Index(surface.points.size()));
   EXPECT_EQ(project(values)[values.size() - 1], values[values.size() - 1]);
 }
@@ -228,7 +228,7 @@ TEST(Transfer_matrices, areas_out_of_range_are_errors)
       for (double& x : p)
         x *= scale;
     const Overlaid s(surface);
-    const auto matrices = IT::transfer_mass_matrices(s.triangulation, s.overlay, s.positions);
+    const auto matrices = IT::transfer_mass_matrices(s.subdivision);
     Vector values(s.input().number_of_vertices());
     for (Eigen::Index v = 0; v < values.size(); ++v)
       values[v] = double(v % 3);

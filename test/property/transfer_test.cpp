@@ -42,13 +42,13 @@ std::vector<Part> around(const IT::Overlay& overlay, IT::Overlay::Face f)
 // Where the target of a part lies, on a side of the input face.
 IT::Surface_point in_input(const Overlaid& s, Part h)
 {
-  const double t = s.positions.on_input_side(s.overlay, h);
-  return {s.overlay.input_side(h), {1 - t, t, 0}};
+  const double t = s.positions().on_input_side(s.overlay(), h);
+  return {s.overlay().input_side(h), {1 - t, t, 0}};
 }
 IT::Surface_point in_intrinsic(const Overlaid& s, Part h)
 {
-  const double t = s.positions.on_intrinsic_side(s.overlay, h);
-  return {s.overlay.intrinsic_side(h), {1 - t, t, 0}};
+  const double t = s.positions().on_intrinsic_side(s.overlay(), h);
+  return {s.overlay().intrinsic_side(h), {1 - t, t, 0}};
 }
 
 double area(const std::vector<Point_2>& polygon)
@@ -70,19 +70,19 @@ void expect_isometric(const Overlaid& s)
     lengths.push_back(s.triangulation.length(e));
   for (IT::Face_index f : s.intrinsic().faces())
     areas.push_back(s.triangulation.area(f));
-  const std::vector<double> overlay_areas = IT::face_areas(s.triangulation, s.overlay, s.positions);
+  const std::vector<double> overlay_areas = IT::face_areas(s.subdivision);
   std::vector<double> sums_in_input(s.input().number_of_faces(), 0), sums_in_intrinsic(areas.size(), 0);
-  for (IT::Overlay::Face f : s.overlay.faces()) {
-    const IT::Halfedge_index h = s.input().halfedge(s.overlay.input_face(f)),
-                             g = s.intrinsic().halfedge(s.overlay.intrinsic_face(f));
+  for (IT::Overlay::Face f : s.overlay().faces()) {
+    const IT::Halfedge_index h = s.input().halfedge(s.overlay().input_face(f)),
+                             g = s.intrinsic().halfedge(s.overlay().intrinsic_face(f));
     const auto input_corners = test_surfaces::laid_out(
       s.input(), h, [&](IT::Halfedge_index e) { return s.input_length(e); },
-      s.input_area(s.overlay.input_face(f)));
+      s.input_area(s.overlay().input_face(f)));
     const auto intrinsic_corners = test_surfaces::laid_out(
       s.intrinsic(), g, [&](IT::Halfedge_index e) { return lengths[e.idx() / 2]; },
-      areas[s.overlay.intrinsic_face(f).idx()]);
+      areas[s.overlay().intrinsic_face(f).idx()]);
     std::vector<Point_2> a, b;
-    for (Part part : around(s.overlay, f)) {
+    for (Part part : around(s.overlay(), f)) {
       a.push_back(test_surfaces::combination(
         input_corners, test_surfaces::coordinates_from(s.input(), in_input(s, part), h)));
       b.push_back(test_surfaces::combination(
@@ -98,8 +98,8 @@ void expect_isometric(const Overlaid& s)
                     1e-13 * longest);
     ASSERT_NEAR(overlay_areas[f.idx()], area(a), 1e-14 * longest * longest);
     ASSERT_NEAR(overlay_areas[f.idx()], area(b), 1e-14 * longest * longest);
-    sums_in_input[s.overlay.input_face(f).idx()] += overlay_areas[f.idx()];
-    sums_in_intrinsic[s.overlay.intrinsic_face(f).idx()] += overlay_areas[f.idx()];
+    sums_in_input[s.overlay().input_face(f).idx()] += overlay_areas[f.idx()];
+    sums_in_intrinsic[s.overlay().intrinsic_face(f).idx()] += overlay_areas[f.idx()];
   }
   for (IT::Face_index f : s.input().faces())
     ASSERT_NEAR(sums_in_input[f.idx()], s.input_area(f), 1e-12 * s.input_area(f));
@@ -138,9 +138,9 @@ TEST(Transfer, constants_stay_constant)
     SCOPED_TRACE(name);
     const std::vector<double> ones(s.input().number_of_vertices(), 1);
     for (const std::vector<double>& values :
-         {IT::interpolate_input_values(s.overlay, s.positions, s.input(), ones),
-          IT::interpolate_intrinsic_values(s.overlay, s.positions, s.intrinsic(), ones)}) {
-      ASSERT_EQ(values.size(), s.overlay.number_of_vertices());
+         {IT::interpolate_input_values(s.subdivision, ones),
+          IT::interpolate_intrinsic_values(s.subdivision, ones)}) {
+      ASSERT_EQ(values.size(), s.overlay().number_of_vertices());
       for (double x : values)
         ASSERT_NEAR(x, 1, 1e-15);
     }
@@ -164,12 +164,12 @@ TEST(Transfer, linear_functions_stay_linear_in_the_plane)
     std::vector<Vector_2> places;
     for (const std::array<double, 3>& p : surface.points)
       places.push_back({p[0], p[1]});
-    const auto from_input = IT::interpolate_input_values(s.overlay, s.positions, s.input(), places),
+    const auto from_input = IT::interpolate_input_values(s.subdivision, places),
                from_intrinsic =
-                 IT::interpolate_intrinsic_values(s.overlay, s.positions, s.intrinsic(), places);
+                 IT::interpolate_intrinsic_values(s.subdivision, places);
     ASSERT_EQ(from_input.size(), from_intrinsic.size());
-    for (IT::Overlay::Vertex v : s.overlay.vertices()) {
-      const auto in_space = s.positions.point(s.overlay, s.input(), surface.points, v);
+    for (IT::Overlay::Vertex v : s.overlay().vertices()) {
+      const auto in_space = s.subdivision.point(v, surface.points);
       ASSERT_NEAR(from_input[v.idx()].x, in_space[0], 1e-13 * 100);
       ASSERT_NEAR(from_input[v.idx()].y, in_space[1], 1e-13 * 100);
       ASSERT_NEAR(from_intrinsic[v.idx()].x, in_space[0], 1e-13 * 100);
@@ -184,10 +184,10 @@ TEST(Transfer, along_a_loop_vertex_data_are_constant)
   std::vector<double> numbers;
   for (IT::Vertex_index v : s.intrinsic().vertices())
     numbers.push_back(v.idx());
-  const auto values = IT::interpolate_intrinsic_values(s.overlay, s.positions, s.intrinsic(), numbers);
+  const auto values = IT::interpolate_intrinsic_values(s.subdivision, numbers);
   int on_loops = 0;
-  for (IT::Overlay::Vertex x : s.overlay.crossings()) {
-    const IT::Edge_index e = s.overlay.intrinsic_edge(x);
+  for (IT::Overlay::Vertex x : s.overlay().crossings()) {
+    const IT::Edge_index e = s.overlay().intrinsic_edge(x);
     if (!s.intrinsic().is_loop(e))
       continue;
     ++on_loops;
@@ -226,7 +226,7 @@ Vector_2 seen_on_overlay(const Overlaid& s, const std::vector<IT::Overlay::Face>
   double best = -1e300;
   Vector_2 result;
   for (IT::Overlay::Face f : faces) {
-    const std::vector<Part> parts = around(s.overlay, f);
+    const std::vector<Part> parts = around(s.overlay(), f);
     for (std::size_t i = 1; i + 1 < parts.size(); ++i) {
       const std::array<Part, 3> triangle{parts[0], parts[i], parts[i + 1]};
       std::array<Point_2, 3> places;
@@ -262,10 +262,10 @@ TEST(Transfer, a_textured_surface_looks_the_same)
             test_surfaces::from_gluing("gluing", IT::random_gluing(41, 3, true, true))))}) {
       const std::vector<Vector_2> before = texture_coordinates(s, all_seams);
       const std::vector<Vector_2> after =
-        IT::interpolate_input_corner_values(s.overlay, s.positions, s.input(), before);
+        IT::interpolate_input_corner_values(s.subdivision, before);
       std::vector<std::vector<IT::Overlay::Face>> faces(s.input().number_of_faces());
-      for (IT::Overlay::Face f : s.overlay.faces())
-        faces[s.overlay.input_face(f).idx()].push_back(f);
+      for (IT::Overlay::Face f : s.overlay().faces())
+        faces[s.overlay().input_face(f).idx()].push_back(f);
       std::mt19937_64 random(2);
       for (int i = 0; i < 12500; ++i) {
         const IT::Surface_point p = test_surfaces::random_point(s.input(), random);
@@ -287,14 +287,14 @@ TEST(Transfer, seams_stay_where_they_were)
   const Overlaid s(IT::bumpy_sphere(20, 12));
   const std::vector<Vector_2> before = texture_coordinates(s, false);
   const std::vector<Vector_2> after =
-    IT::interpolate_input_corner_values(s.overlay, s.positions, s.input(), before);
+    IT::interpolate_input_corner_values(s.subdivision, before);
   int seams = 0;
-  for (Part h : s.overlay.halfedges()) {
-    Part in_other_face = s.overlay.opposite(h); // the one before it points to the target of h
-    while (s.overlay.next(in_other_face) != s.overlay.opposite(h))
-      in_other_face = s.overlay.next(in_other_face);
+  for (Part h : s.overlay().halfedges()) {
+    Part in_other_face = s.overlay().opposite(h); // the one before it points to the target of h
+    while (s.overlay().next(in_other_face) != s.overlay().opposite(h))
+      in_other_face = s.overlay().next(in_other_face);
     const double jump = std::abs(after[h.idx()].x - after[in_other_face.idx()].x);
-    const IT::Halfedge_index edge = s.overlay.input_halfedge(h);
+    const IT::Halfedge_index edge = s.overlay().input_halfedge(h);
     const auto is_marked = [&](IT::Halfedge_index g) { return s.input().face(g).idx() % 7 == 0; };
     if (edge.is_valid() && is_marked(edge) != is_marked(s.input().opposite(edge))) {
       ASSERT_NEAR(jump, 2, 1e-14);

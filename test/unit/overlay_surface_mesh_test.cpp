@@ -5,6 +5,7 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
@@ -134,7 +135,7 @@ TEST(Overlay_to_surface_mesh, kite)
   const Mesh input = kite();
   const auto t = IT::intrinsic_Delaunay_triangulation(input);
   ASSERT_EQ(t.report().flips, 1u);
-  Mesh mesh = IT::overlay_to_surface_mesh(t, input);
+  Mesh mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input);
   ASSERT_TRUE(mesh.is_valid());
   EXPECT_EQ(mesh.number_of_vertices(), 5u);
   EXPECT_EQ(mesh.number_of_edges(), 8u);
@@ -169,7 +170,7 @@ TEST(Overlay_to_surface_mesh, sample_surfaces)
        {IT::prism(12, 1), IT::helical_tube(), IT::bad_torus(12, 12), IT::latitude_longitude_sphere(10, 8)}) {
     const Mesh input = mesh_of(sample);
     const auto t = IT::intrinsic_Delaunay_triangulation(input);
-    Mesh mesh = IT::overlay_to_surface_mesh(t, input);
+    Mesh mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input);
     ASSERT_TRUE(mesh.is_valid());
     const auto euler = [](const Mesh& m) {
       return int(m.number_of_vertices()) - int(m.number_of_edges()) + int(m.number_of_faces());
@@ -206,7 +207,7 @@ TEST(Overlay_to_surface_mesh, exact_kernel_and_point_map)
   auto moved = input.add_property_map<V, Exact_point>("v:moved").first;
   for (V v : input.vertices())
     moved[v] = input.point(v) + CGAL::Exact_predicates_exact_constructions_kernel::Vector_3(0, 0, 5);
-  const auto mesh = IT::overlay_to_surface_mesh(t, input, CGAL::parameters::vertex_point_map(moved));
+  const auto mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input, CGAL::parameters::vertex_point_map(moved));
   EXPECT_NEAR(CGAL::to_double(mesh.point(V(4)).x()), 7. / 3, 1e-15);
   EXPECT_EQ(mesh.point(V(4)).z(), 5);
 }
@@ -224,7 +225,7 @@ TEST(Overlay_to_surface_mesh, keeps_loops_and_multiple_edges_apart)
   }
   ASSERT_TRUE(t.connectivity().is_loop(IT::Edge_index(
     t.connectivity().edge(t.connectivity().prev(t.connectivity().halfedge(IT::Vertex_index(3)))))));
-  Mesh mesh = IT::overlay_to_surface_mesh(t, input);
+  Mesh mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input);
   ASSERT_TRUE(mesh.is_valid());
   expect_right_places(mesh, input, t);
   IT::triangulate_overlay_faces(mesh);
@@ -238,7 +239,7 @@ TEST(Overlay_to_surface_mesh, refuses_a_wrong_number_of_points)
   const auto t = IT::intrinsic_Delaunay_triangulation(input);
   Mesh more = input;
   more.add_vertex(Point(1, 1, 1));
-  EXPECT_THROW(IT::overlay_to_surface_mesh(t, more), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::overlay_to_surface_mesh(IT::Common_subdivision(t), more), IT::Invalid_surface_error);
 }
 
 TEST(Triangulate_overlay_faces, makes_no_triangle_of_zero_area_where_it_can)

@@ -6,6 +6,7 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
@@ -59,7 +60,11 @@ TEST(Progress, overlay)
   ASSERT_GT(t.connectivity().number_of_edges(), 10000u);
   const IT::Overlay overlay(t);
   expect_progress([&](const IT::Progress_function& progress) { IT::Overlay(t, progress); }, 8);
-  expect_progress([&](const IT::Progress_function& progress) { IT::Overlay_positions(t, overlay, progress); }, 3);
+  const auto find_positions = [&](const IT::Progress_function& progress) {
+    IT::Overlay_positions(t.connectivity(), t.exact_geometry(), overlay, progress);
+  };
+  expect_progress(find_positions, 3);
+  expect_progress([&](const IT::Progress_function& progress) { IT::Common_subdivision(t, progress); }, 11);
 }
 
 TEST(Progress, circle_pattern)

@@ -66,7 +66,7 @@ enum class Segment_label : std::uint8_t {
 /// intrinsic edges. Its edges are the segments into which crossings cut the edges. Each of
 /// its faces is the convex intersection of one input face and one intrinsic face. At a
 /// crossing four segments meet, alternately of an input and of an intrinsic edge. The overlay
-/// has neither coordinates nor lengths; see `Overlay_positions`.
+/// has neither coordinates nor lengths; see `Common_subdivision`.
 ///
 /// The overlay is built from the integers of `Normal_coordinates`; later flips do not change
 /// it. It is a halfedge graph like `Delta_complex`, with faces of any degree:

@@ -16,19 +16,14 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <type_traits>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
-
-template <class Traits>
-class Intrinsic_triangulation;
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 ///
@@ -46,26 +41,20 @@ class Overlay_positions
 public:
   /// \brief computes all positions.
   ///
+  /// `Common_subdivision` does it for a triangulation.
+  ///
   /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: the positions
   ///   are the same, and `progress` is called only at the beginning
-  /// \param triangulation a triangulation that keeps its input
-  /// \param overlay its overlay
+  /// \param intrinsic the current connectivity
+  /// \param geometry the exact geometry of the input
+  /// \param overlay their overlay
   /// \param progress is called during the computation
+  /// \pre `geometry.prepare()` was called
   /// \exception Undecided_error if an edge is not a straight line over the input triangles: an
   ///   inexact number type has flipped a hinge that is not convex
   /// \exception Cancelled_error if `progress` returns `false`
   ///
   /// O(size of the overlay) arithmetic operations.
-  template <class Traits, class ConcurrencyTag = Sequential_tag>
-  Overlay_positions(const Intrinsic_triangulation<Traits>& triangulation, const Overlay& overlay,
-                    const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : Overlay_positions(triangulation.connectivity(), triangulation.exact_geometry(), overlay, progress,
-                        ConcurrencyTag())
-  {}
-
-  /// \brief as above, from the current connectivity and the exact geometry of the input.
-  /// \tparam ConcurrencyTag as above
-  /// \pre `geometry.prepare()` was called
   template <class ConcurrencyTag = Sequential_tag>
   Overlay_positions(const Delta_complex& intrinsic, const Exact_geometry& geometry,
                     const Overlay& overlay, const Progress_function& progress = {},
@@ -127,32 +116,6 @@ public:
       return overlay.is_crossing(v) ? positions[index(v)] : at_vertex;
     };
     return position(overlay.target(h), 1) - position(overlay.source(h), 0);
-  }
-
-  /// \brief returns the point in space of a vertex of the overlay, on an input edge.
-  ///
-  /// \param overlay the overlay
-  /// \param input the input, as returned by `Correspondence::input()`
-  /// \param points a random access range of the points of the vertices of the surface, each with
-  ///   three coordinates
-  /// \param v a vertex of the overlay
-  /// \return the coordinates, each within a few units in the last place of the larger one at
-  ///   the ends of the edge
-  template <class PointRange>
-  std::array<double, 3> point(const Overlay& overlay, const Delta_complex& input,
-                              const PointRange& points, Overlay::Vertex v) const
-  {
-    if (!overlay.is_crossing(v)) {
-      const auto& p = points[v.idx()];
-      return {to_double(p[0]), to_double(p[1]), to_double(p[2])};
-    }
-    const Halfedge_index h = input.halfedge(overlay.input_edge(v));
-    const auto &p = points[input.source(h).idx()], &q = points[input.target(h).idx()];
-    const double t = on_input_edge(v);
-    std::array<double, 3> result{};
-    for (int i = 0; i < 3; ++i)
-      result[i] = (1 - t) * to_double(p[i]) + t * to_double(q[i]);
-    return result;
   }
 
 private:

@@ -36,6 +36,14 @@ inline void report_progress(const Progress_function& progress, double fraction, 
     throw Cancelled_error(std::string(what) + " was cancelled");
 }
 
+// For a computation that is the part from `begin` to `end` of another one.
+inline Progress_function part_of_progress(const Progress_function& progress, double begin, double end)
+{
+  if (!progress)
+    return {};
+  return [&progress, begin, end](double fraction) { return progress(begin + (end - begin) * fraction); };
+}
+
 // How far an iteration is whose error falls from `first` to `tolerance`: the digits that it has.
 inline double fraction_of_digits(double first, double error, double tolerance)
 {

@@ -8,9 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_AREAS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_AREAS_H
 
-#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/affine_image.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
@@ -55,31 +54,28 @@ struct Overlay_fan
 // The areas of the faces of both triangulations, in the unit of the input.
 struct Areas_in_both
 {
-  template <class Traits>
-  explicit Areas_in_both(const Intrinsic_triangulation<Traits>& triangulation)
+  explicit Areas_in_both(const Common_subdivision& subdivision)
   {
-    const Exact_geometry& geometry = triangulation.exact_geometry();
-    const Delta_complex& complex = geometry.correspondence().input();
+    const Exact_geometry& geometry = subdivision.exact_geometry();
+    const Delta_complex& complex = subdivision.input();
     for (Face_index f : complex.faces())
       input.push_back(
         area_in_input_unit(geometry.metric().four_areas_double_double(complex, f).hi() / 4,
                            geometry.metric().unit_exponent(), f));
-    for (Face_index f : triangulation.connectivity().faces())
-      intrinsic.push_back(geometry.area(triangulation.connectivity(), f));
+    for (Face_index f : subdivision.intrinsic().faces())
+      intrinsic.push_back(geometry.area(subdivision.intrinsic(), f));
   }
 
   std::vector<double> input, intrinsic;
 };
 
 // Calls `visit(f, fan)` for each face f of the overlay.
-template <class Traits, class Visit>
-void for_each_overlay_fan(const Intrinsic_triangulation<Traits>& triangulation,
-                          const Overlay& overlay, const Overlay_positions& positions,
-                          const Areas_in_both& areas, const Visit& visit)
+template <class Visit>
+void for_each_overlay_fan(const Common_subdivision& subdivision, const Areas_in_both& areas, const Visit& visit)
 {
-  const Input_layer input{triangulation.exact_geometry().correspondence().input(), overlay, positions};
-  const Intrinsic_layer intrinsic{triangulation.connectivity(), overlay, positions};
-  for (Overlay::Face f : overlay.faces()) {
+  const Input_layer input{subdivision.input(), subdivision.overlay(), subdivision.positions()};
+  const Intrinsic_layer intrinsic{subdivision.intrinsic(), subdivision.overlay(), subdivision.positions()};
+  for (Overlay::Face f : subdivision.overlay().faces()) {
     const Face_index in_input = input.face(f), in_intrinsic = intrinsic.face(f);
     visit(f, Overlay_fan{corners_in_both(input, input.complex.halfedge(in_input), intrinsic,
                                          intrinsic.complex.halfedge(in_intrinsic), f),
@@ -96,17 +92,12 @@ void for_each_overlay_fan(const Intrinsic_triangulation<Traits>& triangulation,
 /// It is the fraction of its input face or intrinsic face that the face covers, times the
 /// area of that face, so no embedding is needed. The error is a few units in the last place of the
 /// area of the smaller of the two.
-/// \param triangulation a triangulation that keeps its input
-/// \param overlay its overlay
-/// \param positions the positions of the crossings. O(size of the overlay).
+/// \param subdivision the common subdivision. O(size of the overlay).
 /// \exception Invalid_surface_error as `area()` of `Exact_geometry`
-template <class Traits>
-std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulation,
-                               const Overlay& overlay, const Overlay_positions& positions)
+inline std::vector<double> face_areas(const Common_subdivision& subdivision)
 {
-  std::vector<double> areas(overlay.number_of_faces());
-  internal::for_each_overlay_fan(triangulation, overlay, positions,
-                                 internal::Areas_in_both(triangulation),
+  std::vector<double> areas(subdivision.overlay().number_of_faces());
+  internal::for_each_overlay_fan(subdivision, internal::Areas_in_both(subdivision),
                                  [&](Overlay::Face f, const internal::Overlay_fan& fan) {
                                    double area = 0;
                                    for (std::size_t i = 0; i < fan.size(); ++i)

@@ -8,10 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_SURFACE_MESH_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_SURFACE_MESH_H
 
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/convex_polygon_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/find_property_map.h>
@@ -47,9 +45,9 @@ namespace internal {
 // The mesh without its corner points, which take more memory than all the rest; a file has no
 // use for them.
 template <class PointRange>
-auto overlay_to_surface_mesh_without_corners(const Overlay& overlay, const Overlay_positions& positions,
-                                             const Delta_complex& input, const PointRange& points)
+auto overlay_to_surface_mesh_without_corners(const Common_subdivision& subdivision, const PointRange& points)
 {
+  const Overlay& overlay = subdivision.overlay();
   using Point = std::decay_t<decltype(*std::begin(points))>;
   using Mesh = CGAL::Surface_mesh<Point>;
   using Vertex = typename Mesh::Vertex_index;
@@ -63,7 +61,7 @@ auto overlay_to_surface_mesh_without_corners(const Overlay& overlay, const Overl
   for (const Point& p : original_points)
     mesh.add_vertex(p);
   for (Overlay::Vertex x : overlay.crossings()) {
-    const auto [a, b, c] = positions.point(overlay, input, original_points, x);
+    const auto [a, b, c] = subdivision.point(x, original_points);
     mesh.add_vertex(Point{a, b, c});
   }
   copy_links(overlay, mesh);
@@ -106,26 +104,22 @@ auto overlay_to_surface_mesh_without_corners(const Overlay& overlay, const Overl
 /// barycentric coordinate is 0. Border halfedges have no corner: their points have the null
 /// halfedge. `CGAL::IO::write_PLY()` writes the property maps of numbers with the mesh.
 ///
-/// \param overlay the overlay
-/// \param positions the positions of its crossings
-/// \param input the input, as returned by `Correspondence::input()`
-/// \param intrinsic the intrinsic triangulation
+/// \param subdivision the common subdivision
 /// \param points a point for each vertex of the surface, in their order
 /// \exception Invalid_surface_error if there are fewer or more points than vertices. O(size).
-template <class PointRange>
-auto overlay_to_surface_mesh(const Overlay& overlay, const Overlay_positions& positions,
-                             const Delta_complex& input, const Delta_complex& intrinsic,
-                             const PointRange& points)
+template <class PointRange, class = std::enable_if_t<boost::has_range_const_iterator<PointRange>::value>>
+auto overlay_to_surface_mesh(const Common_subdivision& subdivision, const PointRange& points)
 {
-  auto mesh = internal::overlay_to_surface_mesh_without_corners(overlay, positions, input, points);
+  const Overlay& overlay = subdivision.overlay();
+  auto mesh = internal::overlay_to_surface_mesh_without_corners(subdivision, points);
   using Halfedge = typename decltype(mesh)::Halfedge_index;
   const Surface_point none{Halfedge_index(), {0, 0, 0}};
   auto input_point =
     mesh.template add_property_map<Halfedge, Surface_point>("h:input_point", none).first;
   auto intrinsic_point =
     mesh.template add_property_map<Halfedge, Surface_point>("h:intrinsic_point", none).first;
-  const internal::Input_layer input_layer{input, overlay, positions};
-  const internal::Intrinsic_layer intrinsic_layer{intrinsic, overlay, positions};
+  const internal::Input_layer input_layer{subdivision.input(), overlay, subdivision.positions()};
+  const internal::Intrinsic_layer intrinsic_layer{subdivision.intrinsic(), overlay, subdivision.positions()};
   const auto on_side = [](const auto& layer, Overlay::Halfedge h) {
     const double t = layer.on_side(h);
     return Surface_point{layer.side(h), {1 - t, t, 0}};
@@ -139,13 +133,12 @@ auto overlay_to_surface_mesh(const Overlay& overlay, const Overlay_positions& po
 }
 
 /// \ingroup PkgIntrinsicTriangulationsAdaptors
-/// \brief builds the overlay of a mesh and its intrinsic triangulation as a `Surface_mesh`.
-///
-/// As above, but also builds the overlay and its positions.
+/// \brief as above, with the points of a mesh.
 ///
 /// \tparam TriangleMesh a model of `VertexListGraph`
-/// \param triangulation a triangulation that keeps its input
-/// \param mesh the input
+/// \tparam NamedParameters a sequence of named parameters
+/// \param subdivision the common subdivision
+/// \param mesh the input, or another mesh with as many vertices
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
@@ -156,19 +149,13 @@ auto overlay_to_surface_mesh(const Overlay& overlay, const Overlay_positions& po
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \exception Invalid_surface_error if the numbers of vertices differ
-/// \exception Undecided_error as the constructor of `Overlay_positions`
-/// \exception Integer_overflow_error as the constructor of `Overlay`
-template <class Traits, class TriangleMesh,
-          class NamedParameters = parameters::Default_named_parameters>
-auto overlay_to_surface_mesh(const Intrinsic_triangulation<Traits>& triangulation,
-                             const TriangleMesh& mesh,
+/// \exception Invalid_surface_error if the numbers of vertices differ. O(size).
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters,
+          class = std::enable_if_t<!boost::has_range_const_iterator<TriangleMesh>::value>>
+auto overlay_to_surface_mesh(const Common_subdivision& subdivision, const TriangleMesh& mesh,
                              const NamedParameters& np = parameters::default_values())
 {
-  const Overlay overlay(triangulation);
-  return overlay_to_surface_mesh(overlay, Overlay_positions(triangulation, overlay),
-                                 triangulation.exact_geometry().correspondence().input(),
-                                 triangulation.connectivity(), internal::points_of(mesh, np));
+  return overlay_to_surface_mesh(subdivision, internal::points_of(mesh, np));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsAdaptors

@@ -8,10 +8,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_POINT_LOCATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_POINT_LOCATION_H
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Chord_search.h>
@@ -51,21 +50,16 @@ class Point_location
 public:
   /// \brief constructs the map. O(1).
   ///
-  /// The arguments must outlive the map, and the triangulation must not be flipped in the meantime.
-  /// \param triangulation a triangulation that keeps its input
-  /// \param overlay its overlay
-  /// \param positions the positions of the crossings
-  template <class Traits>
-  Point_location(const Intrinsic_triangulation<Traits>& triangulation, const Overlay& overlay,
-                 const Overlay_positions& positions)
-    : input_{triangulation.exact_geometry().correspondence().input(), overlay, positions},
-      intrinsic_{triangulation.connectivity(), overlay, positions},
-      exact_side_(triangulation.connectivity(), triangulation.exact_geometry(), overlay)
+  /// \param subdivision the common subdivision, which must outlive the map and stay where it is
+  explicit Point_location(const Common_subdivision& subdivision)
+    : input_{subdivision.input(), subdivision.overlay(), subdivision.positions()},
+      intrinsic_{subdivision.intrinsic(), subdivision.overlay(), subdivision.positions()},
+      exact_side_(subdivision.intrinsic(), subdivision.exact_geometry(), subdivision.overlay())
   {}
 
   /// \brief returns the position of a point of the input in the intrinsic triangulation.
   ///
-  /// \param point a point of the input: its coordinates and a halfedge of `Correspondence::input()`,
+  /// \param point a point of the input: its coordinates and a halfedge of `Common_subdivision::input()`,
   ///   which is the halfedge with the same number in the original input
   /// \return a vertex as a `halfedge` with this source and coordinates (1, 0, 0); a point on an edge with
   ///   the third coordinate zero; a point in a face with three positive coordinates

@@ -8,9 +8,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_H
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
 #include <CGAL/assertions.h>
@@ -64,18 +64,16 @@ auto interpolate_at_crossings(const Overlay& overlay, const Delta_complex& compl
 ///
 /// \tparam VertexValues a random access range with `size()`; values can be added and multiplied by
 ///   a `double` from the left, and are not integers
-/// \param overlay the overlay
-/// \param positions the positions of the crossings
-/// \param input the input, as returned by `Correspondence::input()`
+/// \param subdivision the common subdivision
 /// \param values the value of each vertex
 /// \return a vector with the value at each vertex of the overlay
 template <class VertexValues>
-auto interpolate_input_values(const Overlay& overlay, const Overlay_positions& positions,
-                              const Delta_complex& input, const VertexValues& values)
+auto interpolate_input_values(const Common_subdivision& subdivision, const VertexValues& values)
 {
   return internal::interpolate_at_crossings(
-    overlay, input, values, [&](Overlay::Vertex x) { return overlay.input_edge(x); },
-    [&](Overlay::Vertex x) { return positions.on_input_edge(x); });
+    subdivision.overlay(), subdivision.input(), values,
+    [&](Overlay::Vertex x) { return subdivision.overlay().input_edge(x); },
+    [&](Overlay::Vertex x) { return subdivision.positions().on_input_edge(x); });
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
@@ -83,17 +81,15 @@ auto interpolate_input_values(const Overlay& overlay, const Overlay_positions& p
 /// the vertices of the intrinsic triangulation; as `interpolate_input_values()`.
 ///
 /// It transfers a solution computed on the intrinsic triangulation back to the surface.
-/// \param overlay the overlay
-/// \param positions the positions of the crossings
-/// \param intrinsic the intrinsic triangulation
+/// \param subdivision the common subdivision
 /// \param values the value of each vertex
 template <class VertexValues>
-auto interpolate_intrinsic_values(const Overlay& overlay, const Overlay_positions& positions,
-                                  const Delta_complex& intrinsic, const VertexValues& values)
+auto interpolate_intrinsic_values(const Common_subdivision& subdivision, const VertexValues& values)
 {
   return internal::interpolate_at_crossings(
-    overlay, intrinsic, values, [&](Overlay::Vertex x) { return overlay.intrinsic_edge(x); },
-    [&](Overlay::Vertex x) { return positions.on_intrinsic_edge(x); });
+    subdivision.overlay(), subdivision.intrinsic(), values,
+    [&](Overlay::Vertex x) { return subdivision.overlay().intrinsic_edge(x); },
+    [&](Overlay::Vertex x) { return subdivision.positions().on_intrinsic_edge(x); });
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
@@ -105,17 +101,16 @@ auto interpolate_intrinsic_values(const Overlay& overlay, const Overlay_position
 ///
 /// \tparam CornerValues a random access range with `size()`; values can be added, multiplied by a
 ///   `double` from the left, and default-constructed
-/// \param overlay the overlay
-/// \param positions the positions of the crossings
-/// \param input the input, as returned by `Correspondence::input()`
+/// \param subdivision the common subdivision
 /// \param values for each halfedge of the input, the value in the corner of its face at its target;
 ///   those of border halfedges are ignored
 /// \return for each halfedge of the overlay, the value in the corner of its face at
 ///   its target; those of border halfedges are default-constructed
 template <class CornerValues>
-auto interpolate_input_corner_values(const Overlay& overlay, const Overlay_positions& positions,
-                                     const Delta_complex& input, const CornerValues& values)
+auto interpolate_input_corner_values(const Common_subdivision& subdivision, const CornerValues& values)
 {
+  const Overlay& overlay = subdivision.overlay();
+  const Delta_complex& input = subdivision.input();
   CGAL_precondition(values.size() == input.number_of_halfedges());
   using Value = internal::Value_of<CornerValues>;
   static_assert(!std::is_integral<Value>::value, "interpolation between integers would cut off");
@@ -124,7 +119,7 @@ auto interpolate_input_corner_values(const Overlay& overlay, const Overlay_posit
     if (overlay.is_border(h))
       continue;
     const Halfedge_index side = internal::input_side(input, overlay, h);
-    const double t = positions.on_input_side(overlay, h);
+    const double t = subdivision.positions().on_input_side(overlay, h);
     result[h.idx()] =
       Value((1 - t) * values[input.prev(side).idx()] + t * values[side.idx()]);
   }

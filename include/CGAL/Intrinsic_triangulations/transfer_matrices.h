@@ -8,11 +8,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_MATRICES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_MATRICES_H
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/overlay_areas.h>
 
@@ -69,24 +68,22 @@ inline std::array<int, 3> corner_vertices(const Delta_complex& complex, Face_ind
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// \brief returns `interpolate_input_values()` as a matrix: a row for each vertex of the overlay, a
 /// column for each vertex of the surface.
-inline Eigen::SparseMatrix<double> input_interpolation_matrix(const Overlay& overlay,
-                                                              const Overlay_positions& positions,
-                                                              const Delta_complex& input)
+inline Eigen::SparseMatrix<double> input_interpolation_matrix(const Common_subdivision& subdivision)
 {
   return internal::interpolation_matrix(
-    overlay, input, [&](Overlay::Vertex x) { return overlay.input_edge(x); },
-    [&](Overlay::Vertex x) { return positions.on_input_edge(x); });
+    subdivision.overlay(), subdivision.input(),
+    [&](Overlay::Vertex x) { return subdivision.overlay().input_edge(x); },
+    [&](Overlay::Vertex x) { return subdivision.positions().on_input_edge(x); });
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// \brief returns `interpolate_intrinsic_values()` as a matrix.
-inline Eigen::SparseMatrix<double>
-intrinsic_interpolation_matrix(const Overlay& overlay, const Overlay_positions& positions,
-                               const Delta_complex& intrinsic)
+inline Eigen::SparseMatrix<double> intrinsic_interpolation_matrix(const Common_subdivision& subdivision)
 {
   return internal::interpolation_matrix(
-    overlay, intrinsic, [&](Overlay::Vertex x) { return overlay.intrinsic_edge(x); },
-    [&](Overlay::Vertex x) { return positions.on_intrinsic_edge(x); });
+    subdivision.overlay(), subdivision.intrinsic(),
+    [&](Overlay::Vertex x) { return subdivision.overlay().intrinsic_edge(x); },
+    [&](Overlay::Vertex x) { return subdivision.positions().on_intrinsic_edge(x); });
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
@@ -104,23 +101,16 @@ struct Transfer_mass_matrices
 /// On each face of the overlay all hat functions are linear and their products quadratic. If several
 /// corners of a face are at the same vertex, the hat function of the vertex is the sum of those of the
 /// corners. Integrals are in the squared unit of the input, up to rounding. O(size of the overlay).
-/// \param triangulation a triangulation that keeps its input
-/// \param overlay its overlay
-/// \param positions the positions of the crossings
+/// \param subdivision the common subdivision
 /// \exception Invalid_surface_error as `area()` of `Exact_geometry`
-template <class Traits>
-Transfer_mass_matrices transfer_mass_matrices(const Intrinsic_triangulation<Traits>& triangulation,
-                                              const Overlay& overlay,
-                                              const Overlay_positions& positions)
+inline Transfer_mass_matrices transfer_mass_matrices(const Common_subdivision& subdivision)
 {
-  const Delta_complex &input_complex = triangulation.exact_geometry().correspondence().input(),
-                      &intrinsic_complex = triangulation.connectivity();
-  const internal::Areas_in_both areas(triangulation);
+  const Overlay& overlay = subdivision.overlay();
+  const internal::Areas_in_both areas(subdivision);
   internal::Triplets entries;
   entries.reserve(9 * std::size_t(overlay.number_of_faces()));
   internal::for_each_overlay_fan(
-    triangulation, overlay, positions, areas,
-    [&](Overlay::Face f, const internal::Overlay_fan& fan) {
+    subdivision, areas, [&](Overlay::Face f, const internal::Overlay_fan& fan) {
       Eigen::Matrix3d integrals = Eigen::Matrix3d::Zero();
       for (std::size_t i = 0; i < fan.size(); ++i) {
         Eigen::Matrix3d in_input, in_intrinsic; // a row for each corner of the triangle
@@ -135,17 +125,17 @@ Transfer_mass_matrices transfer_mass_matrices(const Intrinsic_triangulation<Trai
                      (in_intrinsic.transpose() * in_input +
                       in_intrinsic.colwise().sum().transpose() * in_input.colwise().sum());
       }
-      const auto rows = internal::corner_vertices(intrinsic_complex, overlay.intrinsic_face(f)),
-                 columns = internal::corner_vertices(input_complex, overlay.input_face(f));
+      const auto rows = internal::corner_vertices(subdivision.intrinsic(), overlay.intrinsic_face(f)),
+                 columns = internal::corner_vertices(subdivision.input(), overlay.input_face(f));
       for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c)
           entries.emplace_back(rows[r], columns[c], integrals(r, c));
     });
-  Eigen::SparseMatrix<double> mixed(intrinsic_complex.number_of_vertices(),
-                                    input_complex.number_of_vertices());
+  Eigen::SparseMatrix<double> mixed(subdivision.intrinsic().number_of_vertices(),
+                                    subdivision.input().number_of_vertices());
   mixed.setFromTriplets(entries.begin(), entries.end());
-  return {Galerkin_mass_matrix(input_complex, areas.input),
-          Galerkin_mass_matrix(intrinsic_complex, areas.intrinsic), std::move(mixed)};
+  return {Galerkin_mass_matrix(subdivision.input(), areas.input),
+          Galerkin_mass_matrix(subdivision.intrinsic(), areas.intrinsic), std::move(mixed)};
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The overlay of the input and an intrinsic triangulation, with all that belongs to it.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMMON_SUBDIVISION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_COMMON_SUBDIVISION_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
+
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
+
+#include <array>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
+///
+/// \brief the common subdivision of the input and the intrinsic triangulation: their overlay, the positions of its
+/// crossings, and both triangulations.
+///
+/// Whatever transfers data or points between the two triangulations takes this one object. It does not refer to the
+/// triangulation from which it was built: later flips do not change it. To look at the combinatorics alone, build an
+/// `Overlay`.
+///
+/// All const member functions may be called by several threads at once.
+///
+/// Memory: that of an `Overlay`, of `Overlay_positions`, of the two connectivities and of the integers.
+class Common_subdivision
+{
+public:
+  /// \brief builds the common subdivision of a triangulation and its input.
+  ///
+  /// O(size of the overlay) arithmetic operations.
+  /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: the result is the same,
+  ///   and `progress` is called only a few times
+  /// \pre `triangulation.keeps_input()`
+  /// \exception Integer_overflow_error if there are 2^31 segments or more
+  /// \exception Undecided_error as the constructor of `Overlay_positions`
+  /// \exception Cancelled_error if `progress` returns `false`
+  template <class Traits, class ConcurrencyTag = Sequential_tag>
+  explicit Common_subdivision(const Intrinsic_triangulation<Traits>& triangulation,
+                              const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
+    : Common_subdivision(triangulation.connectivity(), triangulation.exact_geometry(), progress, ConcurrencyTag())
+  {}
+
+  /// \brief as above, from the current connectivity and the exact geometry of the input.
+  /// \tparam ConcurrencyTag as above
+  template <class ConcurrencyTag = Sequential_tag>
+  Common_subdivision(const Delta_complex& intrinsic, const Exact_geometry& geometry,
+                     const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
+    : overlay_(intrinsic, prepared(geometry, intrinsic).correspondence(),
+               internal::part_of_progress(progress, 0, overlay_part), ConcurrencyTag()),
+      positions_(intrinsic, geometry, overlay_, internal::part_of_progress(progress, overlay_part, 1), ConcurrencyTag()),
+      intrinsic_(intrinsic), geometry_(geometry)
+  {}
+
+  /// returns the overlay.
+  const Overlay& overlay() const { return overlay_; }
+  /// returns the positions of the crossings.
+  const Overlay_positions& positions() const { return positions_; }
+  /// returns the input triangulation: `Correspondence::input()`.
+  const Delta_complex& input() const { return geometry_.correspondence().input(); }
+  /// returns the intrinsic triangulation.
+  const Delta_complex& intrinsic() const { return intrinsic_; }
+
+  /// returns the exact geometry of the input, for queries about `intrinsic()`.
+  const Exact_geometry& exact_geometry() const { return geometry_; }
+
+  /// \brief returns the point in space of a vertex of the overlay, on an input edge.
+  ///
+  /// \param v a vertex of the overlay
+  /// \param points a random access range with the points of the vertices of the surface, each with three coordinates `p[i]`
+  /// \return the coordinates, each within a few units in the last place of the larger one at the ends of the edge
+  template <class PointRange>
+  std::array<double, 3> point(Overlay::Vertex v, const PointRange& points) const
+  {
+    if (!overlay_.is_crossing(v)) {
+      const auto& p = points[v.idx()];
+      return {to_double(p[0]), to_double(p[1]), to_double(p[2])};
+    }
+    const Halfedge_index h = input().halfedge(overlay_.input_edge(v));
+    const auto &p = points[input().source(h).idx()], &q = points[input().target(h).idx()];
+    const double t = positions_.on_input_edge(v);
+    std::array<double, 3> result{};
+    for (int i = 0; i < 3; ++i)
+      result[i] = (1 - t) * to_double(p[i]) + t * to_double(q[i]);
+    return result;
+  }
+
+private:
+  static const Exact_geometry& prepared(const Exact_geometry& geometry, const Delta_complex& intrinsic)
+  {
+    geometry.prepare(intrinsic);
+    return geometry;
+  }
+
+  // Of the time: the positions take longer than the graph.
+  static constexpr double overlay_part = 0.3;
+
+  Overlay overlay_;
+  Overlay_positions positions_;
+  Delta_complex intrinsic_;
+  Exact_geometry geometry_;
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_COMMON_SUBDIVISION_H

@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A common subdivision belongs to itself: flips, copies and the end of what it was made from do not change it.
+
+#include "overlay_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/overlay_areas.h>
+#include <CGAL/Intrinsic_triangulations/point_location.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using test_surfaces::Triangulation;
+
+Triangulation Delaunay_triangulation(const IT::Indexed_triangles& surface)
+{
+  Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
+  IT::flip_to_Delaunay(t);
+  return t;
+}
+
+// What it tells: combinatorics, positions, areas (from the exact geometry) and locations (from all of it).
+std::vector<double> answers(const IT::Common_subdivision& s)
+{
+  std::vector<double> result = IT::face_areas(s);
+  for (IT::Overlay::Vertex x : s.overlay().crossings())
+    result.insert(result.end(), {double(s.overlay().input_edge(x).idx()), double(s.overlay().intrinsic_edge(x).idx()),
+                                 s.positions().on_input_edge(x), s.positions().on_intrinsic_edge(x)});
+  const IT::Point_location location(s);
+  for (IT::Face_index f : s.input().faces()) {
+    const IT::Surface_point p = location.input_to_intrinsic({s.input().halfedge(f), {1, 1, 1}});
+    result.push_back(double(p.halfedge.idx()));
+    result.insert(result.end(), p.coordinates.begin(), p.coordinates.end());
+  }
+  return result;
+}
+
+TEST(Common_subdivision, later_flips_do_not_change_it)
+{
+  Triangulation t = Delaunay_triangulation(IT::bad_torus(10, 12));
+  const IT::Common_subdivision subdivision(t);
+  ASSERT_GT(subdivision.overlay().number_of_crossings(), 50u);
+  const std::vector<double> before = answers(subdivision);
+  std::size_t flips = 0;
+  for (IT::Edge_index e : t.connectivity().edges())
+    if (t.connectivity().is_flippable(e))
+      flips += t.flip(e) == Triangulation::Flip_outcome::FLIPPED;
+  ASSERT_GT(flips, 50u);
+  EXPECT_EQ(answers(subdivision), before);
+  EXPECT_NE(answers(IT::Common_subdivision(t)), before);
+}
+
+TEST(Common_subdivision, outlives_what_it_was_made_from)
+{
+  auto t = std::make_unique<Triangulation>(Delaunay_triangulation(IT::bumpy_sphere(16, 10)));
+  auto first = std::make_unique<IT::Common_subdivision>(*t);
+  const std::vector<double> expected = answers(*first);
+  t.reset();
+  EXPECT_EQ(answers(*first), expected);
+  const IT::Common_subdivision copy = *first;
+  const IT::Common_subdivision moved = std::move(*first);
+  first.reset();
+  EXPECT_EQ(answers(copy), expected);
+  EXPECT_EQ(answers(moved), expected);
+}
+
+// From the connectivity and an exact geometry that nobody has asked for anything yet.
+TEST(Common_subdivision, prepares_the_exact_geometry)
+{
+  const IT::Indexed_triangles surface = IT::bad_torus(10, 12);
+  const IT::Delta_complex input = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
+  const Triangulation t = Delaunay_triangulation(surface);
+  IT::Delta_complex complex = input;
+  IT::Exact_geometry geometry(
+    IT::Input_metric::from_points(IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end())));
+  bool is_changed = true;
+  while (is_changed) {
+    is_changed = false;
+    for (IT::Edge_index e : complex.edges()) {
+      // Asks a copy, so that the geometry itself has a journal only.
+      if (!complex.is_flippable(e) || IT::Exact_geometry(geometry).sign_of_cotangents(complex, e) != CGAL::NEGATIVE)
+        continue;
+      const IT::Hinge_halfedges around = complex.hinge(e);
+      geometry.flip(complex, around);
+      complex.flip(around);
+      is_changed = true;
+    }
+  }
+  ASSERT_TRUE(geometry.can_append());
+  const IT::Common_subdivision subdivision(complex, geometry);
+  ASSERT_GT(subdivision.overlay().number_of_crossings(), 50u);
+  EXPECT_EQ(subdivision.overlay().number_of_crossings(), IT::Overlay(t).number_of_crossings());
+  double area = 0, expected = 0;
+  for (double a : IT::face_areas(subdivision))
+    area += a;
+  for (IT::Face_index f : t.connectivity().faces())
+    expected += t.area(f);
+  EXPECT_NEAR(area, expected, 1e-12 * expected);
+}
+
+// The points are the caller's: as they were, moved, or of another type.
+TEST(Common_subdivision, points_in_space)
+{
+  const IT::Indexed_triangles kite{{{0, 0, 0}, {8, 0, 0}, {3, 2, 0}, {2, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}};
+  const IT::Common_subdivision subdivision(Delaunay_triangulation(kite));
+  ASSERT_EQ(subdivision.overlay().number_of_crossings(), 1u);
+  const IT::Overlay::Vertex x = *subdivision.overlay().crossings().begin();
+  const auto p = subdivision.point(x, kite.points);
+  EXPECT_NEAR(p[0], 7. / 3, 1e-15);
+  EXPECT_EQ(p[1], 0);
+  EXPECT_EQ(p[2], 0);
+  std::vector<std::array<float, 3>> lifted;
+  for (const auto& q : kite.points)
+    lifted.push_back({float(q[0]), float(q[1]), 5});
+  EXPECT_EQ(subdivision.point(x, lifted)[2], 5);
+  EXPECT_EQ(subdivision.point(IT::Overlay::Vertex(2), kite.points), (std::array<double, 3>{3, 2, 0}));
+}
+
+} // namespace
