@@ -84,7 +84,7 @@ Run run_package(const Mesh& mesh)
         mesh, CGAL::parameters::geom_traits(Traits()));
     },
     run.seconds);
-  run.flips = t.report().flips;
+  run.flips = t.report.flips;
   return run;
 }
 

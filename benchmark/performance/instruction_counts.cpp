@@ -47,24 +47,24 @@ int main(int argc, char** argv)
   const Mesh torus = mesh_of(IT::bad_torus(100, 100));
   std::size_t result = 0;
   if (is("double"))
-    result = counted([&] { return triangulate<IT::Edge_length_traits<double>>(torus).report().flips; });
+    result = counted([&] { return triangulate<IT::Edge_length_traits<double>>(torus).report.flips; });
   else if (is("exact"))
-    result = counted([&] { return triangulate<Filtered>(torus).report().flips; });
+    result = counted([&] { return triangulate<Filtered>(torus).report.flips; });
   else if (is("ties")) {
     const Mesh grid = mesh_of(IT::random_diagonal_grid(100, 100, 1, 3));
-    result = counted([&] { return triangulate<Filtered>(grid).report().tests; });
+    result = counted([&] { return triangulate<Filtered>(grid).report.tests; });
   } else if (is("pillow")) {
     const Mesh pillow = mesh_of(IT::pillow(300));
-    result = counted([&] { return triangulate<Filtered>(pillow).report().flips; });
+    result = counted([&] { return triangulate<Filtered>(pillow).report.flips; });
   } else if (is("overlay")) {
-    const auto t = triangulate<Filtered>(torus);
+    const auto t = triangulate<Filtered>(torus).triangulation;
     result = counted([&] { return IT::Overlay(t).number_of_segments(); });
   } else if (is("positions")) {
-    const auto t = triangulate<Filtered>(torus);
+    const auto t = triangulate<Filtered>(torus).triangulation;
     const IT::Overlay overlay(t);
     result = counted([&] { return IT::Overlay_positions(t.connectivity(), t.exact_geometry(), overlay); }).on_input_edge(*overlay.crossings().begin()) > 0;
   } else if (is("stiffness")) {
-    const auto t = triangulate<Filtered>(torus);
+    const auto t = triangulate<Filtered>(torus).triangulation;
     result = counted([&] { return std::size_t(IT::stiffness_matrix(t).nonZeros()); });
   } else {
     std::fprintf(stderr, "usage: instruction_counts double|exact|ties|pillow|overlay|positions|stiffness\n");

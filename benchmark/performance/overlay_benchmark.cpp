@@ -112,8 +112,8 @@ Costs measure(const Mesh& mesh, int rounds, bool with_heat_method)
   std::vector<double> graph, positions, triangulation, without, with, integers, input, heat_method;
   Costs costs;
   for (int round = 0; round <= rounds; ++round) {
-    std::optional<decltype(IT::intrinsic_Delaunay_triangulation(mesh))> t;
-    triangulation.push_back(seconds([&] { t.emplace(IT::intrinsic_Delaunay_triangulation(mesh)); }));
+    std::optional<decltype(IT::intrinsic_triangulation(mesh))> t;
+    triangulation.push_back(seconds([&] { t.emplace(IT::intrinsic_Delaunay_triangulation(mesh).triangulation); }));
     without.push_back(seconds_in_double(mesh, false));
     with.push_back(seconds_in_double(mesh, true));
     integers.push_back(seconds_for_integers(mesh));

@@ -56,7 +56,7 @@ void measure(const char* name, const Mesh& mesh)
       mesh, CGAL::parameters::geom_traits(Traits()));
     seconds.push_back(
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    flips = double(t.report().flips);
+    flips = double(t.report.flips);
     peak = (std::max)(peak, resident("VmHWM:") - before);
   }
   std::nth_element(seconds.begin(), seconds.begin() + rounds / 2, seconds.end());

@@ -53,7 +53,7 @@ int main()
       mesh.add_face(Mesh::Vertex_index(i), Mesh::Vertex_index(above + 1), Mesh::Vertex_index(above));
     }
 
-  const auto idt = IT::intrinsic_Delaunay_triangulation(mesh);
+  const auto idt = IT::intrinsic_Delaunay_triangulation(mesh).triangulation;
   const Mesh::Vertex_index middle(num_vertices(mesh) / 2);
   const std::vector<double> on_input = distances(mesh, middle), on_intrinsic = distances(idt, middle);
 

@@ -29,7 +29,7 @@ int main()
              k = mesh.add_vertex({2, 1, 0}), l = mesh.add_vertex({2, 0, 1});
   mesh.add_face(i, j, k);
   mesh.add_face(j, i, l);
-  const auto idt = IT::intrinsic_Delaunay_triangulation(mesh);
+  const auto idt = IT::intrinsic_Delaunay_triangulation(mesh).triangulation;
 
   Mesh overlay = IT::overlay_to_surface_mesh(IT::Common_subdivision(idt), mesh);
   // Each of these maps is there already: that, and no new one, is returned.

@@ -29,12 +29,12 @@ namespace {
 template <class TriangleMesh>
 std::vector<double> sorted_lengths(const TriangleMesh& mesh)
 {
-  const auto idt = IT::intrinsic_Delaunay_triangulation(mesh);
+  const auto [idt, report] = IT::intrinsic_Delaunay_triangulation(mesh);
   std::vector<double> lengths;
   for (IT::Edge_index e : idt.connectivity().edges())
     lengths.push_back(idt.length(e));
   std::sort(lengths.begin(), lengths.end());
-  std::cout << lengths.size() << " edges, " << idt.report().flips << " flips, from "
+  std::cout << lengths.size() << " edges, " << report.flips << " flips, from "
             << lengths.front() << " to " << lengths.back() << '\n';
   return lengths;
 }

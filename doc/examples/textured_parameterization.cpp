@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
     mesh.add_vertex({p[0], p[1], p[2]});
   for (const auto& t : sample.triangles)
     mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
-  const auto idt = IT::intrinsic_Delaunay_triangulation(mesh);
+  const auto idt = IT::intrinsic_Delaunay_triangulation(mesh).triangulation;
   const IT::Planar_points uv = IT::harmonic_parameterization(idt);
   std::vector<double> us, vs;
   for (const std::array<double, 2>& p : uv) {

@@ -31,9 +31,8 @@ int main()
   for (const auto& t : sample.triangles)
     mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
 
-  const auto idt = IT::intrinsic_Delaunay_triangulation(mesh);
+  const auto [idt, report] = IT::intrinsic_Delaunay_triangulation(mesh);
 
-  const IT::Flip_report& report = idt.report();
   std::cout << "vertices " << mesh.number_of_vertices() << ", edges " << mesh.number_of_edges()
             << ", flips " << report.flips << '\n';
 

@@ -116,13 +116,13 @@ auto test_traits()
 TYPED_TEST(Mesh_input, leads_to_the_same_triangulation)
 {
   const auto mesh = mesh_of<TypeParam>(sphere());
-  const auto t = IT::intrinsic_Delaunay_triangulation(
+  const auto [t, report] = IT::intrinsic_Delaunay_triangulation(
     mesh, CGAL::parameters::geom_traits(Double_traits()));
-  EXPECT_EQ(t.report().status, IT::Flip_status::DELAUNAY);
-  EXPECT_GT(t.report().flips, 100u);
+  EXPECT_EQ(report.status, IT::Flip_status::DELAUNAY);
+  EXPECT_GT(report.flips, 100u);
   EXPECT_TRUE(are_same_edges(edge_records(t), expected_edges(sphere()), 1e-12));
 
-  const auto filtered = IT::intrinsic_Delaunay_triangulation(mesh, test_traits<TypeParam>());
+  const auto filtered = IT::intrinsic_Delaunay_triangulation(mesh, test_traits<TypeParam>()).triangulation;
   EXPECT_TRUE(are_same_edges(edge_records(filtered), expected_edges(sphere()), 1e-12));
 
   // Elements keep the numbers that they have in the mesh.
@@ -145,10 +145,10 @@ TYPED_TEST(Mesh_input, leads_to_the_same_triangulation)
 
 TYPED_TEST(Mesh_input, helical_tube_has_58_loops)
 {
-  const auto t = IT::intrinsic_Delaunay_triangulation(mesh_of<TypeParam>(IT::helical_tube()),
-                                                      test_traits<TypeParam>());
+  const auto [t, report] = IT::intrinsic_Delaunay_triangulation(mesh_of<TypeParam>(IT::helical_tube()),
+                                                                test_traits<TypeParam>());
   const IT::Delta_complex& c = t.connectivity();
-  EXPECT_EQ(t.report().status, IT::Flip_status::DELAUNAY);
+  EXPECT_EQ(report.status, IT::Flip_status::DELAUNAY);
   EXPECT_TRUE(c.is_valid(true));
   ASSERT_EQ(c.number_of_edges(), 174u);
   int loops = 0, self_glued = 0;
@@ -204,7 +204,7 @@ TYPED_TEST(Mesh_input, vertex_point_map_is_used)
   const auto t = IT::intrinsic_Delaunay_triangulation(
     mesh, test_traits<TypeParam>().vertex_point_map(
             boost::make_function_property_map<Vertex>([&](Vertex v) { return points.at(v); })));
-  EXPECT_TRUE(are_same_edges(edge_records(t), expected_edges(sphere()), 1e-12));
+  EXPECT_TRUE(are_same_edges(edge_records(t.triangulation), expected_edges(sphere()), 1e-12));
 }
 
 TYPED_TEST(Mesh_input, visitor_constraints_and_budget_arrive)
@@ -212,24 +212,24 @@ TYPED_TEST(Mesh_input, visitor_constraints_and_budget_arrive)
   const auto visitor = [](const auto& v) { return test_traits<TypeParam>().visitor(v); };
   const auto mesh = mesh_of<TypeParam>(sphere());
   Counter by_reference, by_value, by_boost_reference;
-  const auto t = IT::intrinsic_Delaunay_triangulation(mesh, visitor(std::ref(by_reference)));
-  EXPECT_EQ(by_reference.flips, t.report().flips);
+  const IT::Flip_report report = IT::intrinsic_Delaunay_triangulation(mesh, visitor(std::ref(by_reference))).report;
+  EXPECT_EQ(by_reference.flips, report.flips);
   IT::intrinsic_Delaunay_triangulation(mesh, visitor(boost::ref(by_boost_reference)));
-  EXPECT_EQ(by_boost_reference.flips, t.report().flips);
+  EXPECT_EQ(by_boost_reference.flips, report.flips);
   IT::intrinsic_Delaunay_triangulation(mesh, visitor(by_value));
   EXPECT_EQ(by_value.flips, 0u); // a copy was told
   by_value.limit = 7;
   const auto cancelled = IT::intrinsic_Delaunay_triangulation(mesh, visitor(by_value));
-  EXPECT_EQ(cancelled.report().status, IT::Flip_status::CANCELLED);
-  EXPECT_EQ(cancelled.report().tests, 7u);
+  EXPECT_EQ(cancelled.report.status, IT::Flip_status::CANCELLED);
+  EXPECT_EQ(cancelled.report.tests, 7u);
 
   const auto stopped =
     IT::intrinsic_Delaunay_triangulation(mesh, test_traits<TypeParam>().maximum_number(std::uint64_t(3)));
-  EXPECT_EQ(stopped.report().status, IT::Flip_status::BUDGET_EXHAUSTED);
-  EXPECT_EQ(stopped.report().flips, 3u);
+  EXPECT_EQ(stopped.report.status, IT::Flip_status::BUDGET_EXHAUSTED);
+  EXPECT_EQ(stopped.report.flips, 3u);
   const auto constrained = IT::intrinsic_Delaunay_triangulation(
     mesh, test_traits<TypeParam>().edge_is_constrained_map(
             boost::make_function_property_map<IT::Edge_index>([](IT::Edge_index) { return true; })));
-  EXPECT_EQ(constrained.report().status, IT::Flip_status::DELAUNAY);
-  EXPECT_EQ(constrained.report().flips, 0u);
+  EXPECT_EQ(constrained.report.status, IT::Flip_status::DELAUNAY);
+  EXPECT_EQ(constrained.report.flips, 0u);
 }

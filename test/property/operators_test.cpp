@@ -142,7 +142,8 @@ Eigen::VectorXd spectrum(const Matrix& stiffness, const Matrix& mass)
 double sphere_error(std::size_t rows, bool is_Galerkin)
 {
   const auto t = IT::intrinsic_Delaunay_triangulation(
-    mesh_of(IT::latitude_longitude_sphere(2 * rows, rows)));
+                   mesh_of(IT::latitude_longitude_sphere(2 * rows, rows)))
+                   .triangulation;
   const Eigen::VectorXd values = spectrum(
     IT::stiffness_matrix(t), is_Galerkin ? IT::Galerkin_mass_matrix(t) : IT::lumped_mass_matrix(t));
   EXPECT_NEAR(values[0], 0, 1e-9);
@@ -263,7 +264,7 @@ TEST(Operators, condition_ratios_of_the_paper)
   const auto ratio = [](const char* name) {
     const Mesh mesh = read(evaluation_data() / "table1" / name);
     const Triangulation input = IT::intrinsic_triangulation(mesh);
-    const auto result = IT::intrinsic_Delaunay_triangulation(mesh);
+    const auto result = IT::intrinsic_Delaunay_triangulation(mesh).triangulation;
     return IT::extreme_eigenvalues(result.connectivity(), IT::stiffness_matrix(result)).condition_number() /
            IT::extreme_eigenvalues(input.connectivity(), IT::stiffness_matrix(input)).condition_number();
   };
@@ -288,7 +289,7 @@ TEST(Operators, distortion_of_the_disks_of_the_paper)
     SCOPED_TRACE(row.name);
     const Mesh mesh = read(evaluation_data() / "table1" / row.name);
     const Triangulation input = IT::intrinsic_triangulation(mesh);
-    const auto result = IT::intrinsic_Delaunay_triangulation(mesh);
+    const auto result = IT::intrinsic_Delaunay_triangulation(mesh).triangulation;
     const IT::Planar_points uv = IT::harmonic_parameterization(result);
     const IT::Distortion_summary extrinsic = distortion(input, IT::harmonic_parameterization(input)),
                                  intrinsic = distortion(result, uv);
@@ -321,7 +322,7 @@ TEST(Operators, circle_patterns_of_the_disks_of_the_paper_and_of_a_surface_cut_o
     const Mesh whole = read(evaluation_data() / "table1" / row.name);
     const Mesh mesh = row.is_cut ? upper_half(whole) : whole;
     const Triangulation input = IT::intrinsic_triangulation(mesh);
-    const auto result = IT::intrinsic_Delaunay_triangulation(mesh);
+    const auto result = IT::intrinsic_Delaunay_triangulation(mesh).triangulation;
     const IT::Circle_pattern clipped = IT::circle_pattern_parameterization(input),
                              pattern = IT::circle_pattern_parameterization(result);
     EXPECT_LE(clipped.gradient, 1e-10);
@@ -355,7 +356,7 @@ TEST(Operators, no_triangle_of_a_disk_is_flipped_with_the_intrinsic_operator)
       continue;
     }
     ++disks;
-    const auto result = IT::intrinsic_Delaunay_triangulation(mesh);
+    const auto result = IT::intrinsic_Delaunay_triangulation(mesh).triangulation;
     const std::vector<double> weights = IT::cotangent_weights(result);
     for (IT::Edge_index e : result.connectivity().edges())
       if (!result.connectivity().is_border(e)) {

@@ -102,19 +102,19 @@ void expect_input(const Filtered& t, const Mesh& mesh)
 void expect_same_with_any_number_of_threads(const IT::Indexed_triangles& triangles)
 {
   const Mesh mesh = mesh_of(triangles);
-  const auto sequential = flipped<IT::Filtered_edge_length_traits, Sequential_tag>(mesh, 1);
-  const auto one = flipped<IT::Filtered_edge_length_traits, Parallel_tag>(mesh, 1);
+  const auto sequential = flipped<IT::Filtered_edge_length_traits, Sequential_tag>(mesh, 1).triangulation;
+  const auto [one, report_of_one] = flipped<IT::Filtered_edge_length_traits, Parallel_tag>(mesh, 1);
   const auto expected = cells(sequential);
   EXPECT_TRUE(cells(one) == expected);
   EXPECT_TRUE(one.connectivity().is_valid(true));
   EXPECT_TRUE(IT::verify_Delaunay(one).is_Delaunay());
   const auto& decided = one.stage_counts().decided;
-  EXPECT_EQ(std::accumulate(decided.begin(), decided.end(), std::uint64_t(0)), one.report().tests);
+  EXPECT_EQ(std::accumulate(decided.begin(), decided.end(), std::uint64_t(0)), report_of_one.tests);
   expect_input(one, mesh);
   for (int threads : {2, 3}) {
-    const auto several = flipped<IT::Filtered_edge_length_traits, Parallel_tag>(mesh, threads);
-    EXPECT_EQ(several.report().status, Flip_status::DELAUNAY);
-    EXPECT_EQ(several.report().flips, one.report().flips);
+    const auto [several, report] = flipped<IT::Filtered_edge_length_traits, Parallel_tag>(mesh, threads);
+    EXPECT_EQ(report.status, Flip_status::DELAUNAY);
+    EXPECT_EQ(report.flips, report_of_one.flips);
     EXPECT_TRUE(several.connectivity() == one.connectivity()) << threads << " threads";
     expect_input(several, mesh);
     const IT::Correspondence &a = several.exact_geometry().correspondence(),
@@ -167,10 +167,10 @@ TEST(Parallel, components_and_isolated_vertices)
 TEST(Parallel, rounded_decisions)
 {
   const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
-  const auto one = flipped<IT::Edge_length_traits<double>, Sequential_tag>(mesh, 1);
+  const auto one = flipped<IT::Edge_length_traits<double>, Sequential_tag>(mesh, 1).triangulation;
   for (int threads : {1, 2}) {
-    const auto several = flipped<IT::Edge_length_traits<double>, Parallel_tag>(mesh, threads);
-    EXPECT_EQ(several.report().status, Flip_status::DELAUNAY);
+    const auto [several, report] = flipped<IT::Edge_length_traits<double>, Parallel_tag>(mesh, threads);
+    EXPECT_EQ(report.status, Flip_status::DELAUNAY);
     std::vector<double> a, b;
     for (IT::Edge_index e : one.connectivity().edges()) {
       a.push_back(one.length(e));

@@ -52,10 +52,10 @@ protected:
 
   // Within 4 %, which is not less than two flips.
   template <class Triangulation>
-  static void expect_Delaunay(const Triangulation& t)
+  static void expect_Delaunay(const Triangulation& t, const IT::Flip_report& report)
   {
-    EXPECT_EQ(t.report().status, IT::Flip_status::DELAUNAY);
-    EXPECT_NEAR(double(t.report().flips), GetParam().flips,
+    EXPECT_EQ(report.status, IT::Flip_status::DELAUNAY);
+    EXPECT_NEAR(double(report.flips), GetParam().flips,
                 std::max(2., std::ceil(0.04 * GetParam().flips)));
     for (IT::Edge_index e : t.connectivity().edges())
       if (!t.connectivity().is_border(e)) {
@@ -70,15 +70,16 @@ protected:
 
 TEST_P(Table_1, flips_and_weights_in_double)
 {
-  expect_Delaunay(IT::intrinsic_Delaunay_triangulation(
-    mesh_, CGAL::parameters::geom_traits(IT::Edge_length_traits<double>())));
+  const auto [t, report] = IT::intrinsic_Delaunay_triangulation(
+    mesh_, CGAL::parameters::geom_traits(IT::Edge_length_traits<double>()));
+  expect_Delaunay(t, report);
 }
 
 TEST_P(Table_1, flips_weights_and_overlay_with_exact_decisions)
 {
-  const auto t = IT::intrinsic_Delaunay_triangulation(
+  const auto [t, report] = IT::intrinsic_Delaunay_triangulation(
     mesh_, CGAL::parameters::geom_traits(IT::Filtered_edge_length_traits()));
-  expect_Delaunay(t);
+  expect_Delaunay(t, report);
   std::int64_t simple = 0, longest = 0, crossings = 0;
   const auto& coordinates = t.exact_geometry().correspondence().coordinates();
   for (IT::Edge_index e : t.connectivity().edges()) {

@@ -56,10 +56,10 @@ void expect_triangulation_of(int bits)
 {
   const Mpfr_precision guard(bits);
   const auto sphere = squeezed_sphere<Kernel>();
-  const auto idt = IT::intrinsic_Delaunay_triangulation(
+  const auto [idt, report] = IT::intrinsic_Delaunay_triangulation(
     sphere, CGAL::parameters::geom_traits(IT::Edge_length_traits<Mpfr_float>()));
-  EXPECT_EQ(idt.report().status, IT::Flip_status::DELAUNAY);
-  EXPECT_GT(idt.report().flips, 0u);
+  EXPECT_EQ(report.status, IT::Flip_status::DELAUNAY);
+  EXPECT_GT(report.flips, 0u);
   for (IT::Edge_index e : idt.connectivity().edges()) {
     EXPECT_TRUE(idt.is_locally_Delaunay(e));
     EXPECT_EQ(precision_in_bits(idt.edge_data(e)), guard.bits());

@@ -306,10 +306,10 @@ TYPED_TEST(Archetype, front_door)
   CGAL::make_icosahedron(mesh, Point(0, 0, 0), 2.);
   for (auto v : mesh.vertices())
     mesh.point(v) = Point(mesh.point(v).x(), 0.2 * mesh.point(v).y(), mesh.point(v).z());
-  const auto idt = IT::intrinsic_Delaunay_triangulation(
+  const auto [idt, report] = IT::intrinsic_Delaunay_triangulation(
     mesh, CGAL::parameters::geom_traits(Traits(0)).visitor(archetype::Visitor(100000)));
-  EXPECT_EQ(idt.report().status, IT::Flip_status::DELAUNAY);
-  EXPECT_GT(idt.report().flips, 0u);
+  EXPECT_EQ(report.status, IT::Flip_status::DELAUNAY);
+  EXPECT_GT(report.flips, 0u);
 }
 
 // Lengths whose order an interval type cannot tell are no reason to throw.

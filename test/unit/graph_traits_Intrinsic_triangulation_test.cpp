@@ -39,7 +39,6 @@ using IT::Oriented_edge;
 using IT::Vertex_index;
 using Traits = IT::Filtered_edge_length_traits;
 using Triangulation = IT::Intrinsic_triangulation<Traits>;
-using Delaunay = IT::Intrinsic_Delaunay_triangulation<Traits>;
 
 template <class Graph>
 struct Check_concepts
@@ -68,7 +67,6 @@ struct Check_concepts
                 "edges are no straight lines in space");
 };
 template struct Check_concepts<Triangulation>;
-template struct Check_concepts<Delaunay>;
 template struct Check_concepts<IT::Intrinsic_triangulation<IT::Edge_length_traits<float>>>;
 
 namespace {
@@ -211,9 +209,9 @@ TEST(Graph_traits_Intrinsic_triangulation, shortest_paths_have_the_lengths_as_we
       EXPECT_EQ(distances_by_dijkstra(t, v), distances_by_relaxation(t, v));
 }
 
-TEST(Graph_traits_Intrinsic_triangulation, algorithms_take_the_derived_class)
+TEST(Graph_traits_Intrinsic_triangulation, algorithms_of_CGAL)
 {
-  const Delaunay t(two_sheared_sheets());
+  const Triangulation t = two_sheared_sheets();
   EXPECT_EQ(distances_by_dijkstra(t, Vertex_index(0)), distances_by_relaxation(t, Vertex_index(0)));
   EXPECT_TRUE(CGAL::is_triangle_mesh(t));
   EXPECT_FALSE(CGAL::is_closed(t));

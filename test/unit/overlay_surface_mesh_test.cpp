@@ -133,8 +133,8 @@ std::array<int, 4> count_labels(const Mesh& mesh)
 TEST(Overlay_to_surface_mesh, kite)
 {
   const Mesh input = kite();
-  const auto t = IT::intrinsic_Delaunay_triangulation(input);
-  ASSERT_EQ(t.report().flips, 1u);
+  const auto [t, report] = IT::intrinsic_Delaunay_triangulation(input);
+  ASSERT_EQ(report.flips, 1u);
   Mesh mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input);
   ASSERT_TRUE(mesh.is_valid());
   EXPECT_EQ(mesh.number_of_vertices(), 5u);
@@ -169,7 +169,7 @@ TEST(Overlay_to_surface_mesh, sample_surfaces)
   for (const IT::Indexed_triangles& sample :
        {IT::prism(12, 1), IT::helical_tube(), IT::bad_torus(12, 12), IT::latitude_longitude_sphere(10, 8)}) {
     const Mesh input = mesh_of(sample);
-    const auto t = IT::intrinsic_Delaunay_triangulation(input);
+    const auto t = IT::intrinsic_Delaunay_triangulation(input).triangulation;
     Mesh mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input);
     ASSERT_TRUE(mesh.is_valid());
     const auto euler = [](const Mesh& m) {
@@ -203,7 +203,7 @@ TEST(Overlay_to_surface_mesh, exact_kernel_and_point_map)
   using V = CGAL::SM_Vertex_index;
   input.add_face(V(0), V(1), V(2));
   input.add_face(V(1), V(0), V(3));
-  const auto t = IT::intrinsic_Delaunay_triangulation(input);
+  const auto t = IT::intrinsic_Delaunay_triangulation(input).triangulation;
   auto moved = input.add_property_map<V, Exact_point>("v:moved").first;
   for (V v : input.vertices())
     moved[v] = input.point(v) + CGAL::Exact_predicates_exact_constructions_kernel::Vector_3(0, 0, 5);
@@ -236,7 +236,7 @@ TEST(Overlay_to_surface_mesh, keeps_loops_and_multiple_edges_apart)
 TEST(Overlay_to_surface_mesh, refuses_a_wrong_number_of_points)
 {
   const Mesh input = kite();
-  const auto t = IT::intrinsic_Delaunay_triangulation(input);
+  const auto t = IT::intrinsic_Delaunay_triangulation(input).triangulation;
   Mesh more = input;
   more.add_vertex(Point(1, 1, 1));
   EXPECT_THROW(IT::overlay_to_surface_mesh(IT::Common_subdivision(t), more), IT::Invalid_surface_error);

@@ -149,7 +149,7 @@ TEST(Tufted_laplacian, closed_oriented_surfaces_have_the_same_bits_as_the_intrin
     IT::Tufted_laplacian_options options;
     options.mass_type = IT::Mass_type::GALERKIN;
     expect_near(Dense(IT::tufted_laplacian(surface.points, surface.triangles, options).mass),
-                Dense(IT::Galerkin_mass_matrix(IT::intrinsic_Delaunay_triangulation(mesh))), 1e-15);
+                Dense(IT::Galerkin_mass_matrix(IT::intrinsic_Delaunay_triangulation(mesh).triangulation)), 1e-15);
   }
 }
 

@@ -215,7 +215,7 @@ Laplace_Beltrami_operator
 intrinsic_Delaunay_Laplacian(const TriangleMesh& mesh,
                              const NamedParameters& np = parameters::default_values())
 {
-  const auto triangulation = intrinsic_Delaunay_triangulation<ConcurrencyTag>(mesh, np);
+  const auto triangulation = intrinsic_Delaunay_triangulation<ConcurrencyTag>(mesh, np).triangulation;
   return {stiffness_matrix<ConcurrencyTag>(triangulation), lumped_mass_matrix<ConcurrencyTag>(triangulation)};
 }
 

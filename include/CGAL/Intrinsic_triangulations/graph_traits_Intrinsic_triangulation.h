@@ -24,9 +24,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-template <class Traits>
-class Intrinsic_Delaunay_triangulation;
-
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief the type of `edge_cotangent_weight`.
 struct Edge_cotangent_weight_tag
@@ -125,7 +122,7 @@ namespace boost {
 /// \brief makes an `Intrinsic_triangulation` a graph of the Boost Graph Library and CGAL: that of its
 /// `connectivity()`.
 ///
-/// The same holds for an `Intrinsic_Delaunay_triangulation`. Descriptors, iterators, costs and the warning are those of
+/// Descriptors, iterators, costs and the warning are those of
 /// `graph_traits<Delta_complex>`. Flips do not invalidate descriptors.
 ///
 /// Property maps, in addition to the four index maps. Their keys are of type `Edge_index`, to which the edge
@@ -150,14 +147,6 @@ struct graph_traits<CGAL::Intrinsic_triangulations::Intrinsic_triangulation<Trai
 /// \cond SKIP_IN_MANUAL
 template <class Traits>
 struct graph_traits<const CGAL::Intrinsic_triangulations::Intrinsic_triangulation<Traits>>
-  : graph_traits<CGAL::Intrinsic_triangulations::Delta_complex>
-{};
-template <class Traits>
-struct graph_traits<CGAL::Intrinsic_triangulations::Intrinsic_Delaunay_triangulation<Traits>>
-  : graph_traits<CGAL::Intrinsic_triangulations::Delta_complex>
-{};
-template <class Traits>
-struct graph_traits<const CGAL::Intrinsic_triangulations::Intrinsic_Delaunay_triangulation<Traits>>
   : graph_traits<CGAL::Intrinsic_triangulations::Delta_complex>
 {};
 /// \endcond
@@ -223,38 +212,31 @@ CGAL_INTRINSIC_TRIANGULATIONS_FORWARD_SEARCH(edge)
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-// The maps, also of the derived class: a specialization for a base is none for it.
-#define CGAL_INTRINSIC_TRIANGULATIONS_MAP(TAG)                                                                  \
-  namespace CGAL {                                                                                              \
-  namespace Intrinsic_triangulations {                                                                          \
-  template <class Traits>                                                                                       \
-  auto get(TAG, const Intrinsic_triangulation<Traits>& g)                                                       \
-  {                                                                                                             \
-    return internal::Property_map_of<Traits, TAG>::of(g);                                                       \
-  }                                                                                                             \
-  template <class Traits>                                                                                       \
-  auto get(TAG tag, const Intrinsic_triangulation<Traits>& g,                                                   \
-           typename internal::Property_map_of<Traits, TAG>::type::key_type key)                                 \
-  {                                                                                                             \
-    return get(tag, g)[key];                                                                                    \
-  }                                                                                                             \
-  }                                                                                                             \
-  template <class Traits>                                                                                       \
-  struct graph_has_property<Intrinsic_triangulations::Intrinsic_triangulation<Traits>, TAG> : Tag_true          \
-  {};                                                                                                           \
-  template <class Traits>                                                                                       \
-  struct graph_has_property<Intrinsic_triangulations::Intrinsic_Delaunay_triangulation<Traits>, TAG> : Tag_true \
-  {};                                                                                                           \
-  }                                                                                                             \
-  namespace boost {                                                                                             \
-  template <class Traits>                                                                                       \
-  struct property_map<CGAL::Intrinsic_triangulations::Intrinsic_triangulation<Traits>, TAG>                     \
-    : CGAL::Intrinsic_triangulations::internal::Property_map_of<Traits, TAG>                                    \
-  {};                                                                                                           \
-  template <class Traits>                                                                                       \
-  struct property_map<CGAL::Intrinsic_triangulations::Intrinsic_Delaunay_triangulation<Traits>, TAG>            \
-    : CGAL::Intrinsic_triangulations::internal::Property_map_of<Traits, TAG>                                    \
-  {};                                                                                                           \
+// The maps.
+#define CGAL_INTRINSIC_TRIANGULATIONS_MAP(TAG)                                                         \
+  namespace CGAL {                                                                                     \
+  namespace Intrinsic_triangulations {                                                                 \
+  template <class Traits>                                                                              \
+  auto get(TAG, const Intrinsic_triangulation<Traits>& g)                                              \
+  {                                                                                                    \
+    return internal::Property_map_of<Traits, TAG>::of(g);                                              \
+  }                                                                                                    \
+  template <class Traits>                                                                              \
+  auto get(TAG tag, const Intrinsic_triangulation<Traits>& g,                                          \
+           typename internal::Property_map_of<Traits, TAG>::type::key_type key)                        \
+  {                                                                                                    \
+    return get(tag, g)[key];                                                                           \
+  }                                                                                                    \
+  }                                                                                                    \
+  template <class Traits>                                                                              \
+  struct graph_has_property<Intrinsic_triangulations::Intrinsic_triangulation<Traits>, TAG> : Tag_true \
+  {};                                                                                                  \
+  }                                                                                                    \
+  namespace boost {                                                                                    \
+  template <class Traits>                                                                              \
+  struct property_map<CGAL::Intrinsic_triangulations::Intrinsic_triangulation<Traits>, TAG>            \
+    : CGAL::Intrinsic_triangulations::internal::Property_map_of<Traits, TAG>                           \
+  {};                                                                                                  \
   }
 CGAL_INTRINSIC_TRIANGULATIONS_MAP(boost::vertex_index_t)
 CGAL_INTRINSIC_TRIANGULATIONS_MAP(boost::halfedge_index_t)

@@ -38,31 +38,16 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief an intrinsic triangulation together with the report of how it was made Delaunay.
+/// \brief an intrinsic triangulation, and the report of the flips that were to make it Delaunay.
+///
+///     const auto [idt, report] = intrinsic_Delaunay_triangulation(mesh);
+///
 /// \tparam Traits a model of `IntrinsicTriangulationTraits`
 template <class Traits>
-class Intrinsic_Delaunay_triangulation : public Intrinsic_triangulation<Traits>
+struct Triangulation_and_report
 {
-public:
-  /// the triangulation without the report
-  using Base = Intrinsic_triangulation<Traits>;
-
-  /// flips the edges of `triangulation` until it is Delaunay; `np` as for `flip_to_Delaunay()`.
-  /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
-  template <class NamedParameters = parameters::Default_named_parameters,
-            class ConcurrencyTag = Sequential_tag>
-  explicit Intrinsic_Delaunay_triangulation(Base triangulation,
-                                            const NamedParameters& np = parameters::default_values(),
-                                            ConcurrencyTag = ConcurrencyTag())
-    : Base(std::move(triangulation)),
-      report_(flip_to_Delaunay<ConcurrencyTag>(static_cast<Base&>(*this), np))
-  {}
-
-  /// returns the report of `flip_to_Delaunay()`.
-  const Flip_report& report() const { return report_; }
-
-private:
-  Flip_report report_;
+  Intrinsic_triangulation<Traits> triangulation; ///< the triangulation, valid whatever the report says
+  Flip_report report;                            ///< the report of `flip_to_Delaunay()`
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -182,7 +167,8 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the triangulation, whose `report()` says how the algorithm ended
+/// \return the triangulation, and the report, whose `status` is `Flip_status::DELAUNAY` if the triangulation is Delaunay. With the
+///   default traits it is, unless a visitor or the flip budget has ended the algorithm
 ///
 /// \exception Invalid_surface_error if a face is not a triangle, a coordinate is not
 ///   finite, or an edge has length zero
@@ -195,7 +181,8 @@ auto intrinsic_Delaunay_triangulation(const TriangleMesh& mesh,
 {
   auto triangulation = intrinsic_triangulation<ConcurrencyTag>(mesh, np);
   using Traits = typename decltype(triangulation)::Traits;
-  return Intrinsic_Delaunay_triangulation<Traits>(std::move(triangulation), np, ConcurrencyTag());
+  const Flip_report report = flip_to_Delaunay<ConcurrencyTag>(triangulation, np);
+  return Triangulation_and_report<Traits>{std::move(triangulation), report};
 }
 
 } // namespace Intrinsic_triangulations
