@@ -8,7 +8,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/is_Delaunay.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
@@ -17,15 +19,20 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/property_map.h>
 
 #include <boost/core/ref.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <map>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -207,7 +214,7 @@ TYPED_TEST(Mesh_input, vertex_point_map_is_used)
   EXPECT_TRUE(are_same_edges(edge_records(t.triangulation), expected_edges(sphere()), 1e-12));
 }
 
-TYPED_TEST(Mesh_input, visitor_constraints_and_budget_arrive)
+TYPED_TEST(Mesh_input, visitor_and_budget_arrive)
 {
   const auto visitor = [](const auto& v) { return test_traits<TypeParam>().visitor(v); };
   const auto mesh = mesh_of<TypeParam>(sphere());
@@ -227,9 +234,76 @@ TYPED_TEST(Mesh_input, visitor_constraints_and_budget_arrive)
     IT::intrinsic_Delaunay_triangulation(mesh, test_traits<TypeParam>().maximum_number(std::uint64_t(3)));
   EXPECT_EQ(stopped.report.status, IT::Flip_status::BUDGET_EXHAUSTED);
   EXPECT_EQ(stopped.report.flips, 3u);
-  const auto constrained = IT::intrinsic_Delaunay_triangulation(
-    mesh, test_traits<TypeParam>().edge_is_constrained_map(
-            boost::make_function_property_map<IT::Edge_index>([](IT::Edge_index) { return true; })));
-  EXPECT_EQ(constrained.report.status, IT::Flip_status::DELAUNAY);
-  EXPECT_EQ(constrained.report.flips, 0u);
+}
+
+// Every third edge of the mesh, in the order of its range, is constrained.
+template <class Mesh, class ConstraintMap>
+void expect_constraints(const Mesh& mesh, const ConstraintMap& is_constrained)
+{
+  using Traits = IT::Filtered_edge_length_traits;
+  const auto unflipped = IT::intrinsic_triangulation(mesh, CGAL::parameters::geom_traits(Traits()));
+  auto expected = unflipped;
+  const auto by_index = boost::make_function_property_map<IT::Edge_index>([](IT::Edge_index e) { return e.idx() % 3 == 0; });
+  const IT::Flip_report expected_report =
+    IT::flip_to_Delaunay(expected, CGAL::parameters::edge_is_constrained_map(by_index));
+  const auto [t, report] = IT::intrinsic_Delaunay_triangulation(
+    mesh, CGAL::parameters::edge_is_constrained_map(is_constrained).geom_traits(Traits()));
+  EXPECT_EQ(report.status, IT::Flip_status::DELAUNAY);
+  EXPECT_EQ(report.flips, expected_report.flips);
+  EXPECT_EQ(t.connectivity(), expected.connectivity());
+  EXPECT_TRUE(IT::is_Delaunay(t, CGAL::parameters::edge_is_constrained_map(by_index)));
+  EXPECT_FALSE(IT::is_Delaunay(t));
+  for (IT::Edge_index e : t.connectivity().edges())
+    if (e.idx() % 3 == 0) {
+      const IT::Halfedge_index h = t.connectivity().halfedge(e);
+      EXPECT_EQ(t.connectivity().source(h), unflipped.connectivity().source(h));
+      EXPECT_EQ(t.connectivity().target(h), unflipped.connectivity().target(h));
+    }
+}
+
+TEST(Constrained_edges, of_a_surface_mesh)
+{
+  using Mesh = CGAL::Surface_mesh<Inexact::Point_3>;
+  Mesh mesh = mesh_of<Surface_mesh_of<Inexact>>(sphere());
+  const auto constrain = [&] {
+    auto map = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_constrained", false).first;
+    std::size_t number = 0;
+    for (Mesh::Edge_index e : mesh.edges())
+      map[e] = number++ % 3 == 0;
+    return map;
+  };
+  expect_constraints(mesh, constrain());
+  // With garbage, indices are no numbers in the range.
+  CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(3)), mesh);
+  CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(2)), mesh);
+  ASSERT_TRUE(mesh.has_garbage());
+  ASSERT_NE(std::size_t(*std::prev(mesh.edges().end())), mesh.number_of_edges() - 1);
+  expect_constraints(mesh, constrain());
+}
+
+TEST(Constrained_edges, of_a_polyhedron)
+{
+  using Mesh = CGAL::Polyhedron_3<Inexact>;
+  using Edge = boost::graph_traits<Mesh>::edge_descriptor;
+  Mesh mesh = mesh_of<Polyhedron_of<Inexact>>(sphere());
+  const auto map = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
+  std::set<Edge> constrained;
+  std::size_t number = 0;
+  for (const Edge e : edges(mesh)) {
+    put(map, e, number % 3 == 0);
+    if (number++ % 3 == 0)
+      constrained.insert(e);
+  }
+  expect_constraints(mesh, map);
+  expect_constraints(mesh, boost::make_function_property_map<Edge>([&](const Edge& e) { return constrained.count(e) != 0; }));
+}
+
+TEST(Constrained_edges, all_of_them)
+{
+  using Mesh = CGAL::Surface_mesh<Inexact::Point_3>;
+  const Mesh mesh = mesh_of<Surface_mesh_of<Inexact>>(sphere());
+  const auto [t, report] = IT::intrinsic_Delaunay_triangulation(
+    mesh, CGAL::parameters::edge_is_constrained_map(CGAL::Static_boolean_property_map<Mesh::Edge_index, true>()));
+  EXPECT_EQ(report.flips, 0u);
+  EXPECT_EQ(report.status, IT::Flip_status::DELAUNAY);
 }

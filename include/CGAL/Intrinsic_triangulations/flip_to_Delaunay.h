@@ -126,6 +126,27 @@ Flip_report flip_all(Triangulation triangulation, const ConstraintMap& is_constr
   return flipper.finish(flipper.settle(0, n));
 }
 
+// As flip_to_Delaunay(), with the constraints beside the other parameters.
+template <class ConcurrencyTag, class Traits, class ConstraintMap, class NamedParameters>
+Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation, const ConstraintMap& is_constrained,
+                                  const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  constexpr bool is_exact = Traits::Has_exact_decisions::value;
+
+  const std::uint64_t budget = choose_parameter(
+    get_parameter(np, internal_np::maximum_number),
+    is_exact ? (std::numeric_limits<std::uint64_t>::max)()
+             : default_maximum_number_of_flips(triangulation.connectivity().number_of_edges()));
+  auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_flip_visitor());
+  if constexpr (Traits::Uses_exact_geometry::value &&
+                !parameters::is_default_parameter<NamedParameters, Tie_proof_tag>::value)
+    triangulation.set_tie_proof(get_parameter(np, Tie_proof_tag()));
+  return flip_all<ConcurrencyTag>(Whole_triangulation<Traits>(triangulation), is_constrained, unwrapped(visitor),
+                                  budget);
+}
+
 } // namespace internal
 /// \endcond
 
@@ -185,25 +206,11 @@ template <class ConcurrencyTag = Sequential_tag, class Traits,
 Flip_report flip_to_Delaunay(Intrinsic_triangulation<Traits>& triangulation,
                              const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::get_parameter_reference;
-  constexpr bool is_exact =
-    Traits::Has_exact_decisions::value;
-
-  const std::uint64_t budget = choose_parameter(
-    get_parameter(np, internal_np::maximum_number),
-    is_exact ? (std::numeric_limits<std::uint64_t>::max)()
-             : default_maximum_number_of_flips(triangulation.connectivity().number_of_edges()));
-  auto is_constrained =
-    choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                     Static_boolean_property_map<Edge_index, false>());
-  auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_flip_visitor());
-  if constexpr (Traits::Uses_exact_geometry::value &&
-                !parameters::is_default_parameter<NamedParameters, internal::Tie_proof_tag>::value)
-    triangulation.set_tie_proof(get_parameter(np, internal::Tie_proof_tag()));
-  return internal::flip_all<ConcurrencyTag>(internal::Whole_triangulation<Traits>(triangulation), is_constrained,
-                                            internal::unwrapped(visitor), budget);
+  return internal::flip_to_Delaunay_with<ConcurrencyTag>(
+    triangulation,
+    parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
+                                 Static_boolean_property_map<Edge_index, false>()),
+    np);
 }
 
 } // namespace Intrinsic_triangulations

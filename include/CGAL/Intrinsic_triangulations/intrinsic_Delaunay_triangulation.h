@@ -25,8 +25,10 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
+#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <optional>
@@ -70,6 +72,39 @@ std::optional<Input_metric> rational_metric(const TriangleMesh& mesh, const Poin
   if (points.are_doubles())
     return std::nullopt;
   return points.metric(connectivity);
+}
+
+// A flag for each edge, as a property map.
+struct Edge_flags
+{
+  using key_type = Edge_index;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+
+  friend bool get(const Edge_flags& map, Edge_index e) { return map.flags[e.idx()]; }
+
+  std::vector<bool> flags;
+};
+
+// The constraints on the edges of a mesh, for the edges of its copy.
+template <class TriangleMesh, class NamedParameters>
+auto constraints_of_copy(const TriangleMesh& mesh, const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value) {
+    return Static_boolean_property_map<Edge_index, false>();
+  } else {
+    const auto& is_constrained = parameters::get_parameter(np, internal_np::edge_is_constrained);
+    using Map = std::decay_t<decltype(is_constrained)>;
+    using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+    static_assert(std::is_convertible<Edge, typename boost::property_traits<Map>::key_type>::value,
+                  "edge_is_constrained_map: its keys have to be the edges of the mesh, not those of the triangulation");
+    Edge_flags result;
+    result.flags.reserve(num_edges(mesh));
+    for (Edge e : edges(mesh))
+      result.flags.push_back(get(is_constrained, e));
+    return result;
+  }
 }
 
 } // namespace internal
@@ -162,8 +197,13 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
 ///     \cgalParamType{a model of `IntrinsicTriangulationTraits`}
 ///     \cgalParamDefault{`Default_intrinsic_triangulation_traits`: exact decisions}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{edge_is_constrained_map, visitor, maximum_number}
-///     \cgalParamDescription{as for `flip_to_Delaunay()`; edges are given by `Edge_index`}
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{a property map that tells which edges of the mesh must not be flipped}
+///     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is constrained}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor, tie_proof, maximum_number}
+///     \cgalParamDescription{as for `flip_to_Delaunay()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -181,7 +221,8 @@ auto intrinsic_Delaunay_triangulation(const TriangleMesh& mesh,
 {
   auto triangulation = intrinsic_triangulation<ConcurrencyTag>(mesh, np);
   using Traits = typename decltype(triangulation)::Traits;
-  const Flip_report report = flip_to_Delaunay<ConcurrencyTag>(triangulation, np);
+  const Flip_report report = internal::flip_to_Delaunay_with<ConcurrencyTag>(
+    triangulation, internal::constraints_of_copy(mesh, np), np);
   return Triangulation_and_report<Traits>{std::move(triangulation), report};
 }
 
