@@ -80,8 +80,15 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
-/// \brief says that a sign could not be decided: by an inexact number type; for lack of a proof that it is zero,
-/// where `Tie_proof::PROVEN` demands one; or along an edge that crosses too many input edges to be laid out.
+/// \brief says that exact geometry gives no answer, where any answer might be wrong.
+///
+/// There are three causes, which the message tells apart:
+/// - an edge crosses more than 2<sup>20</sup> input edges, too many to be laid out;
+/// - `Tie_proof::PROVEN` demands a proof that a number is zero, and the number has too many independent square roots;
+/// - an edge is not a straight line over the input triangles, as rounded decisions have flipped a hinge that is not convex.
+///
+/// The first two can happen with any traits, the default ones included; nothing is changed then. An interval number type
+/// that cannot decide is no error: `flip_to_Delaunay()` reports `Flip_status::UNDECIDED`.
 class Undecided_error : public Error
 {
 public:
