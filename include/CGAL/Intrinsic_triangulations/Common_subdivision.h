@@ -41,7 +41,7 @@ public:
   /// \brief builds the common subdivision of a triangulation and its input.
   ///
   /// O(size of the overlay) arithmetic operations.
-  /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: the result is the same,
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the result is the same,
   ///   and `progress` is called only a few times
   /// \pre `triangulation.keeps_input()`
   /// \exception Integer_overflow_error if there are 2^31 segments or more

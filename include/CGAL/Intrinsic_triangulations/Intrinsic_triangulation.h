@@ -98,7 +98,7 @@ public:
   {}
 
   /// \brief as above, and takes the points over instead of copying them.
-  /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
   template <class ConcurrencyTag = Sequential_tag>
   Intrinsic_triangulation(Delta_complex connectivity, Point_vector&& points,
                           const Traits& traits = Traits(), ConcurrencyTag = ConcurrencyTag())

@@ -91,7 +91,7 @@ inline double area_beside(const Delta_complex& complex, const std::vector<double
 /// \param complex the triangles
 /// \param weights `cot k + cot l` for each edge, as returned by `cotangent_weights()`
 /// \param factor the factor
-/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: the matrix is the
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the matrix is the
 ///   same, bit for bit
 /// \pre there is a weight for each edge. O(size).
 template <class ConcurrencyTag = Sequential_tag>
@@ -148,7 +148,7 @@ inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Delta_complex& compl
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief as above, with the areas of `face_areas()`.
-/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked, for the areas
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`, for the areas
 template <class ConcurrencyTag = Sequential_tag, class Traits>
 Eigen::SparseMatrix<double> lumped_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)
 {
@@ -208,7 +208,7 @@ struct Laplace_Beltrami_operator
 ///
 /// The i-th row belongs to the i-th vertex of the mesh. The conventions are those of
 /// `stiffness_matrix()`, parameters and exceptions those of `intrinsic_Delaunay_triangulation()`.
-/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters>
 Laplace_Beltrami_operator
@@ -222,7 +222,7 @@ intrinsic_Delaunay_Laplacian(const TriangleMesh& mesh,
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the extrinsic operator, from the unchanged triangles of the mesh; otherwise
 /// as `intrinsic_Delaunay_Laplacian()`.
-/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters>
 Laplace_Beltrami_operator

@@ -98,7 +98,7 @@ public:
   /// \brief builds the overlay of a triangulation and its input.
   ///
   /// O(size of the overlay), which is that of the surface plus the number of crossings.
-  /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: the overlay
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the overlay
   ///   is the same, and `progress` is called only a few times
   /// \pre `triangulation.keeps_input()`
   /// \exception Integer_overflow_error if there are 2^31 segments or more

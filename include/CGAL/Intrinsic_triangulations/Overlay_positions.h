@@ -43,7 +43,7 @@ public:
   ///
   /// `Common_subdivision` does it for a triangulation.
   ///
-  /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: the positions
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the positions
   ///   are the same, and `progress` is called only at the beginning
   /// \param intrinsic the current connectivity
   /// \param geometry the exact geometry of the input

@@ -243,7 +243,7 @@ private:
 ///
 /// \exception Invalid_surface_error if a face has zero area
 ///
-/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: the weights are
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the weights are
 ///   the same, and several threads compute those for which the stored numbers suffice
 ///
 /// O(size), except for the edges that need the exact geometry.

@@ -170,7 +170,7 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 /// near to each other. With another number type than `double` and `float`, and if the input was asked
 /// for before, it is as `Sequential_tag`.
 ///
-/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
 /// \tparam NamedParameters a sequence of named parameters
 ///
 /// \cgalNamedParamsBegin

@@ -181,7 +181,7 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
 /// changes the end vertices of an edge, but not its descriptor. Expected time: O(size) plus O(1) per
 /// flip; in practice the number of flips is about linear.
 ///
-/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked: as for
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: as for
 ///   `flip_to_Delaunay()`; the mesh is copied by several threads if its iterators have random access
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters

@@ -27,7 +27,7 @@ namespace Intrinsic_triangulations {
 /// `CGAL::Surface_mesh` without garbage the positions are those of its own descriptors.
 /// O(size).
 ///
-/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \exception Invalid_surface_error if a face is not a triangle or there are too many edges
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph>
