@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What validation costs beside reading: `has_nothing_to_report()`, which the command asks for each
+// What validation costs beside reading: `is_clean()`, which the command asks for each
 // mesh, and `examine_polygons()`, which says what is wrong. The goal is a tenth.
 //
 //   validation_benchmark FILE...
@@ -42,7 +42,7 @@ void measure(const char* path)
   const IT::Delta_complex complex =
     IT::make_Delta_complex_from_triangles(input.points.size(), input.triangles);
   const double reading = seconds([&] { idt::read_surface(path); });
-  const double question = seconds([&] { IT::has_nothing_to_report(complex, input.points); });
+  const double question = seconds([&] { IT::is_clean(complex, input.points); });
   const double examination = seconds([&] { idt::examine(input); });
   std::printf("%s: %zu edges; reading %.4f s, validation %.4f s (%.3f), examination %.4f s (%.3f)\n",
               path, std::size_t(complex.number_of_edges()), reading, question, question / reading,

@@ -155,6 +155,16 @@ public:
   */
   typedef unspecified_type Compute_cotangent_bounds;
 
+  /*!
+  Provides `CGAL::Intrinsic_triangulations::Bounded_double operator()(const Face_data& ijk, const Edge_data& ij,
+  const Edge_data& jk, const Edge_data& ki) const`: the cotangent of the corner `k`, opposite to `ij`, with a bound on its
+  error, which is infinite if the cotangent is not known.
+
+  Optional: without it, and without `compute_bounded_cotangent_object()`, `cotangent_weights()` asks the
+  triangulation for each weight.
+  */
+  typedef unspecified_type Compute_bounded_cotangent;
+
   /// provides `bool operator()(const Face_data& f) const`: whether what is kept for a face is so
   /// good that it need not be replaced where the points are at hand. Only for traits that use exact geometry.
   typedef unspecified_type Is_accurate;
@@ -195,5 +205,6 @@ public:
   Compute_area compute_area_object() const;
   Compute_cotangent compute_cotangent_object() const;
   Compute_cotangent_bounds compute_cotangent_bounds_object() const;
+  Compute_bounded_cotangent compute_bounded_cotangent_object() const;
   /// @}
 };

@@ -4,7 +4,7 @@
 // A smooth field on a mesh that is no manifold: a box with an open compartment, whose walls meet three and four at an edge.
 // Heat enters at one corner and leaves at another; the field in between is harmonic.
 
-#include <CGAL/Intrinsic_triangulations/tufted_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <Eigen/SparseCholesky>
 
@@ -65,14 +65,14 @@ int main()
   walls.add({0, n / 2, 0}, {1, 0, 0}, {0, 0, 1}, n, n); // a wall in the middle
   walls.add({0, 0, n / 2}, {1, 0, 0}, {0, 1, 0}, n, n); // and one across it
 
-  const IT::Tufted_laplacian laplacian = IT::tufted_laplacian(walls.points, walls.triangles);
-  std::cout << laplacian.report.nonmanifold_edges << " edges with more than two faces, " << laplacian.report.border_edges
-            << " with one; " << laplacian.flips.flips << " flips\n"
-            << "smallest weight: " << laplacian.minimum_weight << '\n';
+  const IT::Tufted_Laplacian Laplacian = IT::tufted_Laplacian(walls.points, walls.triangles);
+  std::cout << Laplacian.report.nonmanifold_edges << " edges with more than two faces, " << Laplacian.report.border_edges
+            << " with one; " << Laplacian.flips.flips << " flips\n"
+            << "smallest weight: " << Laplacian.minimum_weight << '\n';
 
   // L u = 0 but at two vertices, where u is 0 and 1.
   const auto cold = Eigen::Index(walls.number({0, 0, 0})), hot = Eigen::Index(walls.number({n, n, n}));
-  Eigen::SparseMatrix<double> system = laplacian.stiffness;
+  Eigen::SparseMatrix<double> system = Laplacian.stiffness;
   Eigen::VectorXd right = -system.col(hot);
   for (Eigen::Index v : {cold, hot}) {
     system.prune([v](Eigen::Index row, Eigen::Index column, double) { return row != v && column != v; });
@@ -83,7 +83,7 @@ int main()
   std::cout << "the field is between " << u.minCoeff() << " and " << u.maxCoeff() << '\n';
 
   // With non-negative weights, each value is a mean of its neighbours': none is beyond those that were given.
-  const bool is_good = laplacian.report.nonmanifold_edges > 0 && laplacian.minimum_weight >= 0 && u.minCoeff() >= -1e-12 &&
+  const bool is_good = Laplacian.report.nonmanifold_edges > 0 && Laplacian.minimum_weight >= 0 && u.minCoeff() >= -1e-12 &&
                        u.maxCoeff() <= 1 + 1e-12;
   return is_good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

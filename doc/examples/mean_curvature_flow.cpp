@@ -46,19 +46,19 @@ Eigen::MatrixXd positions(const Mesh& mesh)
   return x;
 }
 
-Eigen::MatrixXd flow(const IT::Laplace_Beltrami_operator& laplacian, const Eigen::MatrixXd& x,
+Eigen::MatrixXd flow(const IT::Laplace_Beltrami_operator& Laplacian, const Eigen::MatrixXd& x,
                      double h)
 {
-  const Eigen::SimplicialLDLT<Matrix> solver(laplacian.mass + h * laplacian.stiffness);
-  return solver.solve(laplacian.mass * x);
+  const Eigen::SimplicialLDLT<Matrix> solver(Laplacian.mass + h * Laplacian.stiffness);
+  return solver.solve(Laplacian.mass * x);
 }
 
 // How far below zero the flow makes a function that is 1 at one vertex and 0 at all others, at
 // the worst of all vertices.
-double worst_dent(const IT::Laplace_Beltrami_operator& laplacian, double h)
+double worst_dent(const IT::Laplace_Beltrami_operator& Laplacian, double h)
 {
-  const Eigen::Index n = laplacian.mass.rows();
-  return std::min(0., flow(laplacian, Eigen::MatrixXd::Identity(n, n), h).minCoeff());
+  const Eigen::Index n = Laplacian.mass.rows();
+  return std::min(0., flow(Laplacian, Eigen::MatrixXd::Identity(n, n), h).minCoeff());
 }
 
 } // namespace
@@ -66,7 +66,7 @@ double worst_dent(const IT::Laplace_Beltrami_operator& laplacian, double h)
 int main()
 {
   const Mesh mesh = mesh_of(IT::bumpy_sphere(40, 21)); // needles and obtuse triangles
-  const IT::Laplace_Beltrami_operator extrinsic = IT::extrinsic_laplacian(mesh),
+  const IT::Laplace_Beltrami_operator extrinsic = IT::extrinsic_Laplacian(mesh),
                                       intrinsic = IT::intrinsic_Delaunay_Laplacian(mesh);
   const double h = 1e-3;
   const Eigen::MatrixXd before = positions(mesh), after = flow(intrinsic, before, h);

@@ -46,10 +46,10 @@ Eigen::MatrixXd positions(const Mesh& mesh)
   return x;
 }
 
-double area(const Mesh& mesh) { return IT::extrinsic_laplacian(mesh).mass.sum(); }
+double area(const Mesh& mesh) { return IT::extrinsic_Laplacian(mesh).mass.sum(); }
 
 // One step: the harmonic map of the surface with the given operator, with the boundary in place.
-void step(Mesh& mesh, const IT::Laplace_Beltrami_operator& laplacian)
+void step(Mesh& mesh, const IT::Laplace_Beltrami_operator& Laplacian)
 {
   std::vector<Eigen::Triplet<double>> entries;
   int columns = 0;
@@ -59,9 +59,9 @@ void step(Mesh& mesh, const IT::Laplace_Beltrami_operator& laplacian)
   const Eigen::MatrixXd x = positions(mesh);
   Matrix select(x.rows(), columns);
   select.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Matrix> solver(select.transpose() * laplacian.stiffness * select);
+  const Eigen::SimplicialLDLT<Matrix> solver(select.transpose() * Laplacian.stiffness * select);
   const Eigen::MatrixXd y =
-    x - select * solver.solve(select.transpose() * (laplacian.stiffness * x));
+    x - select * solver.solve(select.transpose() * (Laplacian.stiffness * x));
   for (Mesh::Vertex_index v : mesh.vertices())
     mesh.point(v) = Point(y(v.idx(), 0), y(v.idx(), 1), y(v.idx(), 2));
 }
@@ -77,7 +77,7 @@ int main()
   Mesh extrinsic = lantern;
   int extrinsic_steps = 0;
   while (extrinsic_steps < 100 && area(extrinsic) < 2 * start) {
-    step(extrinsic, IT::extrinsic_laplacian(extrinsic));
+    step(extrinsic, IT::extrinsic_Laplacian(extrinsic));
     ++extrinsic_steps;
   }
   std::cout << "extrinsic: area " << start << " -> " << area(extrinsic) << " in "

@@ -118,7 +118,7 @@ double largest_length_error(const Outcome& outcome)
   return result;
 }
 
-Kernel_options kernel_options(const Compared_type& type, const Wanted& wanted)
+Kernel_options kernel_options(const Compared_type& type, const Requested_results& wanted)
 {
   Kernel_options options;
   options.number_type = type.number_type;
@@ -152,7 +152,7 @@ private:
   // What all results are compared with.
   void find_exact_result()
   {
-    Wanted wanted = Wanted::nothing();
+    Requested_results wanted = Requested_results::nothing();
     wanted.crossings = wanted.tessellation = wanted.exact_lengths = true;
     const auto goes_on = [](std::uint64_t, std::uint64_t) { return !is_interrupted(); };
     const Outcome exact =
@@ -168,7 +168,7 @@ private:
     result_.repairs = repairs(surface_);
   }
 
-  Outcome flip(const Compared_type& type, const Wanted& wanted) const
+  Outcome flip(const Compared_type& type, const Requested_results& wanted) const
   {
     const Stopwatch stopwatch;
     const auto goes_on = [&](std::uint64_t, std::uint64_t) {
@@ -197,7 +197,7 @@ private:
     Comparison_row row;
     row.type = type;
     try {
-      const Outcome outcome = flip(type, Wanted::nothing());
+      const Outcome outcome = flip(type, Requested_results::nothing());
       row.status = status_text(outcome.report.status);
       row.flips = outcome.report.flips;
       row.tests = outcome.report.tests;
@@ -213,7 +213,7 @@ private:
     if (!row.has_ended())
       return;
 
-    Wanted wanted = Wanted::nothing();
+    Requested_results wanted = Requested_results::nothing();
     wanted.lengths = wanted.crossings = wanted.verification = wanted.exact_lengths = true;
     const Outcome outcome = flip(type, wanted);
     // More flips than the time limit allowed for now, or more crossings than can be counted.
@@ -227,7 +227,7 @@ private:
 
     if (!counts_wrong_decisions_)
       return;
-    wanted = Wanted::nothing();
+    wanted = Requested_results::nothing();
     wanted.wrong_decisions = true;
     const Outcome counted = flip(type, wanted);
     if (counted.report.tests == row.tests) {
@@ -272,7 +272,7 @@ private:
                              spent[i] > options_.time_limit;
         if (!row.has_ended() || is_slow)
           continue;
-        const Outcome outcome = flip(row.type, Wanted::nothing());
+        const Outcome outcome = flip(row.type, Requested_results::nothing());
         times[i].push_back(outcome.build_seconds + outcome.flip_seconds);
         spent[i] += times[i].back();
       }

@@ -23,7 +23,7 @@ using Selected_command = std::function<Exit_status()>;
 void add_triangulate_command(CLI::App& app, Selected_command& selected);
 void add_compare_command(CLI::App& app, Selected_command& selected);
 void add_parameterize_command(CLI::App& app, Selected_command& selected);
-void add_laplacian_command(CLI::App& app, Selected_command& selected);
+void add_Laplacian_command(CLI::App& app, Selected_command& selected);
 void add_table_command(CLI::App& app, Selected_command& selected);
 void add_sample_command(CLI::App& app, Selected_command& selected);
 void add_describe_command(CLI::App& app, Selected_command& selected);

@@ -15,7 +15,7 @@
 #include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/smallest_eigenvalues.h>
-#include <CGAL/Intrinsic_triangulations/tufted_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <nlohmann/json.hpp>
 
@@ -46,17 +46,17 @@ struct Laplacian_options
 
 struct Laplacian_result
 {
-  IT::Tufted_laplacian laplacian;
+  IT::Tufted_Laplacian Laplacian;
   std::size_t number_of_faces = 0, triangulated_faces = 0, small_faces = 0; // of the file
   std::vector<double> eigenvalues;
   double read_seconds = 0, seconds = 0;
 
-  std::size_t dropped_faces() const { return small_faces + laplacian.report.dropped_faces(); }
+  std::size_t dropped_faces() const { return small_faces + Laplacian.report.dropped_faces(); }
 };
 
-IT::Tufted_laplacian_options library_options(const Laplacian_options& options)
+IT::Tufted_Laplacian_options library_options(const Laplacian_options& options)
 {
-  IT::Tufted_laplacian_options result;
+  IT::Tufted_Laplacian_options result;
   result.mass_type = options.mass_type == "lumped" ? IT::Mass_type::LUMPED : IT::Mass_type::GALERKIN;
   result.cover = options.cover == "tufted" ? IT::Surface_cover::TUFTED : IT::Surface_cover::NONE;
   const std::map<std::string, IT::Coincident_vertices> policies = {{"error", IT::Coincident_vertices::ERROR},
@@ -83,7 +83,7 @@ struct Flip_watch
 void find_operator(const Laplacian_options& options, Laplacian_result& result)
 {
   Stopwatch stopwatch;
-  const IT::Tufted_laplacian_options wanted = library_options(options);
+  const IT::Tufted_Laplacian_options wanted = library_options(options);
   if (is_gluing_file(options.input)) {
     IT::Delta_complex complex;
     std::vector<double> lengths;
@@ -97,7 +97,7 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     result.number_of_faces = complex.number_of_faces();
     result.read_seconds = stopwatch.restart();
     Progress progress(options.input);
-    result.laplacian = IT::tufted_laplacian(complex, lengths, wanted, CGAL::parameters::visitor(Flip_watch{progress}));
+    result.Laplacian = IT::tufted_Laplacian(complex, lengths, wanted, CGAL::parameters::visitor(Flip_watch{progress}));
   } else {
     const Triangle_soup soup = read_triangle_soup(options.input);
     result.number_of_faces = soup.number_of_faces;
@@ -105,8 +105,8 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     result.small_faces = soup.small_faces;
     result.read_seconds = stopwatch.restart();
     Progress progress(options.input);
-    result.laplacian =
-      IT::tufted_laplacian(soup.points, soup.triangles, wanted, CGAL::parameters::visitor(Flip_watch{progress}));
+    result.Laplacian =
+      IT::tufted_Laplacian(soup.points, soup.triangles, wanted, CGAL::parameters::visitor(Flip_watch{progress}));
   }
   result.seconds = stopwatch.seconds();
 }
@@ -122,7 +122,7 @@ Json mollification_json(const Laplacian_options& options, const IT::Mollificatio
 
 Json statistics(const Laplacian_options& options, const Laplacian_result& result)
 {
-  const IT::Tufted_cover_report& report = result.laplacian.report;
+  const IT::Tufted_cover_report& report = result.Laplacian.report;
   Json json = {{"input", options.input},
                {"vertices", report.number_of_vertices},
                {"faces", result.number_of_faces},
@@ -135,8 +135,8 @@ Json statistics(const Laplacian_options& options, const Laplacian_result& result
                {"merged_vertices", report.merged_vertices},
                {"unreferenced_vertices", report.unreferenced_vertices},
                {"mollification", mollification_json(options, report.mollification)},
-               {"flips", result.laplacian.flips.flips},
-               {"minimum_weight", result.laplacian.minimum_weight}};
+               {"flips", result.Laplacian.flips.flips},
+               {"minimum_weight", result.Laplacian.minimum_weight}};
   if (options.number_of_eigenvalues > 0)
     json["eigenvalues"] = result.eigenvalues;
   json["status"] = "done";
@@ -146,7 +146,7 @@ Json statistics(const Laplacian_options& options, const Laplacian_result& result
 
 void write_report(std::ostream& os, const Laplacian_options& options, const Laplacian_result& result)
 {
-  const IT::Tufted_cover_report& report = result.laplacian.report;
+  const IT::Tufted_cover_report& report = result.Laplacian.report;
   os << options.input << "\n  input             " << counted(report.number_of_vertices, "vertex", "vertices") << ", "
      << counted(result.number_of_faces, "face", "faces");
   if (result.triangulated_faces > 0)
@@ -172,14 +172,14 @@ void write_report(std::ostream& os, const Laplacian_options& options, const Lapl
   if (options.mollification > 0)
     os << "\n  mollification     " << counted(report.mollification.number_of_changed_edges, "edge", "edges")
        << " longer, by a factor of 1 + " << in_short(report.mollification.largest_relative_change) << " at most";
-  os << "\n  flips             " << with_separators(result.laplacian.flips.flips)
-     << "\n  smallest weight   " << in_short(result.laplacian.minimum_weight)
+  os << "\n  flips             " << with_separators(result.Laplacian.flips.flips)
+     << "\n  smallest weight   " << in_short(result.Laplacian.minimum_weight)
      << "\n  time              " << seconds_text(result.seconds) << '\n';
   for (std::size_t i = 0; i < result.eigenvalues.size(); ++i)
     os << (i == 0 ? "  eigenvalues       " : "                    ") << in_full(result.eigenvalues[i]) << '\n';
 }
 
-Exit_status run_laplacian(const Laplacian_options& options)
+Exit_status run_Laplacian(const Laplacian_options& options)
 {
   check_output_paths(options.output_paths(), {options.input});
   return for_each_input({options.input}, [&](const std::string& path) {
@@ -190,7 +190,7 @@ Exit_status run_laplacian(const Laplacian_options& options)
     try {
       find_operator(options, result);
       if (options.number_of_eigenvalues > 0)
-        result.eigenvalues = IT::smallest_eigenvalues(result.laplacian.stiffness, result.laplacian.mass,
+        result.eigenvalues = IT::smallest_eigenvalues(result.Laplacian.stiffness, result.Laplacian.mass,
                                                       options.number_of_eigenvalues);
     } catch (const IT::Invalid_surface_error& error) {
       throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), named(error.what()));
@@ -201,13 +201,13 @@ Exit_status run_laplacian(const Laplacian_options& options)
     }
     write_file(options.stiffness_path, [&](std::ostream& os) {
       write_symmetric_matrix(os, "Laplace-Beltrami operator: -(cot + cot)/2 off the diagonal, row sums zero",
-                             result.laplacian.stiffness);
+                             result.Laplacian.stiffness);
     });
     write_file(options.mass_path, [&](std::ostream& os) {
       write_symmetric_matrix(os,
                              options.mass_type == "lumped" ? "lumped mass: a third of the area of the faces at each vertex"
                                                            : "mass of linear finite elements",
-                             result.laplacian.mass);
+                             result.Laplacian.mass);
     });
     write_file(options.stats_path, [&](std::ostream& os) {
       // A file name need not be valid UTF-8.
@@ -221,7 +221,7 @@ Exit_status run_laplacian(const Laplacian_options& options)
 
 } // namespace
 
-void add_laplacian_command(CLI::App& app, Selected_command& selected)
+void add_Laplacian_command(CLI::App& app, Selected_command& selected)
 {
   const auto options = std::make_shared<Laplacian_options>();
   CLI::App& command = *app.add_subcommand(
@@ -266,7 +266,7 @@ void add_laplacian_command(CLI::App& app, Selected_command& selected)
     ->type_name("K")
     ->check(CLI::Range(1, 10000));
   command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")->type_name("F.json");
-  command.callback([options, &selected] { selected = [options] { return run_laplacian(*options); }; });
+  command.callback([options, &selected] { selected = [options] { return run_Laplacian(*options); }; });
 }
 
 } // namespace idt

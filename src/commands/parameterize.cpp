@@ -38,7 +38,7 @@ struct Parameterize_options
 {
   std::string input;
   std::string method = "harmonic";
-  std::string laplacian = "intrinsic";
+  std::string Laplacian = "intrinsic";
   std::string boundary;
   std::string uv_path;
   std::string uv_input_path;
@@ -91,7 +91,7 @@ void find_map(const Parameterize_options& options, Result& result,
 {
   if (!progress(0))
     throw IT::Cancelled_error("the search for the map was cancelled");
-  const bool is_intrinsic = options.laplacian == "intrinsic";
+  const bool is_intrinsic = options.Laplacian == "intrinsic";
   const Outcome& outcome = result.triangulation.outcome;
   const IT::Delta_complex& complex =
     is_intrinsic ? outcome.connectivity : result.triangulation.surface.connectivity;
@@ -161,7 +161,7 @@ Json json_value(const Parameterize_options& options, const Result& result)
   Json json;
   json["input"] = options.input;
   json["method"] = options.method;
-  json["laplacian"] = options.laplacian;
+  json["laplacian"] = options.Laplacian;
   json["boundary"] = options.boundary;
   json["vertices"] = result.triangulation.counts.vertices;
   json["faces"] = result.triangulation.counts.faces;
@@ -188,7 +188,7 @@ std::string text(const Quality& quality)
 void write_report(std::ostream& os, const Parameterize_options& options, const Result& result)
 {
   const Outcome& outcome = result.triangulation.outcome;
-  os << options.input << "\n  map               " << options.laplacian << ' ' << options.method
+  os << options.input << "\n  map               " << options.Laplacian << ' ' << options.method
      << ", boundary " << (options.boundary == "disk" ? "on the unit circle" : "natural")
      << "\n  flips             " << with_separators(outcome.report.flips)
      << "\n  negative weights  " << with_separators(outcome.weights_before->negative)
@@ -244,7 +244,7 @@ Exit_status run_parameterize(Parameterize_options options)
   check(options);
   Result result;
   Kernel_options kernel;
-  kernel.wanted = Wanted::nothing();
+  kernel.wanted = Requested_results::nothing();
   kernel.wanted.weights = kernel.wanted.lengths = kernel.wanted.numbers =
     kernel.wanted.input_numbers = true;
   kernel.wanted.crossings = kernel.wanted.overlay =
@@ -299,7 +299,7 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
                  "singular values: 1 where a triangle keeps its shape.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
   command
-    .add_option("--laplacian", options->laplacian,
+    .add_option("--laplacian", options->Laplacian,
                 "the triangulation whose cotangents, or whose circles, are taken")
     ->check(CLI::IsMember({"intrinsic", "extrinsic"}))
     ->capture_default_str();

@@ -193,7 +193,7 @@ Exit_status run_table(const Table_options& options)
 {
   check_output_paths({options.json_path}, options.inputs);
   Kernel_options kernel_options;
-  kernel_options.wanted = Wanted::nothing();
+  kernel_options.wanted = Requested_results::nothing();
   kernel_options.wanted.crossings = true;
   kernel_options.wanted.weights = kernel_options.wanted.numbers =
     kernel_options.wanted.input_numbers = !options.without_condition;

@@ -40,7 +40,7 @@ struct Triangulate_options
   bool is_verified = false;
   std::string stats_path;
   std::string edges_path;
-  std::string laplacian_path;
+  std::string Laplacian_path;
   std::string mass_path;
   std::string crossings_path;
   std::string overlay_path;
@@ -48,7 +48,7 @@ struct Triangulate_options
 
   std::vector<std::string> output_paths() const
   {
-    return {stats_path, edges_path, laplacian_path, mass_path, crossings_path, overlay_path, repair_map_path};
+    return {stats_path, edges_path, Laplacian_path, mass_path, crossings_path, overlay_path, repair_map_path};
   }
 };
 
@@ -64,7 +64,7 @@ Kernel_options kernel_options(const Triangulate_options& options)
   if (options.are_ties_proven)
     result.tie_proof = CGAL::Intrinsic_triangulations::Tie_proof::PROVEN;
   result.wanted.lengths = !options.edges_path.empty();
-  result.wanted.numbers = !options.edges_path.empty() || !options.laplacian_path.empty() ||
+  result.wanted.numbers = !options.edges_path.empty() || !options.Laplacian_path.empty() ||
                           !options.mass_path.empty();
   result.wanted.verification = options.is_verified;
   result.wanted.tessellation = !options.stats_path.empty();
@@ -107,7 +107,7 @@ void write_files(const Triangulate_options& options, Triangulation_result& resul
   write_file(options.repair_map_path,
              [&](std::ostream& os) { write_repair_map(os, result.surface); });
   write_file(options.edges_path, [&](std::ostream& os) { write_edges(os, result); });
-  write_file(options.laplacian_path, [&](std::ostream& os) { write_laplacian(os, result); });
+  write_file(options.Laplacian_path, [&](std::ostream& os) { write_Laplacian(os, result); });
   write_file(options.mass_path, [&](std::ostream& os) { write_mass(os, result); });
   if (result.outcome.subdivision) {
     write_file(options.crossings_path, [&](std::ostream& os) { write_crossings(os, result); });
@@ -147,8 +147,8 @@ bool may_end_the_process(Number_type number_type)
 }
 
 // Does it in another process, which is all that ends then.
-Exit_status survive(const std::string& path, const Kernel_options& kernel,
-                    const std::function<Exit_status()>& triangulate_input, bool& is_first)
+Exit_status run_in_subprocess(const std::string& path, const Kernel_options& kernel,
+                              const std::function<Exit_status()>& triangulate_input, bool& is_first)
 {
   constexpr int has_report = 256;
   const std::optional<int> end = run_in_expendable_process([&] {
@@ -180,7 +180,7 @@ Exit_status run_triangulate(const Triangulate_options& options)
   bool is_first = true;
   return for_each_input(options.inputs, [&](const std::string& path) {
     const auto triangulate_input = [&] { return triangulate_file(path, options, kernel, load, is_first); };
-    return may_end_the_process(kernel.number_type) ? survive(path, kernel, triangulate_input, is_first)
+    return may_end_the_process(kernel.number_type) ? run_in_subprocess(path, kernel, triangulate_input, is_first)
                                                    : triangulate_input();
   });
 }
@@ -284,7 +284,7 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
                 "original; no weight where it is infinite, beside a face of zero area")
     ->type_name("F.csv");
   command
-    .add_option("--laplacian", options->laplacian_path,
+    .add_option("--laplacian", options->Laplacian_path,
                 "write the Laplace-Beltrami operator as a Matrix Market file: positive "
                 "semidefinite, entries -(cot + cot)/2, natural boundary conditions")
     ->type_name("F.mtx");

@@ -78,7 +78,7 @@ void load_mesh(Surface& surface, bool is_repaired)
     }
   } catch (const IT::Invalid_surface_error&) {
   }
-  if (!is_built || !IT::has_nothing_to_report(surface.connectivity, input.points)) {
+  if (!is_built || !IT::is_clean(surface.connectivity, input.points)) {
     const IT::Surface_report report = examine(input);
     if (report.first_fatal() != nullptr)
       refuse(report, surface.path, is_repaired);

@@ -27,7 +27,7 @@
 namespace idt {
 
 // What a run is to find out beside the flips; what nobody asked for costs nothing.
-struct Wanted
+struct Requested_results
 {
   bool weights = true;          // their summaries, before and after
   bool lengths = true;          // of the result
@@ -40,9 +40,9 @@ struct Wanted
   bool wrong_decisions = false; // compares each test with the exact one
   bool overlay = false;         // of input and result, with the positions of the crossings
 
-  static Wanted nothing()
+  static Requested_results nothing()
   {
-    Wanted wanted;
+    Requested_results wanted;
     wanted.weights = wanted.lengths = wanted.numbers = wanted.crossings = false;
     return wanted;
   }
@@ -60,7 +60,7 @@ struct Kernel_options
   std::optional<std::uint64_t> maximum_number_of_flips;
   CGAL::Intrinsic_triangulations::Tie_proof tie_proof =
     CGAL::Intrinsic_triangulations::Tie_proof::PROBABLE_IF_COSTLY;
-  Wanted wanted;
+  Requested_results wanted;
 };
 
 // Is asked before each test, with the numbers of tests and flips so far; the flips end

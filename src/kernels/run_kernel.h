@@ -84,7 +84,7 @@ void require_usable_faces(const IT::Intrinsic_triangulation<IT::Half_angle_trait
   const auto length = [&](IT::Halfedge_index h) -> const FT& {
     return triangulation.edge_data(complex.edge(h));
   };
-  IT::internal::Offenders offenders;
+  IT::internal::Defect_tally offenders;
   for (IT::Face_index f : complex.faces()) {
     const IT::Halfedge_index h = complex.halfedge(f);
     const FT &a = length(h), &b = length(complex.next(h)), &c = length(complex.prev(h));
@@ -217,7 +217,7 @@ inline void find_stages(const IT::Exact_geometry& geometry, Outcome& outcome)
 template <class Triangulation>
 void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome& outcome)
 {
-  const Wanted& wanted = job.options.wanted;
+  const Requested_results& wanted = job.options.wanted;
   const IT::Delta_complex& complex = triangulation.connectivity();
   try {
     const Stopwatch stopwatch;
@@ -255,7 +255,7 @@ template <class Traits>
 Outcome run_kernel(const Job& job, const Traits& traits = Traits())
 {
   using Triangulation = IT::Intrinsic_triangulation<Traits>;
-  const Wanted& wanted = job.options.wanted;
+  const Requested_results& wanted = job.options.wanted;
   Outcome outcome;
   Stopwatch stopwatch;
   Triangulation triangulation = make_triangulation(job.surface, traits);

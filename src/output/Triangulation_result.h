@@ -54,7 +54,7 @@ void write_edges(std::ostream& os, const Triangulation_result& result);
 
 // Stiffness and lumped mass matrix of the result in the format Matrix Market.
 // \exception Invalid_surface_error if a weight is infinite, beside a face without area
-void write_laplacian(std::ostream& os, const Triangulation_result& result);
+void write_Laplacian(std::ostream& os, const Triangulation_result& result);
 void write_mass(std::ostream& os, const Triangulation_result& result);
 
 // The crossings along each intrinsic edge in order, as comma-separated values:

@@ -12,7 +12,7 @@ namespace idt {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-void write_laplacian(std::ostream& os, const Triangulation_result& result)
+void write_Laplacian(std::ostream& os, const Triangulation_result& result)
 {
   const Outcome& outcome = result.outcome;
   require_finite_weights(outcome.connectivity, outcome.numbers.weights, result.surface.path);

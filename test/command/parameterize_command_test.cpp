@@ -310,7 +310,7 @@ TEST_F(Matrix_command, stiffness_and_mass)
   EXPECT_NEAR(m.entries.at({2, 2}), 0.5 / 3, 1e-15);  // two of them
 }
 
-TEST_F(Matrix_command, a_face_without_area_has_no_laplacian)
+TEST_F(Matrix_command, a_face_without_area_has_no_Laplacian)
 {
   write("flat.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n1 -1 0\n3 0 1 2\n3 1 0 3\n");
   const Command_run run = idt("triangulate flat.off --laplacian l.mtx");

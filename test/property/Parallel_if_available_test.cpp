@@ -102,7 +102,7 @@ TEST(Parallel_if_available, operators)
   EXPECT_TRUE(are_equal(IT::lumped_mass_matrix<Tag>(t), IT::lumped_mass_matrix(t)));
   EXPECT_EQ(IT::intrinsic_Delaunay_Laplacian<Tag>(mesh).stiffness.nonZeros(),
             IT::intrinsic_Delaunay_Laplacian(mesh).stiffness.nonZeros());
-  EXPECT_TRUE(are_equal(IT::extrinsic_laplacian<Tag>(mesh).stiffness, IT::extrinsic_laplacian(mesh).stiffness));
+  EXPECT_TRUE(are_equal(IT::extrinsic_Laplacian<Tag>(mesh).stiffness, IT::extrinsic_Laplacian(mesh).stiffness));
 }
 
 } // namespace

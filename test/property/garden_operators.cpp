@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/parameterization_quality.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
-#include <CGAL/Intrinsic_triangulations/tufted_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 #include <CGAL/Intrinsic_triangulations/weight_histogram.h>
 
 #include <Eigen/Core>
@@ -87,9 +87,9 @@ void tufted(const Surface& surface)
   const auto* const s = std::get_if<IT::Indexed_triangles>(&surface);
   const auto from_gluing = [&] {
     const IT::Delta_complex complex = connectivity(surface);
-    return IT::tufted_laplacian(complex, edge_lengths(std::get<IT::Glued_triangles>(surface), complex));
+    return IT::tufted_Laplacian(complex, edge_lengths(std::get<IT::Glued_triangles>(surface), complex));
   };
-  const IT::Tufted_laplacian result = s ? IT::tufted_laplacian(s->points, s->triangles) : from_gluing();
+  const IT::Tufted_Laplacian result = s ? IT::tufted_Laplacian(s->points, s->triangles) : from_gluing();
   EXPECT_GE(result.minimum_weight, 0);
   for (int v = 0; v < result.stiffness.outerSize(); ++v) {
     double row_sum = 0;

@@ -224,7 +224,7 @@ TEST(Operators, linear_functions_on_a_plane_mesh_are_harmonic)
   for (std::array<double, 3>& p : sheet.points)
     p[1] += 0.1 * std::sin(5 * p[0]);
   const Mesh mesh = mesh_of(sheet);
-  for (const Matrix& stiffness : {IT::extrinsic_laplacian(mesh).stiffness,
+  for (const Matrix& stiffness : {IT::extrinsic_Laplacian(mesh).stiffness,
                                   IT::intrinsic_Delaunay_Laplacian(mesh).stiffness}) {
     Eigen::VectorXd u(stiffness.rows());
     for (Mesh::Vertex_index v : mesh.vertices())
@@ -235,7 +235,7 @@ TEST(Operators, linear_functions_on_a_plane_mesh_are_harmonic)
         EXPECT_NEAR(image[v.idx()], 0, 1e-10) << v;
       }
     // Dirichlet energy: |∇u|² times the area.
-    EXPECT_NEAR(u.dot(image), 13 * Eigen::VectorXd(IT::extrinsic_laplacian(mesh).mass.diagonal()).sum(), 1e-8);
+    EXPECT_NEAR(u.dot(image), 13 * Eigen::VectorXd(IT::extrinsic_Laplacian(mesh).mass.diagonal()).sum(), 1e-8);
   }
 }
 

@@ -80,13 +80,13 @@ template <class Triangulation>
 void expect_finite_elements(const Triangulation& t)
 {
   const Finite_elements expected = finite_elements(t);
-  const Matrix stiffness = IT::stiffness_matrix(t), galerkin = IT::Galerkin_mass_matrix(t),
+  const Matrix stiffness = IT::stiffness_matrix(t), Galerkin = IT::Galerkin_mass_matrix(t),
                lumped = IT::lumped_mass_matrix(t);
   expect_sorted_and_complete(stiffness);
-  expect_sorted_and_complete(galerkin);
+  expect_sorted_and_complete(Galerkin);
   const double largest = expected.stiffness.cwiseAbs().maxCoeff();
   EXPECT_LE((Dense(stiffness) - expected.stiffness).cwiseAbs().maxCoeff(), 1e-8 * (1 + largest));
-  EXPECT_LE((Dense(galerkin) - expected.mass).cwiseAbs().maxCoeff(), 1e-9 * expected.mass.sum());
+  EXPECT_LE((Dense(Galerkin) - expected.mass).cwiseAbs().maxCoeff(), 1e-9 * expected.mass.sum());
   EXPECT_LE((Dense(lumped).diagonal() - expected.mass.rowwise().sum()).cwiseAbs().maxCoeff(),
             1e-9 * expected.mass.sum());
   EXPECT_EQ(lumped.nonZeros(), lumped.rows());
@@ -148,7 +148,7 @@ TEST(Laplace_Beltrami, the_flipped_edge_is_in_the_intrinsic_operator_alone)
              k = mesh.add_vertex({2, 1, 0}), l = mesh.add_vertex({2, -1, 0});
   mesh.add_face(i, j, k);
   mesh.add_face(j, i, l);
-  const Matrix extrinsic = IT::extrinsic_laplacian(mesh).stiffness,
+  const Matrix extrinsic = IT::extrinsic_Laplacian(mesh).stiffness,
                intrinsic = IT::intrinsic_Delaunay_Laplacian(mesh).stiffness;
   EXPECT_NEAR(extrinsic.coeff(0, 1), 0.75, 1e-14); // both opposite angles have cotangent -3/4
   EXPECT_EQ(extrinsic.coeff(2, 3), 0);

@@ -78,7 +78,7 @@ std::optional<Defect> common_refusal(const Points& points, const Triangles& tria
   for (const IT::Finding& finding : report.findings)
     findings += finding.kind != IT::Finding_kind::SEVERAL_COMPONENTS;
   const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(points.size(), triangles);
-  EXPECT_EQ(IT::has_nothing_to_report(complex, points), findings == 0) << text;
+  EXPECT_EQ(IT::is_clean(complex, points), findings == 0) << text;
   return examination;
 }
 

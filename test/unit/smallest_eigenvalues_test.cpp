@@ -5,9 +5,9 @@
 
 #include "samples/sample_surfaces.h"
 
-#include <CGAL/Intrinsic_triangulations/point_cloud_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/point_cloud_Laplacian.h>
 #include <CGAL/Intrinsic_triangulations/smallest_eigenvalues.h>
-#include <CGAL/Intrinsic_triangulations/tufted_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <gtest/gtest.h>
 
@@ -29,9 +29,9 @@ TEST(Smallest_eigenvalues, sphere)
 {
   const IT::Indexed_triangles sphere = IT::latitude_longitude_sphere(80, 40);
   for (IT::Mass_type mass_type : {IT::Mass_type::LUMPED, IT::Mass_type::GALERKIN}) {
-    IT::Tufted_laplacian_options options;
+    IT::Tufted_Laplacian_options options;
     options.mass_type = mass_type;
-    const IT::Tufted_laplacian L = IT::tufted_laplacian(sphere.points, sphere.triangles, options);
+    const IT::Tufted_Laplacian L = IT::tufted_Laplacian(sphere.points, sphere.triangles, options);
     const std::vector<double> found = IT::smallest_eigenvalues(L.stiffness, L.mass, 16);
     ASSERT_EQ(found.size(), 16u);
     EXPECT_NEAR(found[0], 0, 1e-8);
@@ -83,7 +83,7 @@ TEST(Smallest_eigenvalues, three_half_disks_on_one_edge)
   Points points;
   Triangles triangles;
   make_half_disks(3, 40, points, triangles);
-  const IT::Tufted_laplacian L = IT::tufted_laplacian(points, triangles);
+  const IT::Tufted_Laplacian L = IT::tufted_Laplacian(points, triangles);
   EXPECT_EQ(L.report.nonmanifold_edges, 80u);
   const std::vector<double> found = IT::smallest_eigenvalues(L.stiffness, L.mass, 11);
   const double one = 3.3900, two = 9.3284, zero = 14.6820, three = 17.6500; // squares of zeros of the derivatives of J
@@ -118,7 +118,7 @@ TEST(Smallest_eigenvalues, Moebius_strips_converge_quadratically)
     Points points;
     Triangles triangles;
     make_Moebius_strip(n, points, triangles);
-    const IT::Tufted_laplacian L = IT::tufted_laplacian(points, triangles);
+    const IT::Tufted_Laplacian L = IT::tufted_Laplacian(points, triangles);
     EXPECT_FALSE(L.report.is_orientable);
     return IT::smallest_eigenvalues(L.stiffness, L.mass, 6);
   };
@@ -133,7 +133,7 @@ TEST(Smallest_eigenvalues, Moebius_strips_converge_quadratically)
 TEST(Smallest_eigenvalues, zeros_are_counted_by_components_and_rows_without_mass_are_left_out)
 {
   const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {9, 9, 9}};
-  const IT::Tufted_laplacian L = IT::tufted_laplacian(points, Triangles{{0, 1, 2}, {3, 4, 5}});
+  const IT::Tufted_Laplacian L = IT::tufted_Laplacian(points, Triangles{{0, 1, 2}, {3, 4, 5}});
   const std::vector<double> found = IT::smallest_eigenvalues(L.stiffness, L.mass, 100);
   ASSERT_EQ(found.size(), 6u);
   EXPECT_NEAR(found[1], 0, 1e-12);
@@ -156,11 +156,11 @@ Points random_sphere(int n)
   return points;
 }
 
-TEST(Point_cloud_laplacian, random_points_on_a_sphere)
+TEST(Point_cloud_Laplacian, random_points_on_a_sphere)
 {
   Points points = random_sphere(2000);
   points.push_back(points[7]);
-  const IT::Tufted_laplacian L = IT::point_cloud_laplacian(points);
+  const IT::Tufted_Laplacian L = IT::point_cloud_Laplacian(points);
   EXPECT_NEAR(L.mass.sum(), 4 * pi, 0.01 * 4 * pi);
   EXPECT_GE(L.minimum_weight, 0);
   EXPECT_EQ(L.report.merged_vertices, 1u);
@@ -179,24 +179,24 @@ TEST(Point_cloud_laplacian, random_points_on_a_sphere)
 }
 
 // The star of each point is that of the triangulation of all, so each triangle is there three times.
-TEST(Point_cloud_laplacian, points_in_a_plane_have_three_copies_of_their_triangulation)
+TEST(Point_cloud_Laplacian, points_in_a_plane_have_three_copies_of_their_triangulation)
 {
   Points points;
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j < 12; ++j)
       points.push_back({i + 0.3 * std::sin(5 * i + 3 * j), j + 0.3 * std::sin(2 * i + 7 * j), 2});
-  const IT::Tufted_laplacian L = IT::point_cloud_laplacian(points, 143);
+  const IT::Tufted_Laplacian L = IT::point_cloud_Laplacian(points, 143);
   EXPECT_EQ(L.report.number_of_faces % 3, 0u);
   EXPECT_NEAR(L.mass.sum(), 121, 15); // the hull of the points
   const std::vector<double> found = IT::smallest_eigenvalues(L.stiffness, L.mass, 3);
   EXPECT_NEAR(found[1], pi * pi / 121, 0.1 * pi * pi / 121);
 }
 
-TEST(Point_cloud_laplacian, points_that_make_no_surface_are_refused)
+TEST(Point_cloud_Laplacian, points_that_make_no_surface_are_refused)
 {
-  EXPECT_THROW(IT::point_cloud_laplacian(Points{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}), IT::Invalid_surface_error);
-  EXPECT_THROW(IT::point_cloud_laplacian(Points{{0, 0, 0}, {1, 0, 0}}), IT::Invalid_surface_error);
-  EXPECT_THROW(IT::point_cloud_laplacian(Points{{0, 0, 0}, {1, 0, 0}, {0, std::nan(""), 0}}), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::point_cloud_Laplacian(Points{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::point_cloud_Laplacian(Points{{0, 0, 0}, {1, 0, 0}}), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::point_cloud_Laplacian(Points{{0, 0, 0}, {1, 0, 0}, {0, std::nan(""), 0}}), IT::Invalid_surface_error);
 }
 
 } // namespace

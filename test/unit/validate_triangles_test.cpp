@@ -433,7 +433,7 @@ TEST(Validate_triangles, the_quick_question_has_the_same_answer)
     for (const IT::Finding& finding : report.findings)
       findings += finding.kind != Kind::SEVERAL_COMPONENTS;
     IT::Delta_complex complex;
-    const bool is_plain = is_complex(points, polygons, complex) && IT::has_nothing_to_report(complex, points);
+    const bool is_plain = is_complex(points, polygons, complex) && IT::is_clean(complex, points);
     EXPECT_EQ(is_plain, findings == 0) << IT::message(report);
     ++(is_plain ? plain : ugly);
   };

@@ -12,7 +12,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H
 
 #include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/prefetch.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/relaxed_atomic.h>
 
@@ -33,21 +33,23 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
-namespace internal {
-
-// Runs through the descriptors 0, 1, 2, ... of one kind.
+/// \ingroup PkgIntrinsicTriangulationsConnectivity
+/// \brief a random access iterator over the descriptors of consecutive elements of one kind.
 template <class Descriptor>
 class Descriptor_iterator
   : public boost::iterator_facade<Descriptor_iterator<Descriptor>, Descriptor,
                                   std::random_access_iterator_tag, Descriptor>
 {
 public:
+  /// constructs the iterator at the first element.
   Descriptor_iterator() = default;
+  /// constructs the iterator at the element with this index.
   explicit Descriptor_iterator(std::uint32_t index) : index_(index) {}
 
 private:
+  /// \cond SKIP_IN_MANUAL
   friend class boost::iterator_core_access;
+  /// \endcond
   Descriptor dereference() const { return Descriptor(index_); }
   bool equal(const Descriptor_iterator& other) const { return index_ == other.index_; }
   void increment() { ++index_; }
@@ -60,9 +62,6 @@ private:
 
   std::uint32_t index_ = 0;
 };
-
-} // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief the halfedges of the two faces beside an edge ij: of (i, j, k) to its left and of (j, i, l)
@@ -112,17 +111,17 @@ public:
   };
 
   /// the records of all halfedges, in a vector that need not be initialized before it is filled
-  using Halfedge_vector = internal::Large_vector<Halfedge>;
+  using Halfedge_vector = Large_vector<Halfedge>;
   /// a halfedge for each vertex or for each face
-  using Descriptor_vector = internal::Large_vector<Halfedge_index>;
+  using Descriptor_vector = Large_vector<Halfedge_index>;
   /// \name Iterators
   /// @{
 
   /// a random access iterator over descriptors
-  using Vertex_iterator = internal::Descriptor_iterator<Vertex_index>;
-  using Halfedge_iterator = internal::Descriptor_iterator<Halfedge_index>;
-  using Edge_iterator = internal::Descriptor_iterator<Edge_index>;
-  using Face_iterator = internal::Descriptor_iterator<Face_index>;
+  using Vertex_iterator = Descriptor_iterator<Vertex_index>;
+  using Halfedge_iterator = Descriptor_iterator<Halfedge_index>;
+  using Edge_iterator = Descriptor_iterator<Edge_index>;
+  using Face_iterator = Descriptor_iterator<Face_index>;
   /// @}
 
   /// constructs the empty complex.
@@ -303,9 +302,9 @@ public:
 
 private:
   template <class Descriptor>
-  static Iterator_range<internal::Descriptor_iterator<Descriptor>> range(size_type n)
+  static Iterator_range<Descriptor_iterator<Descriptor>> range(size_type n)
   {
-    using Iterator = internal::Descriptor_iterator<Descriptor>;
+    using Iterator = Descriptor_iterator<Descriptor>;
     return make_range(Iterator(0), Iterator(n));
   }
 

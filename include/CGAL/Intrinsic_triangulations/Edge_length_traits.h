@@ -22,42 +22,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
-namespace internal {
-
-// What is computed in float can be too far from what it stands for to be bounded in float,
-// and other number types are not made for speed.
-template <class FT>
-struct Cotangent_bounds_of_edge_length_traits
-{};
-
-template <>
-struct Cotangent_bounds_of_edge_length_traits<double>
-{
-  // The test in double is wrong by a few 2^-53 S / a of either cotangent.
-  struct Compute_cotangent_bounds
-  {
-    std::array<float, 3> operator()(double ijk, double ij, double jk, double ki) const
-    {
-      return rounded(cotangent_bounds(ij, jk, ki, ijk));
-    }
-    std::array<Two_doubles, 3> of_two(const Two_doubles& ijk, const Two_doubles& ij, const Two_doubles& jk,
-                                      const Two_doubles& ki) const
-    {
-      return cotangent_bounds(ij, jk, ki, ijk);
-    }
-    std::array<Two_doubles, 3> of_two(double ijk, double other, const Two_doubles& ij, const Two_doubles& jk,
-                                      const Two_doubles& ki) const
-    {
-      return of_two({ijk, other}, ij, jk, ki);
-    }
-  };
-  Compute_cotangent_bounds compute_cotangent_bounds_object() const { return {}; }
-};
-
-} // namespace internal
-/// \endcond
-
 /// \ingroup PkgIntrinsicTriangulationsTraits
 ///
 /// \brief the metric of a triangulation as squared edge lengths and face areas.
@@ -79,7 +43,7 @@ struct Cotangent_bounds_of_edge_length_traits<double>
 /// Source: the formulas of `hinge_formulas.h`; Delaunay criterion of Fisher, Springborn,
 /// Schroeder, Bobenko (2006), section 2.1.
 template <class FT_>
-class Edge_length_traits : public internal::Cotangent_bounds_of_edge_length_traits<FT_>
+class Edge_length_traits
 {
 public:
   /// the number type
@@ -100,6 +64,9 @@ public:
   using Has_exact_decisions = typename Algebraic_structure_traits<FT>::Is_exact;
   /// no decision needs more than the data of the hinge
   using Uses_exact_geometry = Tag_false;
+  /// \cond SKIP_IN_MANUAL
+  using Takes_two_faces = std::conditional_t<std::is_same<FT_, double>::value, Edge_length_traits, void>;
+  /// \endcond
 
   /// makes the data of an edge from its end points or its length.
   struct Construct_edge_data
@@ -208,6 +175,32 @@ public:
     }
   };
 
+  /// \cond SKIP_IN_MANUAL
+  // The test in double is wrong by a few 2^-53 S / a of either cotangent.
+  struct Compute_cotangent_bounds_in_double
+  {
+    std::array<float, 3> operator()(double ijk, double ij, double jk, double ki) const
+    {
+      return internal::rounded(internal::cotangent_bounds(ij, jk, ki, ijk));
+    }
+    std::array<internal::Two_doubles, 3> of_two(const internal::Two_doubles& ijk, const internal::Two_doubles& ij,
+                                                const internal::Two_doubles& jk, const internal::Two_doubles& ki) const
+    {
+      return internal::cotangent_bounds(ij, jk, ki, ijk);
+    }
+    std::array<internal::Two_doubles, 3> of_two(double ijk, double other, const internal::Two_doubles& ij,
+                                                const internal::Two_doubles& jk, const internal::Two_doubles& ki) const
+    {
+      return of_two({ijk, other}, ij, jk, ki);
+    }
+  };
+  // What is computed in float can be too far from what it stands for to be bounded in float,
+  // and other number types are not made for speed.
+  using Compute_cotangent_bounds =
+    std::conditional_t<std::is_same<FT_, double>::value, Compute_cotangent_bounds_in_double, void>;
+  Compute_cotangent_bounds compute_cotangent_bounds_object() const { return Compute_cotangent_bounds(); }
+  /// \endcond
+
   /// \name Functors
   /// @{
 
@@ -222,14 +215,6 @@ public:
   Compute_cotangent compute_cotangent_object() const { return {}; }
   /// @}
 };
-
-/// \cond SKIP_IN_MANUAL
-namespace internal {
-template <>
-struct Takes_two_faces<Edge_length_traits<double>> : std::true_type
-{};
-} // namespace internal
-/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

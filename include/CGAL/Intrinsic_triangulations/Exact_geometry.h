@@ -51,10 +51,12 @@ class Residues;
 class Exact_geometry
 {
 public:
-  /// a corner in double-doubles with error bounds.
+  /// \cond SKIP_IN_MANUAL
+  // A corner in double-doubles with error bounds.
   using Corner = Triangle_corner<internal::Bounded_double_double>;
-  /// the corners opposite to an edge, k to its left and l to its right.
+  // The corners opposite to an edge, k to its left and l to its right.
   using Opposite_corners = Intrinsic_triangulations::Opposite_corners<internal::Bounded_double_double>;
+  /// \endcond
 
   /// constructs the geometry of a triangulation that has not been flipped yet.
   explicit Exact_geometry(Input_metric metric);
@@ -111,15 +113,12 @@ public:
   /// \return the function that was set before
   std::function<bool()> set_interruption(std::function<bool()> go_further);
 
-  /// \brief as `sign_of_cotangents()`, on the way to a Delaunay triangulation: counts how the test was decided, and remembers
-  /// what makes tests after the next flips cheap.
-  ///
-  /// \pre `e` lies between two different faces
-  /// \param complex the triangulation
-  /// \param e the edge
-  /// \param corners receives the two corners, unless both faces lie in one plane in space
-  /// \exception Integer_overflow_error, Undecided_error, Cancelled_error as `sign_of_cotangents()`
+  /// \cond SKIP_IN_MANUAL
+  // As `sign_of_cotangents()`, on the way to a Delaunay triangulation: counts how the test was decided, and remembers
+  // what makes tests after the next flips cheap. `corners` receives the two corners, unless both faces lie in one plane in
+  // space.
   Sign decide(const Delta_complex& complex, Edge_index e, std::optional<Opposite_corners>& corners);
+  /// \endcond
   /// @}
 
   /// \name Queries
@@ -182,12 +181,12 @@ public:
   /// returns whether two vertices coincide: whether `e` has length zero.
   bool has_length_zero(const Delta_complex& complex, Edge_index e) const;
 
-  /// returns the corner opposite to `h`, in double-doubles with error bounds and in the
-  /// unit of the metric. \pre `h` is not a border halfedge
-  Corner corner(const Delta_complex& complex, Halfedge_index h) const;
   /// @}
 
   /// \cond SKIP_IN_MANUAL
+  // The corner opposite to h, in the unit of the metric. \pre h is not a border halfedge
+  Corner corner(const Delta_complex& complex, Halfedge_index h) const;
+
   // For work that makes many short decisions.
   void check_interruption() const;
 

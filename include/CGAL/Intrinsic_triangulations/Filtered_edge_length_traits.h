@@ -112,6 +112,9 @@ public:
   using Has_exact_decisions = Tag_true;
   /// undecided tests are passed on to the `Exact_geometry` of the triangulation
   using Uses_exact_geometry = Tag_true;
+  /// \cond SKIP_IN_MANUAL
+  using Takes_two_faces = Filtered_edge_length_traits;
+  /// \endcond
 
   /// makes the squared length of an edge, with a relative error of at most 6 u.
   struct Construct_edge_data
@@ -282,15 +285,18 @@ public:
   /// makes stored data from the numbers of an exact stage.
   struct Construct_refined_data
   {
-    /// the number type of the exact stage that decided
-    using Number = internal::Bounded_double_double;
-
-    /// makes an edge of squared length s.
-    Edge_data operator()(const Number& s) const { return s.hi(); }
+    /// \brief makes an edge of squared length s.
+    /// \tparam Number a number of the exact stage that decided, with `hi()`, the nearest double, and `error()`, a bound
+    template <class Number>
+    Edge_data operator()(const Number& s) const
+    {
+      return s.hi();
+    }
     /// \brief makes a face from four times its area and the squared lengths of its sides.
     ///
     /// The bound is infinite unless the squared lengths have relative errors of at most 6 u;
     /// they are shared with other faces, so they must not be replaced otherwise.
+    template <class Number>
     Face_data operator()(const Number& four_areas, const Number& ij, const Number& jk,
                          const Number& ki) const
     {
@@ -303,7 +309,11 @@ public:
 
   private:
     // What is cut off at hi() is at most u hi().
-    static bool is_tight(const Number& s) { return s.error() <= 4.9 * u * s.hi(); }
+    template <class Number>
+    static bool is_tight(const Number& s)
+    {
+      return s.error() <= 4.9 * u * s.hi();
+    }
   };
   /// decides whether the stored numbers of a face are so accurate that they need not be replaced.
   struct Is_accurate
@@ -388,14 +398,6 @@ public:
   Compute_bounded_cotangent compute_bounded_cotangent_object() const { return {}; }
   /// @}
 };
-
-/// \cond SKIP_IN_MANUAL
-namespace internal {
-template <>
-struct Takes_two_faces<Filtered_edge_length_traits> : std::true_type
-{};
-} // namespace internal
-/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

@@ -9,9 +9,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <array>
 #include <cstdint>
@@ -40,7 +40,7 @@ class Input_metric
 {
 public:
   /// the points of the vertices, three doubles each
-  using Point_vector = internal::Large_vector<std::array<double, 3>>;
+  using Point_vector = Large_vector<std::array<double, 3>>;
 
   /// constructs the metric of an empty surface.
   Input_metric() = default;

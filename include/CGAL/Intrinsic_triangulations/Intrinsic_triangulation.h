@@ -10,11 +10,11 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
@@ -74,7 +74,7 @@ public:
   static constexpr bool uses_exact_geometry = Traits::Uses_exact_geometry::value;
 
   /// the points of the vertices, in a vector that can be filled without being initialized first
-  using Point_vector = internal::Large_vector<Point_data>;
+  using Point_vector = Large_vector<Point_data>;
 
   /// what `flip()` did.
   enum class Flip_outcome {
@@ -103,7 +103,7 @@ public:
   Intrinsic_triangulation(Delta_complex connectivity, Point_vector&& points,
                           const Traits& traits = Traits(), ConcurrencyTag = ConcurrencyTag())
     : Intrinsic_triangulation(std::move(connectivity), std::move(points), traits, ConcurrencyTag(),
-                              internal::Nothing_to_copy())
+                              internal::Null_copier())
   {}
 
   /// \cond SKIP_IN_MANUAL
@@ -434,7 +434,7 @@ private:
   {
     const internal::Face_measurer<Sequential_tag, Traits> measurer(connectivity_, traits_, geometry_->metric().points(),
                                                                    edges_, faces_, bounds_);
-    const internal::Sides one(connectivity_, around.ij), two(connectivity_, around.ji);
+    const internal::Face_halfedges one(connectivity_, around.ij), two(connectivity_, around.ji);
     const auto is_accurate = traits_.is_accurate_object();
     const bool measures_one = !is_accurate(face_data(one.face)), measures_two = !is_accurate(face_data(two.face));
     if constexpr (internal::Takes_two_faces<Traits>::value)
@@ -492,8 +492,8 @@ private:
   Delta_complex connectivity_;
   Traits traits_;
   // Not initialized before they are filled: at this speed, one pass more can be felt.
-  internal::Large_vector<Edge_data> edges_;
-  internal::Large_vector<Face_data> faces_;
+  Large_vector<Edge_data> edges_;
+  Large_vector<Face_data> faces_;
   internal::Cotangent_bounds bounds_; // empty if the traits have none
   int exponent_ = 0;
   std::uint64_t number_of_filter_decisions_ = 0;

@@ -226,7 +226,7 @@ intrinsic_Delaunay_Laplacian(const TriangleMesh& mesh,
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters>
 Laplace_Beltrami_operator
-extrinsic_laplacian(const TriangleMesh& mesh,
+extrinsic_Laplacian(const TriangleMesh& mesh,
                     const NamedParameters& np = parameters::default_values())
 {
   const auto triangulation = intrinsic_triangulation<ConcurrencyTag>(mesh, np);

@@ -9,8 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_NORMAL_COORDINATES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <CGAL/assertions.h>
 
@@ -218,8 +218,8 @@ private:
     return {Halfedge_index(r.base[side]), r.steps[side] + (r.crossings < 0 ? 1 : 0)};
   }
 
-  internal::Large_vector<Record> records_; // the first is that of all edges never flipped
-  internal::Large_vector<std::uint32_t> record_of_;
+  Large_vector<Record> records_; // the first is that of all edges never flipped
+  Large_vector<std::uint32_t> record_of_;
 };
 
 } // namespace Intrinsic_triangulations

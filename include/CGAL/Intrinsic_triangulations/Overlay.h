@@ -93,7 +93,7 @@ public:
   using Face = Index<internal::Overlay_face_tag>;
   /// a range of descriptors
   template <class Descriptor>
-  using Range = Iterator_range<internal::Descriptor_iterator<Descriptor>>;
+  using Range = Iterator_range<Descriptor_iterator<Descriptor>>;
 
   /// \brief builds the overlay of a triangulation and its input.
   ///
@@ -307,7 +307,7 @@ private:
   template <class Descriptor>
   static Range<Descriptor> range(size_type begin, size_type end)
   {
-    using Iterator = internal::Descriptor_iterator<Descriptor>;
+    using Iterator = Descriptor_iterator<Descriptor>;
     return make_range(Iterator(begin), Iterator(end));
   }
 

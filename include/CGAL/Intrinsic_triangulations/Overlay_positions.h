@@ -9,10 +9,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_POSITIONS_H
 
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <CGAL/assertions.h>
@@ -111,7 +111,7 @@ public:
   {
     const Overlay::Halfedge h = overlay.halfedge(s);
     const bool is_input = overlay.label(s) == Segment_label::INPUT;
-    const internal::Large_vector<double>& positions = is_input ? on_input_edge_ : on_intrinsic_edge_;
+    const Large_vector<double>& positions = is_input ? on_input_edge_ : on_intrinsic_edge_;
     const auto position = [&](Overlay::Vertex v, double at_vertex) {
       return overlay.is_crossing(v) ? positions[index(v)] : at_vertex;
     };
@@ -148,8 +148,8 @@ private:
   }
 
   size_type number_of_original_vertices_;
-  internal::Large_vector<double> on_intrinsic_edge_;
-  internal::Large_vector<double> on_input_edge_;
+  Large_vector<double> on_intrinsic_edge_;
+  Large_vector<double> on_input_edge_;
 };
 
 } // namespace Intrinsic_triangulations

@@ -83,7 +83,7 @@ public:
   // nothing, so that the row and the column of face 0 are left out.
   Eigen::SparseMatrix<double> hessian(const Eigen::VectorXd& rho) const
   {
-    return laplacian([&](Halfedge_index h) { return weight(h, difference(h, rho)); });
+    return Laplacian([&](Halfedge_index h) { return weight(h, difference(h, rho)); });
   }
 
   // The logarithms of radii for which the given angles themselves fit best along each edge. Two
@@ -104,7 +104,7 @@ public:
       right[complex_.face(h).idx()] += pull;
       right[complex_.face(complex_.opposite(h)).idx()] -= pull;
     }
-    const Sparse_Cholesky cholesky(laplacian([&](Halfedge_index h) { return weight(h, wanted(h)); }),
+    const Sparse_Cholesky cholesky(Laplacian([&](Halfedge_index h) { return weight(h, wanted(h)); }),
                                    "the system for the first radii");
     rho.tail(n - 1) = cholesky.solve(Eigen::VectorXd(right.tail(n - 1)));
     return rho;
@@ -133,7 +133,7 @@ private:
   }
 
   template <class Weight>
-  Eigen::SparseMatrix<double> laplacian(const Weight& weight) const
+  Eigen::SparseMatrix<double> Laplacian(const Weight& weight) const
   {
     std::vector<Eigen::Triplet<double>> entries;
     for (Edge_index e : complex_.edges()) {

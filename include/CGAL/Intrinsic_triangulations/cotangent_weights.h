@@ -107,7 +107,7 @@ std::vector<double> numbers_of_elements(std::size_t n, const Number& number)
 }
 
 // Gives the weight of an edge, as documented for cotangent_weights().
-template <class Traits>
+template <class Traits, class = void>
 class Cotangent_weight
 {
 public:
@@ -133,10 +133,11 @@ private:
   const Intrinsic_triangulation<Traits>& triangulation_;
 };
 
-template <>
-class Cotangent_weight<Filtered_edge_length_traits>
+// The same, where what is stored tells how accurate a cotangent is.
+template <class Traits>
+class Cotangent_weight<Traits, std::void_t<typename Traits::Compute_bounded_cotangent>>
 {
-  using Triangulation = Intrinsic_triangulation<Filtered_edge_length_traits>;
+  using Triangulation = Intrinsic_triangulation<Traits>;
 
 public:
   static constexpr bool has_threads = true;

@@ -12,8 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/Flip_report.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Tie_proof.h>
-#include <CGAL/Intrinsic_triangulations/internal/flips/Block_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Delaunay_flipper.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Parallel_Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -118,7 +118,7 @@ Flip_report flip_all(Triangulation triangulation, const ConstraintMap& is_constr
   if constexpr (Triangulation::Traits::Uses_exact_geometry::value && !Is_silent<Visitor>::value)
     scope.emplace(triangulation, [&flipper] { return flipper.goes_further(); });
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
-    using Parallel = Block_flipper<typename Triangulation::Traits, ConstraintMap, Visitor>;
+    using Parallel = Parallel_Delaunay_flipper<typename Triangulation::Traits, ConstraintMap, Visitor>;
     if (Parallel::is_useful(triangulation.triangulation()))
       return flipper.finish(
         Parallel(triangulation.triangulation(), is_constrained, visitor, budget, marks).settle_all(flipper));

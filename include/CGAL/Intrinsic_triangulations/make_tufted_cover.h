@@ -88,7 +88,7 @@ std::vector<Index_triangle> copy_triangles(const TriangleRange& triangles, std::
 /// \param triangles the faces
 /// \param options what is built, and what is done with degenerate input
 ///
-/// \return the cover, not flipped: see `flip_to_Delaunay()`, and `tufted_laplacian()` for its operator
+/// \return the cover, not flipped: see `flip_to_Delaunay()`, and `tufted_Laplacian()` for its operator
 ///
 /// \exception Invalid_surface_error if there is no face, an index is invalid, the point of a face is not finite or its
 ///   squared lengths leave the range of `double`; if an edge has length zero and `Coincident_vertices::ERROR` is

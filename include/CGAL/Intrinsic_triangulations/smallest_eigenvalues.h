@@ -113,7 +113,7 @@ inline std::vector<std::vector<int>> connected_rows(const Eigen::SparseMatrix<do
 /// Method: Lanczos (Spectra) for the inverse of `L + c M`, with one sparse Cholesky factorization; small parts as dense matrices.
 /// An eigenvalue is within about 1e-10 of itself plus the first one that is positive.
 ///
-/// \param stiffness a positive semidefinite matrix, as of `stiffness_matrix()` or `tufted_laplacian()`
+/// \param stiffness a positive semidefinite matrix, as of `stiffness_matrix()` or `tufted_Laplacian()`
 /// \param mass the mass matrix, lumped or Galerkin
 /// \param number how many are wanted; there are no more than rows with mass
 /// \pre both matrices have the same size

@@ -62,7 +62,7 @@ Surface_report examine_polygons(const PointRange& points, const PolygonRange& po
 ///
 /// Complexity: linear; no memory.
 template <class PointRange>
-bool has_nothing_to_report(const Delta_complex& complex, const PointRange& points)
+bool is_clean(const Delta_complex& complex, const PointRange& points)
 {
   const auto place = [&points](Vertex_index v) {
     const auto& p = points[v.idx()];

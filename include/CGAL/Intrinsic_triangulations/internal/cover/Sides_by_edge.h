@@ -8,8 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_SIDES_BY_EDGE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_SIDES_BY_EDGE_H
 
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/cover/Cleaned_triangles.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -140,7 +140,7 @@ Rational squared_four_areas(const Input_metric& metric, const Delta_complex& inp
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Input_metric::check(const Delta_complex& input) const
 {
-  internal::Offenders offenders;
+  internal::Defect_tally offenders;
   for (Edge_index e : input.edges())
     if (squared_length(*this, input, e) <= 0)
       offenders.add(e.idx());

@@ -10,8 +10,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_STRAIGHT_FACES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -10,8 +10,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_COTANGENT_BOUNDS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <algorithm>
 #include <array>
@@ -44,13 +44,13 @@ inline std::array<float, 3> rounded(const std::array<double, 3>& bounds)
   return {float(bounds[0]), float(bounds[1]), float(bounds[2])};
 }
 
-// Whether traits bound cotangents.
+// Whether traits bound cotangents; `void` counts as nothing.
 template <class Traits, class = void>
 struct Has_cotangent_bounds : std::false_type
 {};
 template <class Traits>
 struct Has_cotangent_bounds<Traits, std::void_t<typename Traits::Compute_cotangent_bounds>>
-  : std::true_type
+  : std::bool_constant<!std::is_void<typename Traits::Compute_cotangent_bounds>::value>
 {};
 
 // The bounds of all corners, each at the halfedge opposite to it. Border halfedges have minus

@@ -9,10 +9,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_FLAT_GEOMETRY_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <CGAL/Mpzf.h>
 #include <CGAL/Uncertain.h>

@@ -63,7 +63,7 @@ struct Is_used_vertex
 // Names the first edge whose squared length is zero.
 template <class PointVector>
 [[noreturn]] void throw_zero_length(const Delta_complex& complex, const PointVector& points,
-                                    const Offenders& offenders)
+                                    const Defect_tally& offenders)
 {
   const Halfedge_index h = complex.halfedge(Edge_index(std::uint32_t(offenders.first)));
   const std::size_t v = complex.source(h).idx(), w = complex.target(h).idx();
@@ -117,11 +117,11 @@ void bound_corners_of_flipped(const Traits& traits, const Hinge_halfedges& aroun
 }
 
 // A face and its halfedges.
-struct Sides
+struct Face_halfedges
 {
-  Sides(const Delta_complex& complex, Face_index f) : Sides(complex, f, complex.halfedge(f)) {}
-  Sides(const Delta_complex& complex, Halfedge_index h) : Sides(complex, complex.face(h), h) {}
-  Sides(const Delta_complex& complex, Face_index f, Halfedge_index h)
+  Face_halfedges(const Delta_complex& complex, Face_index f) : Face_halfedges(complex, f, complex.halfedge(f)) {}
+  Face_halfedges(const Delta_complex& complex, Halfedge_index h) : Face_halfedges(complex, complex.face(h), h) {}
+  Face_halfedges(const Delta_complex& complex, Face_index f, Halfedge_index h)
     : face(f), h(h), next(complex.next(h)), prev(complex.prev(h))
   {}
   // Zero for a triangle, and for a face of one side, whose length is zero.
@@ -175,7 +175,7 @@ public:
   void measure(std::size_t first, std::size_t end, Findings& findings) const;
 
   // Returns whether a side has length zero, as is_zero() does.
-  int measure(const Sides& sides) const
+  int measure(const Face_halfedges& sides) const
   {
     const auto edge = traits_.construct_edge_data_object();
     const Point_data p = corner(sides.prev), q = corner(sides.h), r = corner(sides.next);
@@ -190,7 +190,7 @@ public:
   }
 
   // Returns the smallest squared length of either face.
-  Two_doubles measure(const Sides& one, const Sides& two) const
+  Two_doubles measure(const Face_halfedges& one, const Face_halfedges& two) const
   {
     const auto edge = traits_.construct_edge_data_object();
     const Two_points p = corners(one.prev, two.prev), q = corners(one.h, two.h), r = corners(one.next, two.next);
@@ -250,11 +250,11 @@ void Face_measurer<ConcurrencyTag, Traits>::measure(std::size_t first, std::size
 {
   const Face_measurer measurer = *this; // in registers
   Findings found = findings;
-  const auto sides = [&](std::size_t f) { return Sides(measurer.complex_, Face_index(std::uint32_t(f))); };
+  const auto sides = [&](std::size_t f) { return Face_halfedges(measurer.complex_, Face_index(std::uint32_t(f))); };
   std::size_t f = first;
   if constexpr (Takes_two_faces<Traits>::value)
     for (; f + 1 < end; f += 2) {
-      const Sides one = sides(f), two = sides(f + 1);
+      const Face_halfedges one = sides(f), two = sides(f + 1);
       found.has_other_faces |= one.is_other_face(measurer.complex_) | two.is_other_face(measurer.complex_);
       found.shortest = min_of(measurer.measure(one, two), found.shortest);
     }
@@ -266,7 +266,7 @@ void Face_measurer<ConcurrencyTag, Traits>::measure(std::size_t first, std::size
 }
 
 // For a complex that is complete: what construct_metric_from_points() asks of a `Face_graph_copier`.
-struct Nothing_to_copy
+struct Null_copier
 {
   void copy_faces(std::size_t, std::size_t) const {}
   void finish() const {}
@@ -298,7 +298,7 @@ void construct_metric_from_points(const Delta_complex& complex, Copier& copier, 
   copier.finish();
   if (is_to_be_refused) {
     check_triangles(complex);
-    Offenders offenders;
+    Defect_tally offenders;
     for (std::size_t e = 0; e < edges.size(); ++e)
       if (faces_and_sides.is_zero(edges[e]) != 0)
         offenders.add(e);
@@ -318,7 +318,7 @@ void construct_metric_from_lengths(const Delta_complex& complex, const Traits& t
   const auto construct_face_data = traits.construct_face_data_object();
   const auto compute_squared_length = traits.compute_squared_length_object();
 
-  Offenders offenders;
+  Defect_tally offenders;
   for (std::size_t e = 0; e < lengths.size(); ++e) {
     edges[e] = construct_edge_data.from_length(lengths[e]);
     if (!possibly(compute_squared_length(edges[e]) > FT(0)))
@@ -354,7 +354,7 @@ void construct_metric_from_input(const Delta_complex& complex, const Traits& tra
     return metric.squared_length_double_double(complex, complex.edge(h));
   };
   for (Face_index f : complex.faces()) {
-    const Sides sides(complex, f);
+    const Face_halfedges sides(complex, f);
     faces[f.idx()] = refined(metric.four_areas_double_double(complex, f), squared_length(sides.h),
                              squared_length(sides.next), squared_length(sides.prev));
     bound_corners(traits, sides.h, sides.next, sides.prev, faces[f.idx()], edges[complex.edge(sides.h).idx()],

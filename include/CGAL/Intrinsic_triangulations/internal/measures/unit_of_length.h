@@ -86,7 +86,7 @@ double magnitude(const FT& x)
 }
 
 // Counts the offending elements and keeps the first.
-struct Offenders
+struct Defect_tally
 {
   void add(std::size_t element)
   {
@@ -125,7 +125,7 @@ bool scale(FT& x, int exponent)
   return is_exact;
 }
 
-inline void throw_if_underflow(const char* what, const Offenders& offenders)
+inline void throw_if_underflow(const char* what, const Defect_tally& offenders)
 {
   if (offenders.count > 0)
     throw Invalid_surface_error(Defect::OUT_OF_RANGE, offenders.first, offenders.count,
@@ -140,9 +140,9 @@ inline void throw_if_underflow(const char* what, const Offenders& offenders)
 inline double zero_if_finite(double x) { return x - x; }
 
 template <class PointVector>
-Offenders non_finite_points(const PointVector& points)
+Defect_tally non_finite_points(const PointVector& points)
 {
-  Offenders offenders;
+  Defect_tally offenders;
   for (std::size_t v = 0; v < points.size(); ++v)
     if (!(zero_if_finite(CGAL::to_double(points[v][0])) +
             zero_if_finite(CGAL::to_double(points[v][1])) +
@@ -271,7 +271,7 @@ int normalize_points(PointVector& points, const IsUsed& is_used)
   using FT = typename PointVector::value_type::value_type;
   const Box box = bounding_box<ConcurrencyTag>(points, is_used);
   if (!(box.zero == 0)) {
-    const Offenders offenders = non_finite_points(points);
+    const Defect_tally offenders = non_finite_points(points);
     throw Invalid_surface_error(Defect::NOT_FINITE, offenders.first, offenders.count,
                                 "vertex " + std::to_string(offenders.first) +
                                   " has a coordinate that is not a finite number" +
@@ -280,7 +280,7 @@ int normalize_points(PointVector& points, const IsUsed& is_used)
   const int exponent = unit_exponent<FT>(box.half_extent());
   if (exponent == 0)
     return 0;
-  Offenders offenders;
+  Defect_tally offenders;
   for (std::size_t v = 0; v < points.size(); ++v)
     if (!is_used(v))
       points[v] = {FT(0), FT(0), FT(0)};
@@ -300,7 +300,7 @@ template <class FT>
 int normalize_lengths(std::vector<FT>& lengths)
 {
   double largest = 0;
-  Offenders offenders;
+  Defect_tally offenders;
   for (std::size_t e = 0; e < lengths.size(); ++e) {
     const double l = magnitude(lengths[e]);
     if (!(l < std::numeric_limits<double>::infinity()) || !certainly(lengths[e] > FT(0)))

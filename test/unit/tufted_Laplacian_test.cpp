@@ -7,7 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/tufted_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -66,7 +66,7 @@ void expect_near(const Dense& a, const Dense& b, double bound)
 }
 
 // What is promised for all triangles.
-void check_operator(const IT::Tufted_laplacian& result)
+void check_operator(const IT::Tufted_Laplacian& result)
 {
   const Matrix& L = result.stiffness;
   EXPECT_EQ(Dense(L), Dense(L.transpose()));
@@ -104,21 +104,21 @@ bool has_area(const Points& points, const std::array<std::uint32_t, 3>& t)
   return vector(points[t[0]], points[t[1]]).cross(vector(points[t[0]], points[t[2]])).norm() > 0; // of integers
 }
 
-TEST(Tufted_laplacian, an_acute_triangle_has_its_cotangents)
+TEST(Tufted_Laplacian, an_acute_triangle_has_its_cotangents)
 {
   const Points points = {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}};
   const Triangles triangles = {{0, 1, 2}};
-  const IT::Tufted_laplacian result = IT::tufted_laplacian(points, triangles);
+  const IT::Tufted_Laplacian result = IT::tufted_Laplacian(points, triangles);
   check_operator(result);
   expect_near(Dense(result.stiffness), cotangent_matrix(points, triangles), 1e-15);
   expect_near(Dense(result.mass), 2 * Dense::Identity(3, 3), 1e-15);
 }
 
 // The two copies make two isosceles triangles with the apex angles 2α and 2β, whose bases are glued to each other.
-TEST(Tufted_laplacian, an_obtuse_triangle_is_flipped_across_its_border)
+TEST(Tufted_Laplacian, an_obtuse_triangle_is_flipped_across_its_border)
 {
   const Points points = {{0, 0, 0}, {10, 0, 0}, {2, 1, 0}};
-  const IT::Tufted_laplacian result = IT::tufted_laplacian(points, Triangles{{0, 1, 2}});
+  const IT::Tufted_Laplacian result = IT::tufted_Laplacian(points, Triangles{{0, 1, 2}});
   check_operator(result);
   const double tan_alpha = 1. / 2, tan_beta = 1. / 8;
   Dense expected(3, 3);
@@ -131,7 +131,7 @@ TEST(Tufted_laplacian, an_obtuse_triangle_is_flipped_across_its_border)
   EXPECT_EQ(result.flips.flips, 1u);
 }
 
-TEST(Tufted_laplacian, closed_oriented_surfaces_have_the_same_bits_as_the_intrinsic_operator)
+TEST(Tufted_Laplacian, closed_oriented_surfaces_have_the_same_bits_as_the_intrinsic_operator)
 {
   for (const IT::Indexed_triangles& surface : {IT::bumpy_sphere(30, 15), IT::torus(20, 10), IT::bad_torus(12, 12)}) {
     typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
@@ -141,37 +141,37 @@ TEST(Tufted_laplacian, closed_oriented_surfaces_have_the_same_bits_as_the_intrin
     for (const auto& [a, b, c] : surface.triangles)
       mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c));
     const auto expected = IT::intrinsic_Delaunay_Laplacian(mesh);
-    const IT::Tufted_laplacian found = IT::tufted_laplacian(surface.points, surface.triangles);
+    const IT::Tufted_Laplacian found = IT::tufted_Laplacian(surface.points, surface.triangles);
     check_operator(found);
     EXPECT_EQ(Dense(found.stiffness), Dense(expected.stiffness));
     EXPECT_EQ(Dense(found.mass), Dense(expected.mass));
     EXPECT_EQ(found.stiffness.nonZeros(), expected.stiffness.nonZeros());
-    IT::Tufted_laplacian_options options;
+    IT::Tufted_Laplacian_options options;
     options.mass_type = IT::Mass_type::GALERKIN;
-    expect_near(Dense(IT::tufted_laplacian(surface.points, surface.triangles, options).mass),
+    expect_near(Dense(IT::tufted_Laplacian(surface.points, surface.triangles, options).mass),
                 Dense(IT::Galerkin_mass_matrix(IT::intrinsic_Delaunay_triangulation(mesh).triangulation)), 1e-15);
   }
 }
 
 // All faces once more, in the other orientation: the sheets outside are two copies of the surface, and between the two sheets
 // of each face there is a double of this face alone.
-TEST(Tufted_laplacian, all_faces_twice)
+TEST(Tufted_Laplacian, all_faces_twice)
 {
   const IT::Indexed_triangles surface = IT::bumpy_sphere(10, 6);
   Triangles twice = surface.triangles;
-  Dense expected = Dense(IT::tufted_laplacian(surface.points, surface.triangles).stiffness);
+  Dense expected = Dense(IT::tufted_Laplacian(surface.points, surface.triangles).stiffness);
   for (const auto& [a, b, c] : surface.triangles) {
     twice.push_back({a, c, b});
-    expected += Dense(IT::tufted_laplacian(surface.points, Triangles{{a, b, c}}).stiffness);
+    expected += Dense(IT::tufted_Laplacian(surface.points, Triangles{{a, b, c}}).stiffness);
   }
-  const IT::Tufted_laplacian result = IT::tufted_laplacian(surface.points, twice);
+  const IT::Tufted_Laplacian result = IT::tufted_Laplacian(surface.points, twice);
   check_operator(result);
   EXPECT_EQ(result.report.border_edges, 0u);
   expect_near(Dense(result.stiffness), expected, 1e-12);
 }
 
 // Flips never increase the Dirichlet energy of given values at the vertices, and never change the area.
-TEST(Tufted_laplacian, random_soups)
+TEST(Tufted_Laplacian, random_soups)
 {
   std::mt19937 random(7);
   Points points;
@@ -182,7 +182,7 @@ TEST(Tufted_laplacian, random_soups)
     make_soup(random, points, triangles, 2 + round % 5, 8 + round % 13, 5 + round % 40);
     if (round % 4 == 3)
       points[1] = points[2] = points[0];
-    const IT::Tufted_laplacian result = IT::tufted_laplacian(points, triangles);
+    const IT::Tufted_Laplacian result = IT::tufted_Laplacian(points, triangles);
     check_operator(result);
     nonmanifold += result.report.nonmanifold_edges;
     merged += result.report.merged_vertices;
@@ -202,7 +202,7 @@ TEST(Tufted_laplacian, random_soups)
 }
 
 // By the formulas, from lengths in double, one entry after the other.
-TEST(Tufted_laplacian, matrices_are_sums_over_the_flipped_cover)
+TEST(Tufted_Laplacian, matrices_are_sums_over_the_flipped_cover)
 {
   std::mt19937 random(11);
   Points points;
@@ -240,7 +240,7 @@ TEST(Tufted_laplacian, matrices_are_sums_over_the_flipped_cover)
 }
 
 // Neither numbers nor orientations nor a rotation that rounds nothing change the operator.
-TEST(Tufted_laplacian, the_order_of_everything_is_of_no_importance)
+TEST(Tufted_Laplacian, the_order_of_everything_is_of_no_importance)
 {
   std::mt19937 random(13);
   Points points;
@@ -250,7 +250,7 @@ TEST(Tufted_laplacian, the_order_of_everything_is_of_no_importance)
     make_soup(random, points, triangles, 50, 14, 10);
     for (int i = 0; i < 8; ++i) // many at one edge, some twice
       triangles.push_back({0, 1, vertex(random)});
-    const Dense expected = Dense(IT::tufted_laplacian(points, triangles).stiffness);
+    const Dense expected = Dense(IT::tufted_Laplacian(points, triangles).stiffness);
 
     std::vector<std::uint32_t> number(points.size());
     std::iota(number.begin(), number.end(), 0u);
@@ -267,7 +267,7 @@ TEST(Tufted_laplacian, the_order_of_everything_is_of_no_importance)
       shuffled.push_back(t);
     }
     std::shuffle(shuffled.begin(), shuffled.end(), random);
-    const Dense found = Dense(IT::tufted_laplacian(moved, shuffled).stiffness);
+    const Dense found = Dense(IT::tufted_Laplacian(moved, shuffled).stiffness);
     Dense back(expected.rows(), expected.cols());
     for (std::size_t v = 0; v < points.size(); ++v)
       for (std::size_t w = 0; w < points.size(); ++w)
@@ -276,21 +276,21 @@ TEST(Tufted_laplacian, the_order_of_everything_is_of_no_importance)
   }
 }
 
-TEST(Tufted_laplacian, a_fixed_border_gives_the_operator_of_the_mesh)
+TEST(Tufted_Laplacian, a_fixed_border_gives_the_operator_of_the_mesh)
 {
   const IT::Indexed_triangles surface = IT::bumpy_dome(12, 8);
-  IT::Tufted_laplacian_options options;
+  IT::Tufted_Laplacian_options options;
   options.cover = IT::Surface_cover::NONE;
   IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> triangulation(
     IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   IT::flip_to_Delaunay(triangulation);
-  const IT::Tufted_laplacian fixed = IT::tufted_laplacian(surface.points, surface.triangles, options);
+  const IT::Tufted_Laplacian fixed = IT::tufted_Laplacian(surface.points, surface.triangles, options);
   expect_near(Dense(fixed.stiffness), Dense(IT::stiffness_matrix(triangulation)), 1e-14);
   expect_near(Dense(fixed.mass), Dense(IT::lumped_mass_matrix(triangulation)), 1e-14);
 }
 
 // The same surface by points and by lengths; and a closed gluing, which is taken as it is.
-TEST(Tufted_laplacian, surfaces_given_by_lengths)
+TEST(Tufted_Laplacian, surfaces_given_by_lengths)
 {
   const IT::Indexed_triangles surface = IT::bumpy_dome(9, 7);
   const IT::Delta_complex complex =
@@ -300,8 +300,8 @@ TEST(Tufted_laplacian, surfaces_given_by_lengths)
     const IT::Halfedge_index h = complex.halfedge(e);
     lengths.push_back(vector(surface.points[complex.source(h).idx()], surface.points[complex.target(h).idx()]).norm());
   }
-  const IT::Tufted_laplacian by_points = IT::tufted_laplacian(surface.points, surface.triangles);
-  const IT::Tufted_laplacian by_lengths = IT::tufted_laplacian(complex, lengths);
+  const IT::Tufted_Laplacian by_points = IT::tufted_Laplacian(surface.points, surface.triangles);
+  const IT::Tufted_Laplacian by_lengths = IT::tufted_Laplacian(complex, lengths);
   check_operator(by_lengths);
   EXPECT_GT(by_points.report.border_edges, 0u);
   EXPECT_EQ(by_lengths.report.border_edges, by_points.report.border_edges);
@@ -310,43 +310,43 @@ TEST(Tufted_laplacian, surfaces_given_by_lengths)
 
   const IT::Delta_complex torus = IT::make_Delta_complex_from_gluing(
     2, std::vector<std::array<int, 2>>{{0, 3}, {1, 4}, {2, 5}});
-  const IT::Tufted_laplacian one = IT::tufted_laplacian(torus, {3, 4, 5});
+  const IT::Tufted_Laplacian one = IT::tufted_Laplacian(torus, {3, 4, 5});
   EXPECT_EQ(Dense(one.stiffness), Dense::Zero(1, 1));
   EXPECT_NEAR(one.mass.coeff(0, 0), 12, 1e-14);
 }
 
 // Two triangles without area on the edge between two large ones: their third vertices are one point of the surface.
-TEST(Tufted_laplacian, vertices_that_triangles_without_area_join_are_merged)
+TEST(Tufted_Laplacian, vertices_that_triangles_without_area_join_are_merged)
 {
   const Points points = {{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, 0, 0}, {2, 0, 0}, {2, -3, 1}};
   const Triangles triangles = {{0, 3, 2}, {3, 1, 2}, {0, 1, 3}, {1, 0, 4}, {0, 5, 4}, {4, 5, 1}};
-  const IT::Tufted_laplacian result = IT::tufted_laplacian(points, triangles);
+  const IT::Tufted_Laplacian result = IT::tufted_Laplacian(points, triangles);
   check_operator(result);
   EXPECT_EQ(result.report.merged_vertices, 1u);
   EXPECT_EQ(result.representative[4], 3u);
   EXPECT_EQ(result.stiffness.coeff(4, 4), 0);
   // As without the two, and the vertices merged.
-  const IT::Tufted_laplacian expected =
-    IT::tufted_laplacian(points, Triangles{{0, 3, 2}, {3, 1, 2}, {0, 5, 3}, {3, 5, 1}});
+  const IT::Tufted_Laplacian expected =
+    IT::tufted_Laplacian(points, Triangles{{0, 3, 2}, {3, 1, 2}, {0, 5, 3}, {3, 5, 1}});
   expect_near(Dense(result.stiffness), Dense(expected.stiffness), 1e-12);
-  IT::Tufted_laplacian_options options;
+  IT::Tufted_Laplacian_options options;
   options.coincident_vertices = IT::Coincident_vertices::ERROR;
   try {
-    IT::tufted_laplacian(points, triangles, options);
+    IT::tufted_Laplacian(points, triangles, options);
     FAIL();
   } catch (const IT::Invalid_surface_error& error) {
     EXPECT_STREQ(error.what(), "vertices 3 and 4 are at the same place, and faces without area join them; merge them");
   }
 }
 
-TEST(Tufted_laplacian, mollification_is_reported)
+TEST(Tufted_Laplacian, mollification_is_reported)
 {
   const Points points = {{0, 0, 0}, {1, 0, 0}, {0.5, 1e-9, 0}};
-  IT::Tufted_laplacian_options options;
+  IT::Tufted_Laplacian_options options;
   const Triangles triangles = {{0, 1, 2}};
-  EXPECT_EQ(IT::tufted_laplacian(points, triangles, options).report.mollification.number_of_changed_edges, 0u);
+  EXPECT_EQ(IT::tufted_Laplacian(points, triangles, options).report.mollification.number_of_changed_edges, 0u);
   options.mollification = 1e-3;
-  const IT::Tufted_laplacian result = IT::tufted_laplacian(points, triangles, options);
+  const IT::Tufted_Laplacian result = IT::tufted_Laplacian(points, triangles, options);
   check_operator(result);
   EXPECT_EQ(result.report.mollification.number_of_changed_edges, 3u);
   EXPECT_GT(result.report.mollification.largest_relative_change, 1e-4);
@@ -358,10 +358,10 @@ struct Impatient_visitor
   void after_flip(IT::Edge_index) {}
 };
 
-TEST(Tufted_laplacian, flips_can_be_cancelled)
+TEST(Tufted_Laplacian, flips_can_be_cancelled)
 {
   const IT::Indexed_triangles surface = IT::bumpy_dome(9, 7);
-  EXPECT_THROW(IT::tufted_laplacian(surface.points, surface.triangles, {}, CGAL::parameters::visitor(Impatient_visitor())),
+  EXPECT_THROW(IT::tufted_Laplacian(surface.points, surface.triangles, {}, CGAL::parameters::visitor(Impatient_visitor())),
                IT::Cancelled_error);
 }
 

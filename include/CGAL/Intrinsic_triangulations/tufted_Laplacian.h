@@ -39,7 +39,7 @@ enum class Mass_type {
 
 /// \ingroup PkgIntrinsicTriangulationsCover
 /// \brief how a cover and its operator are made.
-struct Tufted_laplacian_options : Tufted_cover_options
+struct Tufted_Laplacian_options : Tufted_cover_options
 {
   /// which mass matrix is returned
   Mass_type mass_type = Mass_type::LUMPED;
@@ -47,7 +47,7 @@ struct Tufted_laplacian_options : Tufted_cover_options
 
 /// \ingroup PkgIntrinsicTriangulationsCover
 /// \brief stiffness matrix `L` and mass matrix `M` of any triangles: `L u = λ M u` is the eigenvalue problem of `−Δ`.
-struct Tufted_laplacian
+struct Tufted_Laplacian
 {
   Eigen::SparseMatrix<double> stiffness; ///< positive semidefinite, as with `Stiffness_factor::HALF`
   Eigen::SparseMatrix<double> mass;      ///< lumped or Galerkin
@@ -161,11 +161,11 @@ inline Eigen::SparseMatrix<double> Galerkin_mass_matrix(const Tufted_cover& cove
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-inline Tufted_laplacian operator_of_cover(Tufted_cover cover, Flip_report flips, Mass_type mass_type)
+inline Tufted_Laplacian operator_of_cover(Tufted_cover cover, Flip_report flips, Mass_type mass_type)
 {
   if (flips.status == Flip_status::CANCELLED)
     throw Cancelled_error("cancelled while edges were flipped");
-  Tufted_laplacian result;
+  Tufted_Laplacian result;
   result.stiffness = stiffness_matrix(cover, &result.minimum_weight);
   result.mass = mass_type == Mass_type::LUMPED ? lumped_mass_matrix(cover) : Galerkin_mass_matrix(cover);
   result.representative = std::move(cover.representative);
@@ -180,7 +180,7 @@ inline Tufted_laplacian operator_of_cover(Tufted_cover cover, Flip_report flips,
 /// \ingroup PkgIntrinsicTriangulationsCover
 /// \brief returns the Laplace-Beltrami operator of any triangles, by their tufted cover made intrinsic Delaunay.
 ///
-///     auto result = tufted_laplacian(points, triangles);
+///     auto result = tufted_Laplacian(points, triangles);
 ///     // result.stiffness, result.mass
 ///
 /// Rows are those of the input vertices. `L` is symmetric and positive semidefinite; its rows sum to zero; no entry off the
@@ -203,8 +203,8 @@ inline Tufted_laplacian operator_of_cover(Tufted_cover cover, Flip_report flips,
 ///
 /// Source: N. Sharp, K. Crane, "A Laplacian for nonmanifold triangle meshes", 2020.
 template <class PointRange, class TriangleRange, class NamedParameters = parameters::Default_named_parameters>
-Tufted_laplacian tufted_laplacian(const PointRange& points, const TriangleRange& triangles,
-                                  const Tufted_laplacian_options& options = Tufted_laplacian_options(),
+Tufted_Laplacian tufted_Laplacian(const PointRange& points, const TriangleRange& triangles,
+                                  const Tufted_Laplacian_options& options = Tufted_Laplacian_options(),
                                   const NamedParameters& np = parameters::default_values())
 {
   Tufted_cover cover = make_tufted_cover(points, triangles, options);
@@ -219,8 +219,8 @@ Tufted_laplacian tufted_laplacian(const PointRange& points, const TriangleRange&
 /// \param options as above
 /// \param np the named parameters of `flip_to_Delaunay()`
 template <class NamedParameters = parameters::Default_named_parameters>
-Tufted_laplacian tufted_laplacian(const Delta_complex& complex, const std::vector<double>& lengths,
-                                  const Tufted_laplacian_options& options = Tufted_laplacian_options(),
+Tufted_Laplacian tufted_Laplacian(const Delta_complex& complex, const std::vector<double>& lengths,
+                                  const Tufted_Laplacian_options& options = Tufted_Laplacian_options(),
                                   const NamedParameters& np = parameters::default_values())
 {
   Tufted_cover cover = make_tufted_cover(complex, lengths, options);

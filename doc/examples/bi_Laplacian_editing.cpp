@@ -44,12 +44,12 @@ Mesh mesh_of(const IT::Indexed_triangles& sample)
 }
 
 // Solves for the free entries of u; the others are kept.
-void minimize_bi_laplacian(const IT::Laplace_Beltrami_operator& laplacian,
+void minimize_bi_Laplacian(const IT::Laplace_Beltrami_operator& Laplacian,
                            const std::vector<bool>& is_free, Eigen::VectorXd& u)
 {
   const Eigen::VectorXd inverse_mass =
-    Eigen::VectorXd(laplacian.mass.diagonal()).cwiseInverse();
-  const Matrix energy = laplacian.stiffness * inverse_mass.asDiagonal() * laplacian.stiffness;
+    Eigen::VectorXd(Laplacian.mass.diagonal()).cwiseInverse();
+  const Matrix energy = Laplacian.stiffness * inverse_mass.asDiagonal() * Laplacian.stiffness;
   std::vector<Eigen::Triplet<double>> entries;
   int columns = 0;
   for (std::size_t v = 0; v < is_free.size(); ++v)
@@ -63,7 +63,7 @@ void minimize_bi_laplacian(const IT::Laplace_Beltrami_operator& laplacian,
 }
 
 // The largest error of the sheet that is bent by its rim.
-double error(const Mesh& mesh, const IT::Laplace_Beltrami_operator& laplacian, std::size_t columns,
+double error(const Mesh& mesh, const IT::Laplace_Beltrami_operator& Laplacian, std::size_t columns,
              std::size_t rows)
 {
   Eigen::VectorXd exact(Eigen::Index(mesh.number_of_vertices()));
@@ -78,7 +78,7 @@ double error(const Mesh& mesh, const IT::Laplace_Beltrami_operator& laplacian, s
   for (std::size_t v = 0; v < is_free.size(); ++v)
     if (is_free[v])
       u[Eigen::Index(v)] = 0;
-  minimize_bi_laplacian(laplacian, is_free, u);
+  minimize_bi_Laplacian(Laplacian, is_free, u);
   return (u - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
 }
 
@@ -93,7 +93,7 @@ int main()
     p[1] += 0.3 * std::sin(23 * p[0] + 5 * p[1]);
   }
   const Mesh mesh = mesh_of(sheet);
-  const double extrinsic = error(mesh, IT::extrinsic_laplacian(mesh), columns, rows),
+  const double extrinsic = error(mesh, IT::extrinsic_Laplacian(mesh), columns, rows),
                intrinsic = error(mesh, IT::intrinsic_Delaunay_Laplacian(mesh), columns, rows);
   std::cout << "largest error of the bent sheet: extrinsic " << extrinsic << ", intrinsic "
             << intrinsic << '\n';

@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_POINT_CLOUD_LAPLACIAN_H
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/tufted_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -139,7 +139,7 @@ inline Eigen::SparseMatrix<double> with_rows(const Eigen::SparseMatrix<double>& 
 /// The nearest neighbours of each point are projected to the plane that fits them best, and the triangles around
 /// it in their Delaunay triangulation are taken. The operator is that of the tufted cover of all these triangles, divided by
 /// three, as each triangle turns up at its three corners where all is well. So it has all properties of
-/// `tufted_laplacian()`, wherever the points are: no positive entry off the diagonal, and no tolerance. It is under the GPL, as
+/// `tufted_Laplacian()`, wherever the points are: no positive entry off the diagonal, and no tolerance. It is under the GPL, as
 /// the parts of CGAL that it uses.
 ///
 /// \tparam PointRange a range of points whose coordinates are `p[0]`, `p[1]` and `p[2]`; they are rounded to `double`
@@ -155,7 +155,7 @@ inline Eigen::SparseMatrix<double> with_rows(const Eigen::SparseMatrix<double>& 
 ///
 /// Source: N. Sharp, K. Crane, "A Laplacian for nonmanifold triangle meshes", 2020, section 5.7.
 template <class PointRange>
-Tufted_laplacian point_cloud_laplacian(const PointRange& points, std::size_t n_neighbors = 30)
+Tufted_Laplacian point_cloud_Laplacian(const PointRange& points, std::size_t n_neighbors = 30)
 {
   CGAL_precondition(n_neighbors >= 2);
   using Defect = Invalid_surface_error::Defect;
@@ -186,7 +186,7 @@ Tufted_laplacian point_cloud_laplacian(const PointRange& points, std::size_t n_n
   if (triangles.empty())
     throw Invalid_surface_error(Defect::EMPTY, 0, 1, "the points lie on a line: there is no triangle between them");
 
-  Tufted_laplacian result = tufted_laplacian(places, triangles);
+  Tufted_Laplacian result = tufted_Laplacian(places, triangles);
   result.stiffness = internal::with_rows(result.stiffness, first_of_place, representative.size(), 1. / 3);
   result.mass = internal::with_rows(result.mass, first_of_place, representative.size(), 1. / 3);
   result.minimum_weight /= 3;

@@ -5,8 +5,8 @@
 //
 // Flips on several threads.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_BLOCK_FLIPPER_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_BLOCK_FLIPPER_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_PARALLEL_DELAUNAY_FLIPPER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_PARALLEL_DELAUNAY_FLIPPER_H
 
 #include <CGAL/Intrinsic_triangulations/internal/flips/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Triangulation_block.h>
@@ -102,7 +102,7 @@ private:
 // can be within blocks that are shifted by half of their size, and then the few edges that
 // remain on one thread. The blocks do not depend on the number of threads, nor does the result.
 template <class Traits, class ConstraintMap, class Visitor>
-class Block_flipper
+class Parallel_Delaunay_flipper
 {
   using Triangulation = Intrinsic_triangulation<Traits>;
   using Block = Triangulation_block<Traits>;
@@ -115,8 +115,8 @@ class Block_flipper
 
 public:
   // The marks are all `CANDIDATE`.
-  Block_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained,
-                Visitor& visitor, std::uint64_t budget, Edge_marks& marks)
+  Parallel_Delaunay_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained,
+                            Visitor& visitor, std::uint64_t budget, Edge_marks& marks)
     : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor),
       budget_(budget), marks_(marks)
   {}
@@ -233,4 +233,4 @@ private:
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_BLOCK_FLIPPER_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_PARALLEL_DELAUNAY_FLIPPER_H
