@@ -6,6 +6,10 @@
 #include "overlay_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/overlay_areas.h>
 #include <CGAL/Intrinsic_triangulations/point_location.h>
 
@@ -14,6 +18,8 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -21,6 +27,9 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using test_surfaces::Triangulation;
+
+static_assert(std::is_constructible<IT::Point_location, const IT::Common_subdivision&>::value, "");
+static_assert(!std::is_constructible<IT::Point_location, IT::Common_subdivision>::value, "it refers to the subdivision");
 
 Triangulation Delaunay_triangulation(const IT::Indexed_triangles& surface)
 {
@@ -106,6 +115,40 @@ TEST(Common_subdivision, prepares_the_exact_geometry)
   for (IT::Face_index f : t.connectivity().faces())
     expected += t.area(f);
   EXPECT_NEAR(area, expected, 1e-12 * expected);
+}
+
+// Says of every hinge that it is convex.
+struct Careless_traits : IT::Edge_length_traits<double>
+{
+  struct Construct_flipped_hinge
+  {
+    bool operator()(const Hinge_data& h, Flipped_hinge_data& flipped) const
+    {
+      IT::Edge_length_traits<double>::Construct_flipped_hinge()(h, flipped);
+      return true;
+    }
+  };
+  Construct_flipped_hinge construct_flipped_hinge_object() const { return {}; }
+};
+
+// The other diagonal of a dart runs beside it: there is no crossing whose position could be told.
+TEST(Common_subdivision, of_what_is_no_triangulation_of_the_surface)
+{
+  for (double height : {0., 0.25}) { // in a plane, and bent
+    const IT::Indexed_triangles dart{{{0, 0, 0}, {4, 0, 0}, {-1, 1, height}, {-1, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}};
+    IT::Intrinsic_triangulation<Careless_traits> t(
+      IT::make_Delta_complex_from_triangles(dart.points.size(), dart.triangles), dart.points);
+    t.keep_input(IT::Input_metric::from_points({dart.points.begin(), dart.points.end()}));
+    for (IT::Edge_index e : t.connectivity().edges())
+      if (t.connectivity().is_flippable(e))
+        t.flip(e);
+    try {
+      IT::Common_subdivision subdivision(t);
+      FAIL() << "was accepted";
+    } catch (const IT::Undecided_error& error) {
+      EXPECT_NE(std::string(error.what()).find("is no straight line"), std::string::npos) << error.what();
+    }
+  }
 }
 
 // The points are the caller's: as they were, moved, or of another type.

@@ -17,7 +17,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace {
@@ -205,6 +207,47 @@ TEST(Cotangent_weights, the_bound_of_a_stored_cotangent_holds)
     }
   }
   EXPECT_GE(close, corners / 2); // an infinite error would be a bound, too
+}
+
+// What cotangent_weights() knows of bounds, it knows from the traits: from any that have the functor.
+template <class Base, bool is_known>
+struct Traits_with_bounds : Base
+{
+  struct Compute_bounded_cotangent
+  {
+    template <class Face_data, class Edge_data>
+    IT::Bounded_double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk, const Edge_data& ki) const
+    {
+      ++*number_of_calls;
+      const double exact = typename Base::Compute_cotangent()(ijk, ij, jk, ki);
+      return {exact, is_known ? 0x1p-50 * (1 + std::abs(exact)) : std::numeric_limits<double>::infinity()};
+    }
+    std::size_t* number_of_calls;
+  };
+  Compute_bounded_cotangent compute_bounded_cotangent_object() const { return {number_of_calls.get()}; }
+
+  std::shared_ptr<std::size_t> number_of_calls = std::make_shared<std::size_t>(0);
+};
+
+template <class Base, bool is_known>
+void expect_same_weights()
+{
+  const IT::Indexed_triangles sphere = IT::bumpy_sphere(12, 9);
+  const auto complex = IT::make_Delta_complex_from_triangles(sphere.points.size(), sphere.triangles);
+  const IT::Intrinsic_triangulation<Base> expected(complex, sphere.points);
+  const IT::Intrinsic_triangulation<Traits_with_bounds<Base, is_known>> t(complex, sphere.points);
+  const std::vector<double> weights = IT::cotangent_weights(t);
+  EXPECT_EQ(*t.traits().number_of_calls, complex.number_of_halfedges());
+  for (IT::Edge_index e : complex.edges())
+    EXPECT_NEAR(weights[e.idx()], expected.cotangent_weight(e), 1e-13) << e;
+}
+
+TEST(Cotangent_weights, any_traits_may_bound_cotangents)
+{
+  expect_same_weights<Double, true>();
+  expect_same_weights<Double, false>();
+  expect_same_weights<Filtered, true>();
+  expect_same_weights<Filtered, false>();
 }
 
 TEST(Cotangent_weights, a_tie_is_exactly_zero_and_nothing_is_negative)

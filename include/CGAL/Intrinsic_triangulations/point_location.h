@@ -56,6 +56,9 @@ public:
       intrinsic_{subdivision.intrinsic(), subdivision.overlay(), subdivision.positions()},
       exact_side_(subdivision.intrinsic(), subdivision.exact_geometry(), subdivision.overlay())
   {}
+  /// \cond SKIP_IN_MANUAL
+  explicit Point_location(const Common_subdivision&&) = delete; // does not outlive the map
+  /// \endcond
 
   /// \brief returns the position of a point of the input in the intrinsic triangulation.
   ///
