@@ -39,7 +39,7 @@ class Overlay_check
 {
 public:
   Overlay_check(const Delta_complex& intrinsic, const Correspondence& correspondence)
-    : intrinsic_(intrinsic), input_(correspondence.input()), coordinates_(correspondence.coordinates()),
+    : intrinsic_(intrinsic), correspondence_(correspondence), input_(correspondence.input()), coordinates_(correspondence.coordinates()),
       overlay_(intrinsic, correspondence)
   {}
 
@@ -208,7 +208,7 @@ private:
   {
     for (Edge_index e : intrinsic_.edges()) {
       IT::internal::Interruption none;
-      const IT::internal::Crossing_sequence sequence(intrinsic_, coordinates_, intrinsic_.halfedge(e), none);
+      const IT::internal::Crossing_sequence sequence(intrinsic_, correspondence_, intrinsic_.halfedge(e), none);
       const auto crossings = overlay_.intrinsic_crossings(e);
       for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
         // From left to right; one of the other two sides of the triangle ahead is next.
@@ -241,6 +241,7 @@ private:
 
   const Delta_complex& intrinsic_;
   const Delta_complex& input_;
+  const IT::Correspondence& correspondence_;
   const IT::Normal_coordinates& coordinates_;
   Overlay overlay_;
 };

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Flip_journal.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Rotation_system.h>
 
@@ -80,17 +81,22 @@ public:
   void flip(const Delta_complex& complex, Edge_index e)
   {
     CGAL_precondition(complex.is_flippable(e));
-    flip(complex.hinge(e));
+    flip(complex, complex.hinge(e));
   }
   /// as above, for the halfedges around the edge.
-  void flip(const Hinge_halfedges& around)
+  void flip(const Delta_complex& complex, const Hinge_halfedges& around)
   {
     if (!is_prepared_) {
       journal_.push_back(around);
       return;
     }
     coordinates_.flip(around);
-    shorten_walks(around.ij);
+    if (locations_.empty()) {
+      shorten_walks(around.ij);
+      return;
+    }
+    turn_around(around.ij, complex.target(around.il));
+    turn_around(around.ji, complex.target(around.jk));
   }
   /// \brief records flips from other journals, each given by the halfedges around the edge before it.
   /// \pre not `is_prepared()`
@@ -99,6 +105,45 @@ public:
     CGAL_precondition(!is_prepared_);
     journal_.append(std::move(flips));
   }
+
+  /// \name New vertices
+  /// @{
+
+  /// \brief follows the insertion of a vertex into a face; to be called before `split_face(piece.side)` of the
+  /// connectivity. O(1).
+  /// \param complex the current connectivity
+  /// \param piece the piece of the triangle that contains the vertex
+  /// \param location where the vertex lies: strictly inside a face of the input
+  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
+  /// \pre `is_prepared()`
+  void split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location)
+  {
+    CGAL_precondition(is_prepared_ && location.dimension() == 2);
+    coordinates_.split_face(complex, piece);
+    locations_.push_back(location);
+  }
+  /// \brief follows the insertion of a vertex on an edge that coincides with an input edge; to be called before `split_edge(h)`
+  /// of the connectivity. O(1).
+  /// \param complex the current connectivity
+  /// \param h the halfedge that is split
+  /// \param location where the vertex lies: on that input edge
+  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
+  /// \pre `is_prepared()`
+  void split_edge(const Delta_complex& complex, Halfedge_index h, const Surface_point& location)
+  {
+    CGAL_precondition(is_prepared_ && location.dimension() == 1);
+    coordinates_.split_edge(complex, h, input_halfedge(h));
+    locations_.push_back(location);
+  }
+
+  /// returns whether `v` is no vertex of the input. \pre `is_prepared()`
+  bool is_inserted(Vertex_index v) const { return v.idx() >= input_.number_of_vertices(); }
+  /// returns the number of inserted vertices.
+  std::size_t number_of_inserted_vertices() const { return locations_.size(); }
+  /// returns where an inserted vertex lies on the input. The coordinates are exact once they are divided by their sum.
+  /// \pre `is_inserted(v)`
+  const Surface_point& location(Vertex_index v) const { return locations_[v.idx() - input_.number_of_vertices()]; }
+  /// @}
 
   /// returns the integers. \pre `is_prepared()`
   const Normal_coordinates& coordinates() const { return coordinates_; }
@@ -110,11 +155,16 @@ public:
 
   /// returns the roundabout of `h`: the first input halfedge at or after `h`, counterclockwise
   /// around its source. O(1).
+  ///
+  /// For a halfedge that leaves a vertex inserted on an input edge it is one of the two halfedges of that edge, taken from there
+  /// on; for one that leaves a vertex inside an input face there is none.
   /// \pre `is_prepared()`
   Halfedge_index input_halfedge(Halfedge_index h) const
   {
     const Roundabout r = coordinates_.roundabout(h);
     Halfedge_index result = r.base;
+    if (!result.is_valid())
+      return result;
     for (std::uint64_t step = 0; step < r.steps; ++step) // at most longest_walk
       result = input_.next_around_source(result);
     return result;
@@ -126,20 +176,36 @@ private:
 
   BOOST_NOINLINE void shorten_walks(Halfedge_index h)
   {
-    for (Halfedge_index side : {h, input_.opposite(h)}) {
-      const Roundabout r = coordinates_.roundabout(side);
-      if (r.steps <= longest_walk)
-        continue;
-      if (!around_)
-        around_.emplace(input_);
-      coordinates_.set_roundabout(side, around_->advanced(input_, r.base, r.steps));
+    for (Halfedge_index side : {h, input_.opposite(h)})
+      shorten_walk(side);
+  }
+  void shorten_walk(Halfedge_index h)
+  {
+    const Roundabout r = coordinates_.roundabout(h);
+    if (r.steps <= longest_walk)
+      return;
+    if (!around_)
+      around_.emplace(input_);
+    coordinates_.set_roundabout(h, around_->advanced(input_, r.base, r.steps));
+  }
+
+  // Around a vertex on an input edge, there are two directions only.
+  void turn_around(Halfedge_index h, Vertex_index source)
+  {
+    if (!is_inserted(source)) {
+      shorten_walk(h);
+      return;
     }
+    const Roundabout r = coordinates_.roundabout(h);
+    if (r.base.is_valid() && r.steps != 0)
+      coordinates_.set_roundabout(h, r.steps % 2 == 0 ? r.base : input_.opposite(r.base));
   }
 
   bool is_prepared_ = false;
   internal::Flip_journal journal_;
   Delta_complex input_;
   Normal_coordinates coordinates_;
+  std::vector<Surface_point> locations_;            // of the vertices that follow those of the input
   std::optional<internal::Rotation_system> around_; // of the input, for long walks
 };
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/prefetch.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/relaxed_atomic.h>
 
@@ -271,6 +272,90 @@ public:
     replace_vertex_halfedge(l, g, il);
   }
 
+  /// \brief splits the face of `h` into three by a new vertex inside of it.
+  ///
+  /// With i, j, k the corners of the face and `h` from i to j, the face of `h` becomes (i, j, v), and the faces
+  /// (j, k, v) and (k, i, v) are appended in this order. The edges vi, vj, vk are appended in this order; `halfedge(e)`
+  /// of each leaves v. No descriptor changes. O(1) amortized.
+  ///
+  /// \return the new vertex
+  /// \exception Integer_overflow_error if there would be 2^31 edges; then nothing is changed
+  /// \pre `h` is not a border halfedge
+  Vertex_index split_face(Halfedge_index h)
+  {
+    CGAL_precondition(!is_border(h));
+    const Halfedge_index sides[] = {h, next(h), prev(h)};
+    const Vertex_index corners[] = {source(h), target(h), source(prev(h))};
+    const Halfedge_index spokes = append_edges(3); // from the new vertex to i, j, k
+    const Face_index f = face(h), jkv = append_faces(2), faces[] = {f, jkv, Face_index(jkv.idx() + 1)};
+    const Vertex_index v(number_of_vertices());
+    const auto spoke = [spokes](int i) { return Halfedge_index(spokes.idx() + 2 * i); };
+    for (int i = 0; i < 3; ++i) {
+      record(spoke(i)).target = corners[i].idx();
+      record(opposite(spoke(i))).target = v.idx();
+    }
+    for (int i = 0; i < 3; ++i)
+      set_face_cycle(faces[i], sides[i], opposite(spoke((i + 1) % 3)), spoke(i));
+    vertex_halfedges_.push_back(opposite(spoke(0)));
+    return v;
+  }
+
+  /// \brief splits the edge of `h` and the one or two faces beside it by a new vertex on the edge.
+  ///
+  /// With `h` from i to j, k the third corner to its left and l to its right, `h` leads from i to the new vertex v
+  /// afterwards. The edge vj is appended, then vk if `h` has a face, and then vl if its opposite has one;
+  /// `halfedge(e)` of each leaves v. The face of `h` becomes (i, v, k), that of its opposite (v, i, l); the faces (v, j, k)
+  /// and (j, v, l), as far as they exist, are appended in this order. No descriptor changes. O(1) amortized.
+  ///
+  /// \return the new vertex
+  /// \exception Integer_overflow_error as `split_face()`
+  /// \pre the edge of `h` lies on the border or between two different faces
+  Vertex_index split_edge(Halfedge_index h)
+  {
+    CGAL_precondition(!is_self_glued(edge(h)));
+    const Halfedge_index g = opposite(h);
+    const bool has_left = !is_border(h), has_right = !is_border(g);
+    const Halfedge_index jk = next(h), ki = prev(h), il = next(g), lj = prev(g);
+    const Vertex_index j = target(h), k = target(jk), l = target(il), v(number_of_vertices());
+    const Halfedge_index vj = append_edges(1 + (has_left ? 1 : 0) + (has_right ? 1 : 0)), jv = opposite(vj);
+    const Halfedge_index vk(vj.idx() + 2), vl(vj.idx() + (has_left ? 4 : 2));
+    Face_index appended = append_faces((has_left ? 1 : 0) + (has_right ? 1 : 0));
+    const auto join = [this](Halfedge_index a, Halfedge_index b) {
+      record(a).next = b.idx();
+      record(b).prev = a.idx();
+    };
+    record(h).target = v.idx();
+    record(vj).target = j.idx();
+    record(jv).target = v.idx();
+    if (has_left) {
+      record(vk).target = k.idx();
+      record(opposite(vk)).target = v.idx();
+      const Face_index f = face(h);
+      set_face_cycle(f, h, vk, ki);
+      set_face_cycle(appended, vj, jk, opposite(vk));
+      appended = Face_index(appended.idx() + 1);
+    } else {
+      record(vj).face = Face_index().idx();
+      join(h, vj);
+      join(vj, jk);
+    }
+    if (has_right) {
+      record(vl).target = l.idx();
+      record(opposite(vl)).target = v.idx();
+      const Face_index f = face(g);
+      set_face_cycle(f, g, il, opposite(vl));
+      set_face_cycle(appended, jv, vl, lj);
+    } else {
+      record(jv).face = Face_index().idx();
+      join(lj, jv);
+      join(jv, g);
+    }
+    vertex_halfedges_.push_back(!has_left ? h : jv);
+    if (halfedge(j) == h)
+      vertex_halfedges_[j.idx()] = vj;
+    return v;
+  }
+
   /// \brief returns whether the arrays describe a triangulated oriented surface.
   ///
   /// Every halfedge belongs to one cycle of three in a face or to one cycle along the
@@ -314,6 +399,23 @@ private:
     return halfedges_[h.idx()];
   }
   Halfedge& record(Halfedge_index h) { return halfedges_[h.idx()]; }
+
+  // Appends n edges and returns the first halfedge.
+  Halfedge_index append_edges(int n)
+  {
+    const Halfedge_index first(number_of_halfedges());
+    if (halfedges_.size() + 2 * std::size_t(n) >= Halfedge_index::null_index())
+      throw Integer_overflow_error("a triangulation has 2^31 edges or more");
+    halfedges_.resize(halfedges_.size() + 2 * std::size_t(n));
+    return first;
+  }
+  // Appends n faces and returns the first.
+  Face_index append_faces(int n)
+  {
+    const Face_index first(number_of_faces());
+    face_halfedges_.resize(face_halfedges_.size() + std::size_t(n));
+    return first;
+  }
 
   void set_face_cycle(Face_index f, Halfedge_index a, Halfedge_index b, Halfedge_index c)
   {

@@ -24,6 +24,7 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -92,13 +93,20 @@ public:
   {
     if (is_asked_.load(std::memory_order_relaxed) || correspondence_.number_of_journaled_flips() >= longest_journal * std::size_t(complex.number_of_edges()))
       return flip_and_follow(complex, around);
-    correspondence_.flip(around);
+    correspondence_.flip(complex, around);
     return false;
   }
   /// returns whether flips may be appended: as long as no query was made.
   bool can_append() const { return !is_asked_; }
   /// as `append()` of `Correspondence`. \pre `can_append()`
   void append(std::vector<Hinge_halfedges> flips) { correspondence_.append(std::move(flips)); }
+
+  /// \brief follows the insertion of a vertex, before that of the connectivity; as the functions of `Correspondence`
+  /// with the same names.
+  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
+  void split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location);
+  /// as above.
+  void split_edge(const Delta_complex& complex, Halfedge_index h, const Surface_point& location);
 
   /// \brief sets what decisions accept as a tie from now on.
   void set_tie_proof(Tie_proof tie_proof);
@@ -183,6 +191,15 @@ public:
 
   /// @}
 
+  /// \brief returns on which side of `h` a point of the input lies: `POSITIVE` to the left, `ZERO` on it.
+  ///
+  /// \param complex the triangulation
+  /// \param h a halfedge that coincides with no input edge
+  /// \param position after how many crossings `h` runs through the input face of the point
+  /// \param point the point; its coordinates are taken as exact once they are divided by their sum
+  /// \exception Undecided_error as `sign_of_cotangents()`
+  Sign side_of(const Delta_complex& complex, Halfedge_index h, std::int64_t position, const Surface_point& point) const;
+
   /// \cond SKIP_IN_MANUAL
   // The corner opposite to h, in the unit of the metric. \pre h is not a border halfedge
   Corner corner(const Delta_complex& complex, Halfedge_index h) const;
@@ -205,6 +222,8 @@ private:
   bool flip_and_follow(const Delta_complex& complex, const Hinge_halfedges& around);
   bool follow(const Delta_complex& complex, Edge_index e);
   void find_straight_faces(const Delta_complex& complex) const;
+  void forget_faces(const Delta_complex& complex, std::initializer_list<Face_index> faces, std::size_t number_of_new_edges,
+                    std::size_t number_of_new_faces);
   void carry_images();
   Corner developed_corner(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface);
   std::optional<Image_corner> image_of_straight_corner(const Delta_complex& complex, Halfedge_index h);

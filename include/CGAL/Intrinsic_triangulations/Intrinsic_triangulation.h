@@ -345,6 +345,39 @@ public:
     return outcome;
   }
 
+  /// \name New vertices
+  /// For traits with exact geometry only. Nothing is flipped. See `insert_vertex()`.
+  /// @{
+
+  /// \brief splits a face into three by a new vertex.
+  /// \param piece the piece of the face that contains the vertex, between the input edges that cross it
+  /// \param location where the vertex lies: strictly inside a face of the input, and inside of the piece. The metric is not
+  ///   changed: its coordinates are taken as exact once they are divided by their sum
+  /// \return the new vertex, as `split_face(piece.side)` of `Delta_complex`
+  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`; then nothing is changed
+  Vertex_index split_face(const Triangle_piece& piece, const Surface_point& location)
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    geometry_->split_face(connectivity_, piece, location);
+    const Vertex_index v = connectivity_.split_face(piece.side);
+    measure_star(v);
+    return v;
+  }
+  /// \brief splits an edge that coincides with an input edge, and the faces beside it, by a new vertex.
+  /// \param h a halfedge of the edge, which lies on the border or between two different faces
+  /// \param location where the vertex lies: strictly between the ends of the edge, on the input edge
+  /// \return the new vertex, as `split_edge(h)` of `Delta_complex`
+  /// \exception Integer_overflow_error as above
+  Vertex_index split_edge(Halfedge_index h, const Surface_point& location)
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    geometry_->split_edge(connectivity_, h, location);
+    const Vertex_index v = connectivity_.split_edge(h);
+    measure_star(v);
+    return v;
+  }
+  /// @}
+
   /// returns the datum that the traits keep for `e`, in the internal unit.
   const Edge_data& edge_data(Edge_index e) const { return edges_[e.idx()]; }
   /// returns the datum that the traits keep for `f`, in the internal unit.
@@ -457,6 +490,37 @@ private:
     edges_[edge(h).idx()] = refined(c.s_opposite);
     faces_[connectivity_.face(h).idx()] = face;
     bound_corners(h);
+  }
+
+  // Computes the numbers of all faces around a vertex that was inserted.
+  void measure_star(Vertex_index v)
+  {
+    const std::size_t number_of_new_edges = connectivity_.number_of_edges() - edges_.size();
+    edges_.resize(connectivity_.number_of_edges(), internal::default_init);
+    faces_.resize(connectivity_.number_of_faces(), internal::default_init);
+    if (keeps_bounds)
+      bounds_.append(number_of_new_edges);
+    const auto refined = traits_.construct_refined_data_object();
+    const Halfedge_index first = connectivity_.opposite(connectivity_.halfedge(v));
+    Halfedge_index h = first;
+    do { // counterclockwise; each face has h before its side opposite to v
+      if (!connectivity_.is_border(h)) {
+        const Halfedge_index side = connectivity_.next(h);
+        const Exact_geometry::Corner c = geometry_->corner(connectivity_, side);
+        const Face_data face = refined(c.four_areas, c.s_first, c.s_second, c.s_opposite);
+        edges_[edge(h).idx()] = refined(c.s_first);
+        edges_[edge(connectivity_.prev(h)).idx()] = refined(c.s_second);
+        if (face.error < std::numeric_limits<double>::infinity())
+          edges_[edge(side).idx()] = refined(c.s_opposite);
+        faces_[connectivity_.face(h).idx()] = face;
+      }
+      h = connectivity_.next_around_source(h);
+    } while (h != first);
+    do {
+      if (!connectivity_.is_border(h))
+        bound_corners(h);
+      h = connectivity_.next_around_source(h);
+    } while (h != first);
   }
 
   void bound_corners(Halfedge_index h)

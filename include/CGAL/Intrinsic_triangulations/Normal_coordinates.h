@@ -17,6 +17,7 @@
 #include <boost/config.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -69,12 +70,24 @@ struct Roundabout
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 ///
+/// \brief a piece of a triangle (i, j, k) of the current triangulation, between the input edges that cross it.
+///
+/// It is named by a part of a side: what lies behind `gap` crossings of `side`, counted from its source. A piece that
+/// touches several sides has several names.
+struct Triangle_piece
+{
+  Halfedge_index side; ///< a halfedge of the triangle
+  std::int64_t gap;    ///< from 0 to the number of crossings of its edge
+};
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+///
 /// \brief normal coordinates and roundabouts: integers that determine exactly how the
 /// edges of the input triangulation run through the current one.
 ///
 /// The normal coordinate of an edge is the number of times that input edges cross it, or
 /// −1 if it coincides with an input edge. The roundabout of a halfedge is the first input
-/// halfedge at or after it, counterclockwise around its source. A flip updates both in O(1),
+/// halfedge at or after it, counterclockwise around its source. A vertex inserted into an input face has none. A flip updates both in O(1),
 /// whatever the edge crosses and whatever the degrees are, without access to the
 /// input. Rounding never affects them.
 ///
@@ -106,7 +119,7 @@ public:
     return (std::max)(std::int64_t(0), crossings(e));
   }
 
-  /// returns the roundabout of `h`.
+  /// returns the roundabout of `h`, without `base` if `h` leaves a vertex where no input edge ends.
   Roundabout roundabout(Halfedge_index h) const
   {
     const std::uint32_t i = record_number(h);
@@ -130,6 +143,98 @@ public:
     return Triangle_crossings(number_of_crossings(complex.edge(h)),
                               number_of_crossings(complex.edge(complex.next(h))),
                               number_of_crossings(complex.edge(complex.prev(h))));
+  }
+
+  /// \brief returns the names of `piece` on all sides of its triangle that it touches, itself first.
+  ///
+  /// There are at most three; those that do not exist have no `side`.
+  std::array<Triangle_piece, 3> names(const Delta_complex& complex, const Triangle_piece& piece) const
+  {
+    const Halfedge_index ij = piece.side, jk = complex.next(ij), ki = complex.prev(ij);
+    const std::int64_t n_ij = number_of_crossings(complex.edge(ij)), n_ki = number_of_crossings(complex.edge(ki));
+    const Triangle_crossings t = triangle_crossings(complex, ij);
+    if (piece.gap < t.c_i) // around i
+      return {piece, {ki, n_ki - piece.gap}, {}};
+    if (piece.gap > n_ij - t.c_j) // around j
+      return {piece, {jk, n_ij - piece.gap}, {}};
+    if (t.e_i > 0) // in the middle, beside the first segment that leaves i
+      return {piece, {jk, t.c_j}, {}};
+    if (t.e_j > 0) // the last one that leaves j
+      return {piece, {ki, t.c_k + t.e_j}, {}};
+    // In the middle, between segments that leave k or beyond all of them.
+    std::array<Triangle_piece, 3> result{piece, {}, {}};
+    if (piece.gap == t.c_i + t.e_k)
+      result[1] = {jk, t.c_j};
+    if (piece.gap == t.c_i)
+      result[2] = {ki, t.c_k};
+    return result;
+  }
+
+  /// \brief updates the integers for a new vertex v in a piece of a triangle; to be called before
+  /// `split_face(piece.side)` of the connectivity. O(1).
+  ///
+  /// No input edge ends in the new vertex: the halfedges that leave it have no roundabouts.
+  /// \exception Integer_overflow_error as `flip()`
+  void split_face(const Delta_complex& complex, const Triangle_piece& piece)
+  {
+    const Halfedge_index ij = piece.side, jk = complex.next(ij), ki = complex.prev(ij);
+    const Triangle_crossings t = triangle_crossings(complex, ij);
+    const std::int64_t n_ij = number_of_crossings(complex.edge(ij)), from_j = n_ij - piece.gap;
+    Roundabout r_i = first_after(ij), r_j = first_after(jk), r_k = first_after(ki);
+    std::int64_t n_vi, n_vj, n_vk;
+    if (piece.gap < t.c_i) {
+      n_vi = piece.gap;
+      n_vj = t.c_i - piece.gap + t.c_j + t.e_k;
+      n_vk = t.c_i - piece.gap + t.c_k + t.e_j;
+      r_j.steps += std::uint64_t(t.e_j); // those that leave j come before the new edge
+    } else if (from_j < t.c_j) {
+      n_vj = from_j;
+      n_vi = t.c_j - from_j + t.c_i + t.e_k;
+      n_vk = t.c_j - from_j + t.c_k + t.e_i;
+      r_k.steps += std::uint64_t(t.e_k);
+    } else { // in the middle, with the segments that leave a corner to one side or the other
+      const std::int64_t before = piece.gap - t.c_i;
+      n_vi = t.c_i + before;
+      n_vj = t.c_j + t.e_k - before;
+      n_vk = t.c_k + t.e_i + t.e_j;
+      r_j.steps += std::uint64_t(t.e_j);
+      r_k.steps += std::uint64_t(before);
+    }
+    if ((std::max)((std::max)(n_vi, n_vj), n_vk) > largest_count)
+      throw Integer_overflow_error("an edge crosses more than 2^60 input edges");
+    append({n_vi, {no_halfedge, r_i.base.idx()}, {0, r_i.steps}});
+    append({n_vj, {no_halfedge, r_j.base.idx()}, {0, r_j.steps}});
+    append({n_vk, {no_halfedge, r_k.base.idx()}, {0, r_k.steps}});
+  }
+
+  /// \brief updates the integers for a new vertex v on the edge of `h`, which coincides with an input edge; to be called before
+  /// `split_edge(h)` of the connectivity. O(1).
+  ///
+  /// The two parts coincide with that input edge. The roundabouts of what leaves v are its halfedges.
+  /// \param complex the current connectivity
+  /// \param h a halfedge whose edge `is_original()`
+  /// \param along the input halfedge along h
+  /// \exception Integer_overflow_error as `flip()`
+  void split_edge(const Delta_complex& complex, Halfedge_index h, Halfedge_index along)
+  {
+    CGAL_precondition(is_original(complex.edge(h)));
+    const Halfedge_index g = complex.opposite(h), back(along.idx() ^ 1);
+    const Roundabout at_i = roundabout(h), at_j = roundabout(g);
+    const auto append_spoke = [&](Halfedge_index side, Halfedge_index first_from_v) {
+      if (complex.is_border(side))
+        return;
+      const Triangle_crossings t = triangle_crossings(complex, side);
+      const Roundabout r = first_after(complex.prev(side));
+      append({t.c_k + t.e_i + t.e_j, {first_from_v.idx(), r.base.idx()}, {0, r.steps}});
+    };
+    append({-1, {along.idx(), at_j.base.idx()}, {0, at_j.steps}});
+    append_spoke(h, back);
+    append_spoke(g, along);
+    Record part{-1, {}, {}};
+    part.base[h.idx() & 1] = at_i.base.idx();
+    part.steps[h.idx() & 1] = at_i.steps;
+    part.base[g.idx() & 1] = back.idx();
+    set_record(h, part);
   }
 
   /// \brief updates the integers for the flip of `e`; to be called before the flip of the
@@ -182,6 +287,8 @@ public:
   }
 
 private:
+  static constexpr std::uint32_t no_halfedge = Halfedge_index::null_index();
+
   // Five counts up to this add up without overflow.
   static constexpr std::int64_t largest_count = std::int64_t(1) << 60;
 
@@ -208,6 +315,15 @@ private:
     records_[i] = record;
   }
 
+  void append(const Record& record)
+  {
+    record_of_.resize(record_of_.size() + 1, internal::default_init);
+    record_of_.back() = std::uint32_t(records_.size());
+    records_.resize(records_.size() + 1, internal::default_init);
+    records_.back() = record;
+  }
+
+  Roundabout first_after(Halfedge_index h) const { return first_after(h, record_number(h)); }
   // The first input halfedge after h, whose edge has record i; it is known from that at or after h.
   Roundabout first_after(Halfedge_index h, std::uint32_t i) const
   {

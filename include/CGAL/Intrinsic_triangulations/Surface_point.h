@@ -11,8 +11,12 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
 
+#include <CGAL/assertions.h>
+
 #include <array>
+#include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -41,6 +45,39 @@ struct Surface_point
     return positive - 1;
   }
 };
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// The coordinates of a point relative to another halfedge of its face.
+inline std::array<double, 3> coordinates_from(const Delta_complex& complex, const Surface_point& point, Halfedge_index first)
+{
+  const auto& [a, b, c] = point.coordinates;
+  if (first == point.halfedge)
+    return {a, b, c};
+  if (first == complex.next(point.halfedge))
+    return {b, c, a};
+  CGAL_assertion(first == complex.prev(point.halfedge));
+  return {c, a, b};
+}
+
+// The coordinates of a point on an edge relative to the ends of a halfedge of that edge.
+inline std::pair<double, double> coordinates_on_edge(const Delta_complex& complex, const Surface_point& point, Halfedge_index along)
+{
+  Halfedge_index h = point.halfedge;
+  for (std::size_t i = 0; i < 3; ++i, h = complex.next(h)) {
+    const double a = point.coordinates[i], b = point.coordinates[(i + 1) % 3];
+    if (point.coordinates[(i + 2) % 3] == 0 && h == along)
+      return {a, b};
+    if (point.coordinates[(i + 2) % 3] == 0 && h == complex.opposite(along))
+      return {b, a};
+  }
+  CGAL_assertion(false);
+  return {};
+}
+
+} // namespace internal
+/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// \brief returns the value at a point of the piecewise linear function with given values at the

@@ -11,15 +11,21 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Planar_vector.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/crossed_input_halfedge.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
 
 #include <CGAL/assertions.h>
 
+#include <boost/config.hpp>
+
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -86,15 +92,37 @@ public:
   /// returns `h` as a vector.
   Edge_vector edge_vector(Halfedge_index h) const
   {
+    const std::int64_t n = correspondence_.coordinates().crossings(complex_.edge(h));
+    if (BOOST_UNLIKELY(n == 0 || is_inserted(complex_.source(h)) || is_inserted(complex_.target(h))))
+      return vector_between_inserted(h, n);
     const Halfedge_index roundabout = correspondence_.input_halfedge(h);
-    if (correspondence_.coordinates().is_original(complex_.edge(h)))
+    if (n < 0)
       return {Vector(metric_.constant(1), metric_.constant(0)), roundabout};
-    internal::Crossing_sequences own;
-    const Path path{input_, roundabout,
-                    (sequences_ ? *sequences_ : own)(complex_, correspondence_.coordinates(), h, metric_.interruption()),
-                    std::size_t(correspondence_.coordinates().number_of_crossings(complex_.edge(h)))};
-    return {internal::Strip<Frame>(input_, Frame(input_, metric_)).end(path), Frame::reference(input_, path.front())};
+    return end_of_strip(h, first_crossed(roundabout), std::size_t(n), nullptr);
   }
+
+  /// \cond SKIP_IN_MANUAL
+  // Twice the area of the triangle of h and a point of the input, in units of the squared length of an input edge: positive if
+  // the point lies to the left of h. The point lies in the input triangle that h runs through after so many crossings.
+  Real area_beside(Halfedge_index h, std::int64_t position, const Surface_point& point) const
+  {
+    const Edge_vector u = edge_vector(h);
+    const std::int64_t n = correspondence_.coordinates().number_of_crossings(complex_.edge(h));
+    Vector p = u.vector;
+    if (position == 0) {
+      p = position_in_face(u.reference, internal::coordinates_from(input_, point, u.reference)) -
+          position_of_source(h, n, u.reference);
+    } else {
+      const Halfedge_index source_roundabout = correspondence_.input_halfedge(h);
+      const bool starts_inside = is_inserted(complex_.source(h));
+      const Halfedge_index front = starts_inside ? crossed(h, 0) : first_crossed(source_roundabout);
+      p = end_of_strip(h, front, std::size_t(position), &point).vector;
+      if (starts_inside)
+        p = p - position_of_source(h, n, u.reference);
+    }
+    return internal::area_between(u.vector, p);
+  }
+  /// \endcond
 
   /// returns the squared length of `e`.
   Real squared_length(Edge_index e) const
@@ -113,15 +141,18 @@ public:
       return input_corner(h);
     const Halfedge_index ki = complex_.prev(h), kj = complex_.opposite(complex_.next(h));
     const Edge_vector u = edge_vector(ki), v = edge_vector(kj);
-    // From the frame of u to the frame of v there is a fan of input triangles.
     Vector w = v.vector;
-    const Normal_coordinates& coordinates = correspondence_.coordinates();
-    std::int64_t fan = coordinates.triangle_crossings(complex_, h).e_k +
-                       (coordinates.is_original(complex_.edge(kj)) ? 1 : 0);
-    const Frame frame(input_, metric_);
-    Halfedge_index from = u.reference;
-    while (fan > 0)
-      w = w * frame.fan_ratio(from, fan);
+    if (BOOST_UNLIKELY(is_inserted(complex_.source(kj)))) {
+      w = w * ratio_in_face(u.reference, kj, v.reference);
+    } else { // from the frame of u to the frame of v there is a fan of input triangles
+      const Normal_coordinates& coordinates = correspondence_.coordinates();
+      std::int64_t fan = coordinates.triangle_crossings(complex_, h).e_k +
+                         (coordinates.is_original(complex_.edge(kj)) ? 1 : 0);
+      const Frame frame(input_, metric_);
+      Halfedge_index from = u.reference;
+      while (fan > 0)
+        w = w * frame.fan_ratio(from, fan);
+    }
     const Real s = reference_length(u), two_s = s + s;
     const Vector z = times_conjugate(w, u.vector);
     return {two_s * z.x(), two_s * z.y(), s * squared_norm(u.vector), s * squared_norm(w),
@@ -130,6 +161,112 @@ public:
 
 private:
   using Frame = internal::Metric_frame<Metric>;
+
+  bool is_inserted(Vertex_index v) const { return correspondence_.is_inserted(v); }
+
+  Halfedge_index crossed(Halfedge_index h, std::int64_t position) const
+  {
+    return internal::crossed_input_halfedge(complex_, correspondence_, h, position, metric_.interruption());
+  }
+  // The input edge that a halfedge crosses first which leaves a vertex of the input to the right of `roundabout`.
+  Halfedge_index first_crossed(Halfedge_index roundabout) const
+  {
+    return input_.opposite(input_.prev(input_.opposite(roundabout)));
+  }
+
+  // The vector from the corner that is opposite to the first crossed edge to the corner opposite to the n-th, or to
+  // a point behind that.
+  Edge_vector end_of_strip(Halfedge_index h, Halfedge_index front, std::size_t n, const Surface_point* point) const
+  {
+    internal::Crossing_sequences own;
+    const Path path{input_, front, n > 1 ? &(sequences_ ? *sequences_ : own)(complex_, correspondence_, h, metric_.interruption()) : nullptr, n, point};
+    return {internal::Strip<Frame>(input_, Frame(input_, metric_)).end(path), Frame::reference(input_, front)};
+  }
+
+  // Where the source of h, which was inserted, lies in the input face into which h leaves it. \pre h coincides with no input edge
+  Surface_point location_of_source(Halfedge_index h) const
+  {
+    const Surface_point& location = correspondence_.location(complex_.source(h));
+    const Halfedge_index roundabout = correspondence_.input_halfedge(h);
+    if (!roundabout.is_valid())
+      return location;
+    const Halfedge_index back = input_.opposite(roundabout);
+    const auto [a, b] = internal::coordinates_on_edge(input_, location, back);
+    return {back, {a, b, 0}};
+  }
+  // A point of the face of `base`, from the source of `base`, with that as the unit.
+  Vector position_in_face(Halfedge_index base, const std::array<double, 3>& coordinates) const
+  {
+    const Frame frame(input_, metric_);
+    const auto weights = frame.weights(coordinates);
+    return frame.real(weights[1]) + frame.real(weights[2]) * frame.ratios(base).at_source;
+  }
+
+  // Where h begins, from the source of the reference of its vector.
+  Vector position_of_source(Halfedge_index h, std::int64_t n, Halfedge_index reference) const
+  {
+    const Frame frame(input_, metric_);
+    if (!is_inserted(complex_.source(h))) {
+      if (n > 0 || reference == input_.next(input_.opposite(correspondence_.input_halfedge(h))))
+        return frame.real(metric_.constant(0));
+      return position_in_face(reference, coordinates_of_source(h, reference));
+    }
+    return position_in_face(reference, internal::coordinates_from(input_, location_of_source(h), reference));
+  }
+
+  // The coordinates of the source of h relative to a halfedge of the input face into which h leaves it.
+  std::array<double, 3> coordinates_of_source(Halfedge_index h, Halfedge_index reference) const
+  {
+    if (is_inserted(complex_.source(h)))
+      return internal::coordinates_from(input_, location_of_source(h), reference);
+    const Halfedge_index side = input_.next(input_.opposite(correspondence_.input_halfedge(h)));
+    return internal::coordinates_from(input_, Surface_point{side, {1, 0, 0}}, reference);
+  }
+
+  // As edge_vector(), where an end is no vertex of the input.
+  Edge_vector vector_between_inserted(Halfedge_index h, std::int64_t n) const
+  {
+    const Frame frame(input_, metric_);
+    const Halfedge_index g = complex_.opposite(h);
+    if (n < 0) { // along an input edge
+      const Halfedge_index along = correspondence_.input_halfedge(h);
+      const auto position = [&](Vertex_index v, double at_vertex) {
+        if (!is_inserted(v))
+          return metric_.constant(at_vertex);
+        const auto [a, b] = internal::coordinates_on_edge(input_, correspondence_.location(v), along);
+        return frame.weights({a, b, 0})[1];
+      };
+      return {frame.real(position(complex_.target(h), 1) - position(complex_.source(h), 0)), along};
+    }
+    if (n == 0) { // within an input face
+      const Halfedge_index reference = is_inserted(complex_.source(h)) ? location_of_source(h).halfedge
+                                                                       : input_.next(input_.opposite(correspondence_.input_halfedge(h)));
+      return {position_in_face(reference, coordinates_of_source(g, reference)) -
+                position_in_face(reference, coordinates_of_source(h, reference)),
+              reference};
+    }
+    const bool starts_inside = is_inserted(complex_.source(h)), ends_inside = is_inserted(complex_.target(h));
+    const Halfedge_index front = starts_inside ? crossed(h, 0) : first_crossed(correspondence_.input_halfedge(h));
+    const Surface_point end = ends_inside ? location_of_source(g) : Surface_point{};
+    Edge_vector result = end_of_strip(h, front, std::size_t(n), ends_inside ? &end : nullptr);
+    if (starts_inside)
+      result.vector = result.vector - position_of_source(h, n, result.reference);
+    return result;
+  }
+
+  // The ratio of `to`, the reference of kj, to `from`, where k lies inside of one input face or on its side.
+  Vector ratio_in_face(Halfedge_index from, Halfedge_index kj, Halfedge_index to) const
+  {
+    const Frame frame(input_, metric_);
+    const bool is_backwards = correspondence_.coordinates().is_original(complex_.edge(kj)); // the face is to its right
+    if (is_backwards)
+      to = input_.opposite(to);
+    CGAL_assertion(to == from || to == input_.next(from) || to == input_.prev(from));
+    const Vector ratio = to == from                ? frame.real(metric_.constant(-1))
+                         : to == input_.next(from) ? frame.ratios(from).at_target
+                                                   : frame.ratios(from).at_source;
+    return is_backwards ? ratio : frame.real(metric_.constant(0)) - ratio;
+  }
 
   // A face whose three edges coincide with input edges is an input face.
   bool is_input_face(Halfedge_index h) const
@@ -154,17 +291,19 @@ private:
     return metric_.squared_length(input_.edge(v.reference));
   }
 
-  // The input edges that a halfedge crosses which leaves its source to the right of `roundabout`.
+  // The input edges that a halfedge crosses, from the first one on.
   struct Path
   {
     const Delta_complex& input;
-    Halfedge_index roundabout;
-    const internal::Crossing_sequence& sequence;
+    Halfedge_index first;
+    const internal::Crossing_sequence* sequence; // of all its crossings, if they are more than one
     std::size_t number;
+    const Surface_point* end; // in the last triangle, if not at its corner
+    static constexpr bool may_end_inside = true;
 
     std::size_t size() const { return number; }
-    Halfedge_index front() const { return input.opposite(input.prev(input.opposite(roundabout))); }
-    bool turns_left(std::size_t i) const { return sequence.turns_left(i - 1); }
+    Halfedge_index front() const { return first; }
+    bool turns_left(std::size_t i) const { return sequence->turns_left(i - 1); }
     Halfedge_index behind(Halfedge_index h, std::size_t i) const
     {
       return input.opposite(turns_left(i) ? input.prev(h) : input.next(h));

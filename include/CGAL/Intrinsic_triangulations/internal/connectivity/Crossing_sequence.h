@@ -8,12 +8,16 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_CROSSING_SEQUENCE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_CROSSING_SEQUENCE_H
 
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/crossed_input_halfedge.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <CGAL/assertions.h>
+
+#include <boost/config.hpp>
 
 #include <algorithm>
 #include <array>
@@ -36,15 +40,19 @@ namespace internal {
 // segments go different ways, and to both sides in turn, since a pair is decided by the
 // side on which it ends sooner. Two segments that come back to the edge are another pair of
 // its crossings there: the two pairs are linked, so that the way on is followed once.
+//
+// Where a vertex that was inserted lies between two segments, they part without telling anything. Then both are followed
+// to their ends, which name them.
 class Crossing_sequence
 {
 public:
   // The pairs of neighbouring crossings of h, in order from its source.
-  Crossing_sequence(const Delta_complex& complex, const Normal_coordinates& coordinates,
+  Crossing_sequence(const Delta_complex& complex, const Correspondence& correspondence,
                     Halfedge_index h, const Interruption& interruption)
-    : complex_(complex), coordinates_(coordinates), start_(h)
+    : complex_(complex), correspondence_(correspondence), coordinates_(correspondence.coordinates()), start_(h),
+      interruption_(interruption)
   {
-    const std::int64_t n = coordinates.number_of_crossings(complex.edge(h));
+    const std::int64_t n = coordinates_.number_of_crossings(complex.edge(h));
     if (n > largest_number)
       throw Undecided_error("edge " + std::to_string(complex.edge(h).idx()) + " crosses " +
                             std::to_string(n) + " input edges, too many to be laid out");
@@ -112,6 +120,15 @@ private:
         if (link.pair >= 0)
           note(link.pair, link.is_reversed ? reversed(turns_[known]) : turns_[known]);
     }
+  }
+
+  BOOST_NOINLINE void decide_by_ends(std::int64_t pair)
+  {
+    const auto crossed = [&](std::int64_t position) {
+      return crossed_input_halfedge(complex_, correspondence_, start_, position, interruption_);
+    };
+    const Delta_complex& input = correspondence_.input();
+    decide(pair, crossed(pair + 1) == input.opposite(input.prev(crossed(pair))) ? LEFT : RIGHT);
   }
 
   void note(std::int64_t pair, Turn turn)
@@ -188,8 +205,13 @@ private:
       if (begin_of_next > block.lower && begin_of_next < end)
         decide(block.first + begin_of_next - 1 - block.lower, 1, there, number_of);
     };
-    part(to_k);
-    part(to_j);
+    if (correspondence_.is_inserted(complex_.target(complex_.next(block.halfedge)))) { // nothing ends in k
+      if (to_k > block.lower && to_k < end)
+        decide_by_ends(number_of(block.first + to_k - 1 - block.lower));
+    } else {
+      part(to_k);
+      part(to_j);
+    }
     const auto piece = [&](std::int64_t begin, std::int64_t behind) {
       begin = (std::max)(begin, block.lower);
       behind = (std::min)(behind, end);
@@ -215,8 +237,10 @@ private:
   }
 
   const Delta_complex& complex_;
+  const Correspondence& correspondence_;
   const Normal_coordinates& coordinates_;
   Halfedge_index start_;
+  const Interruption& interruption_;
   std::vector<Turn> turns_;
   std::vector<std::array<Link, 2>> links_; // to the left and to the right; empty until needed
   std::vector<std::int64_t> to_pass_on_;
@@ -228,13 +252,13 @@ class Crossing_sequences
 {
 public:
   const Crossing_sequence& operator()(const Delta_complex& complex,
-                                      const Normal_coordinates& coordinates, Halfedge_index h,
+                                      const Correspondence& correspondence, Halfedge_index h,
                                       const Interruption& interruption)
   {
     const auto position = sequences_.find(h);
     return position != sequences_.end()
              ? position->second
-             : sequences_.emplace(h, Crossing_sequence(complex, coordinates, h, interruption)).first->second;
+             : sequences_.emplace(h, Crossing_sequence(complex, correspondence, h, interruption)).first->second;
   }
 
 private:

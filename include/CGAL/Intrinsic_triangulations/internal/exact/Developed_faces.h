@@ -115,6 +115,15 @@ public:
       compact();
   }
 
+  // What is known of a face is no longer true.
+  void forget(Face_index f) { erase(f); }
+  // Makes room for so many faces more.
+  void append(std::size_t number)
+  {
+    if (!layout_of_.empty())
+      layout_of_.resize(layout_of_.size() + number, none);
+  }
+
 private:
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
   // Beyond, it is better to lay the face out anew. Relative to the edges.

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Coplanar_hinge.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Developed_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Straight_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/corner_signs.h>
@@ -212,7 +213,7 @@ bool Exact_geometry::flip_and_follow(const Delta_complex& complex, const Hinge_h
     find_straight_faces(complex);
     prepare(complex);
   }
-  correspondence_.flip(around);
+  correspondence_.flip(complex, around);
   const Edge_index e = complex.edge(around.ij);
   if (memory_->straight_faces)
     return follow(complex, e);
@@ -238,6 +239,44 @@ bool Exact_geometry::follow(const Delta_complex& complex, Edge_index e)
   if (is_close_call)
     memory.is_close_call[e.idx()] = false;
   return memory.straight_faces->flip(complex, metric_.points(), e);
+}
+
+// The journal of flips cannot be repeated beyond an insertion.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location)
+{
+  find_straight_faces(complex);
+  prepare(complex);
+  correspondence_.split_face(complex, piece, location);
+  forget_faces(complex, {complex.face(piece.side)}, 3, 2);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::split_edge(const Delta_complex& complex, Halfedge_index h, const Surface_point& location)
+{
+  find_straight_faces(complex);
+  prepare(complex);
+  correspondence_.split_edge(complex, h, location);
+  const Halfedge_index g = complex.opposite(h);
+  const std::size_t number_of_faces = (complex.is_border(h) ? 0 : 1) + (complex.is_border(g) ? 0 : 1);
+  forget_faces(complex, {complex.face(h), complex.face(g)}, 1 + number_of_faces, number_of_faces);
+}
+
+// Nothing is known yet of faces that were split, or of what is appended.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::forget_faces(const Delta_complex& complex, std::initializer_list<Face_index> faces, std::size_t number_of_new_edges,
+                                  std::size_t number_of_new_faces)
+{
+  Memory& memory = *memory_;
+  for (Face_index f : faces)
+    if (f.is_valid()) {
+      memory.straight_faces->bend(f);
+      memory.developed_faces.forget(f);
+    }
+  memory.straight_faces->append(number_of_new_faces);
+  memory.developed_faces.append(number_of_new_faces);
+  if (!memory.is_close_call.empty())
+    memory.is_close_call.resize(complex.number_of_edges() + number_of_new_edges);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -450,6 +489,18 @@ bool Exact_geometry::has_length_zero(const Delta_complex& complex, Edge_index e)
   const Surface_lease surface = input_surface();
   const internal::Bounded_double_double s = squared_length(complex, e, *surface);
   return is_certain(s.sign()) ? s.is_zero() : late_stages(complex, *surface).has_length_zero(e);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Sign Exact_geometry::side_of(const Delta_complex& complex, Halfedge_index h, std::int64_t position, const Surface_point& point) const
+{
+  prepare(complex);
+  const auto area_beside = [&](auto& metric) {
+    return Unfolding<std::decay_t<decltype(metric)>>(complex, correspondence_, metric).area_beside(h, position, point);
+  };
+  return internal::exact_sign(*input_surface(), area_beside, [&] {
+    return "that a point lies on edge " + std::to_string(complex.edge(h).idx());
+  });
 }
 
 // ---------------------------------------------------------------- numbers

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
 
 #include <cstddef>
+#include <array>
 #include <cstdint>
 
 namespace CGAL {
@@ -83,6 +84,19 @@ public:
     run.direction = run.direction * metric_.ratio_in_plane(run.base, input_.source(h), input_.target(h));
   }
 
+  // Three coordinates, divided by their sum.
+  std::array<typename Metric::Real, 3> weights(const std::array<double, 3>& b) const
+  {
+    std::array<typename Metric::Real, 3> result{metric_.constant(b[0]), metric_.constant(b[1]), metric_.constant(b[2])};
+    if (b[0] + b[1] + b[2] == 1 && sums_exactly(b))
+      return result;
+    const typename Metric::Real sum = result[0] + result[1] + result[2];
+    for (auto& x : result)
+      x = x / sum;
+    return result;
+  }
+  Vector real(const typename Metric::Real& x) const { return Vector(x, metric_.constant(0)); }
+
   void note(const Vector&) const {}
   void check_interruption() const { metric_.interruption().check(); }
 
@@ -115,6 +129,12 @@ public:
   }
 
 private:
+  static bool sums_exactly(const std::array<double, 3>& b)
+  {
+    const double sum = b[0] + b[1], part = sum - b[0];
+    return (b[0] - (sum - part)) + (b[1] - part) == 0 && (sum + b[2]) - sum == b[2] && (sum + b[2]) - b[2] == sum;
+  }
+
   const Delta_complex& input_;
   Metric& metric_;
 };

@@ -40,6 +40,9 @@ public:
   bool operator()(Edge_index e)
   {
     const Halfedge_index ij = complex_.halfedge(e), ji = complex_.opposite(ij);
+    for (Halfedge_index h : {ij, complex_.next(ij), ji, complex_.next(ji)})
+      if (correspondence_.is_inserted(complex_.target(h))) // it begins in no corner of an input triangle
+        return false;
     const Halfedge_index sides[] = {complex_.next(ji), complex_.prev(ji), complex_.next(ij), complex_.prev(ij)};
     for (int i = 0; i < 4; ++i)
       if (swaps_ends(sides[(i + 3) % 4], sides[i], sides[(i + 1) % 4]))
@@ -159,8 +162,8 @@ private:
     right = input_.opposite(input_.prev(right));
     if (!are_mirrored_triangles(left, right))
       return false;
-    const Crossing_sequence &sequence_h = sequences_(complex_, coordinates, h, surface_.interruption()),
-                            &sequence_g = sequences_(complex_, coordinates, g, surface_.interruption());
+    const Crossing_sequence &sequence_h = sequences_(complex_, correspondence_, h, surface_.interruption()),
+                            &sequence_g = sequences_(complex_, correspondence_, g, surface_.interruption());
     // From here on the halfedges that are crossed, each with the triangle that follows on its left.
     Halfedge_index crossed_h = input_.opposite(input_.next(left)),
                    crossed_g = input_.opposite(input_.prev(input_.opposite(right)));

@@ -82,6 +82,19 @@ public:
     return false;
   }
 
+  // What is known of a face is no longer true.
+  void bend(Face_index f)
+  {
+    if (!plane_.empty())
+      plane_[f.idx()] = none;
+  }
+  // Makes room for so many faces more, none of them straight.
+  void append(std::size_t number)
+  {
+    if (!plane_.empty())
+      plane_.resize(plane_.size() + number, none);
+  }
+
 private:
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_STRIP_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 
 #include <CGAL/assertions.h>
 
@@ -42,6 +43,7 @@ public:
   bool turns_left(std::size_t i) const { return halfedges_[i] == input_->opposite(input_->prev(halfedges_[i - 1])); }
   // Edge i, behind another.
   Halfedge_index behind(Halfedge_index, std::size_t i) const { return halfedges_[i]; }
+  static constexpr bool may_end_inside = false;
 
 private:
   const Delta_complex* input_;
@@ -94,6 +96,7 @@ auto area_between(const Complex& a, const Complex& b)
 //     left end to the apex, or from there to the right end;
 //   `position(run, v)`, `leave(run, h)`: in a run of several triangles, where a vertex lies, and what makes of the
 //     run one that begins with h;
+//   `weights(coordinates)`, `real(weight)`: barycentric coordinates that sum to 1, and one of them as a vector,
 //   `note(corner)`, to which each corner is shown that is kept; `check_interruption()`
 template <class Frame>
 class Strip
@@ -237,6 +240,9 @@ private:
       crossed = path.behind(crossed, i);
     }
     const auto target = [&] {
+      if constexpr (Path::may_end_inside)
+        if (BOOST_UNLIKELY(path.end != nullptr))
+          return position_in_triangle(run, n, crossed, *path.end);
       if constexpr (can_be_flat)
         if (run.length > 1)
           return frame_.position(run, apex(input_, crossed));
@@ -248,6 +254,22 @@ private:
       corners_.emplace_back(target(), false);
     else
       return target();
+  }
+
+  // Where a point of the triangle to the left of h lies, the last one.
+  BOOST_NOINLINE Vector position_in_triangle(Run& run, std::size_t n, Halfedge_index h, const Surface_point& point)
+  {
+    const auto weighted = [&](const Vector& left, const Vector& right, const Vector& apex) {
+      const auto weight = frame_.weights(coordinates_from(input_, point, h));
+      return frame_.real(weight[0]) * left + frame_.real(weight[1]) * right + frame_.real(weight[2]) * apex;
+    };
+    if constexpr (can_be_flat)
+      if (run.length > 1)
+        return weighted(frame_.position(run, input_.source(h)), frame_.position(run, input_.target(h)),
+                        frame_.position(run, apex(input_, h)));
+    const Vector left = run.left, right = run.left + run.direction;
+    frame_.turn_left(run, n);
+    return weighted(left, right, run.left + run.direction);
   }
 
   // Makes the run that begins with h, after triangle number i.

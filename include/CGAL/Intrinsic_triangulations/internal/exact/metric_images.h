@@ -75,11 +75,12 @@ public:
     return prime_fields_[number];
   }
 
-  // A bound on the sizes of the numbers of the metric (see Input_metric); found when first asked for.
+  // A bound on the sizes of the numbers of the metric (see Input_metric) and of any double, as points on the input have
+  // for coordinates; found when first asked for.
   double largest_size()
   {
     if (largest_size_ == 0)
-      largest_size_ = metric_.largest_size();
+      largest_size_ = (std::max)(size_of_double, metric_.largest_size());
     return largest_size_;
   }
 
@@ -119,6 +120,9 @@ public:
   }
 
 private:
+  // Twice the digits before and behind the point.
+  static constexpr double size_of_double = 2 * (1024 + 1074 + 53);
+
   enum Flatness : std::uint8_t {
     UNKNOWN,
     FLAT,

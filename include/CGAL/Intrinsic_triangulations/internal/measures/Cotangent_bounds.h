@@ -66,6 +66,12 @@ public:
       std::fill(bounds_.begin(), bounds_.end(), -std::numeric_limits<float>::infinity());
   }
 
+  // Makes room for the halfedges of so many edges more, of whose corners nothing is known.
+  void append(std::size_t number_of_edges)
+  {
+    bounds_.resize(bounds_.size() + 2 * number_of_edges, -std::numeric_limits<float>::infinity());
+  }
+
   void set(Halfedge_index h, float bound) { bounds_[h.idx()] = bound; }
   // of corners of two faces
   void set(Halfedge_index h, Halfedge_index g, const Two_doubles& bounds)

@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// New vertices at points of the input.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INSERT_VERTEX_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INSERT_VERTEX_H
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/compare_points.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/enum.h>
+#include <CGAL/property_map.h>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+inline void check_new_vertex(const Delta_complex& input, const Surface_point& point)
+{
+  const auto fail = [](const std::string& what) { throw Invalid_point_error("a new vertex " + what); };
+  if (!point.halfedge.is_valid() || point.halfedge.idx() >= input.number_of_halfedges() || input.is_border(point.halfedge))
+    fail("needs a halfedge of an input face");
+  double sum = 0;
+  for (double x : point.coordinates) {
+    if (!(x >= 0))
+      fail("needs barycentric coordinates that are not negative");
+    sum += x;
+  }
+  if (!std::isfinite(sum) || sum == 0)
+    fail("needs barycentric coordinates with a finite sum that is not zero");
+  if (point.dimension() == 0)
+    fail("lies at a vertex of the input: use that");
+}
+
+// The halfedge of the current triangulation that coincides with a part of an input edge and contains a point of that, not at an end.
+inline std::optional<Halfedge_index> halfedge_along(const Delta_complex& complex, const Correspondence& correspondence,
+                                                    const Surface_point& point)
+{
+  const Delta_complex& input = correspondence.input();
+  Halfedge_index along = point.halfedge;
+  std::size_t i = 0;
+  while (point.coordinates[(i + 2) % 3] != 0) {
+    along = input.next(along);
+    ++i;
+  }
+  const double a = point.coordinates[i], b = point.coordinates[(i + 1) % 3];
+  // From part to part, each starts where the one before ended.
+  const Halfedge_index first = complex.opposite(complex.halfedge(input.source(along)));
+  Halfedge_index h = first;
+  while (!(correspondence.coordinates().is_original(complex.edge(h)) && correspondence.input_halfedge(h) == along)) {
+    h = complex.next_around_source(h);
+    if (h == first)
+      return std::nullopt;
+  }
+  while (correspondence.is_inserted(complex.target(h))) {
+    const Vertex_index v = complex.target(h);
+    const auto [c, d] = coordinates_on_edge(input, correspondence.location(v), along);
+    const Sign order = compare_products(b, c, d, a); // of b / (a + b) and d / (c + d)
+    if (order == ZERO)
+      throw Invalid_point_error("a new vertex lies at vertex " + std::to_string(v.idx()) + ": use that");
+    if (order == NEGATIVE)
+      break;
+    Halfedge_index next = complex.opposite(h);
+    do
+      next = complex.next_around_source(next);
+    while (!(correspondence.coordinates().is_original(complex.edge(next)) && correspondence.input_halfedge(next) == along));
+    h = next;
+  }
+  return h;
+}
+
+// That no corner of a face is the point.
+inline void check_corners(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h, const Surface_point& point)
+{
+  const Delta_complex& input = correspondence.input();
+  for (Halfedge_index side : {h, complex.next(h), complex.prev(h)}) {
+    const Vertex_index v = complex.target(side);
+    if (!correspondence.is_inserted(v))
+      continue;
+    const Surface_point& location = correspondence.location(v);
+    if (location.dimension() == 2 && input.face(location.halfedge) == input.face(point.halfedge) && are_same_points(input, location, point))
+      throw Invalid_point_error("a new vertex lies at vertex " + std::to_string(v.idx()) + ": use that");
+  }
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// \brief inserts a vertex at a point of the input, and flips edges until the triangulation is Delaunay again.
+///
+/// The metric does not change: the barycentric coordinates of the point are taken as exact once they are divided by their
+/// sum, and lengths, decisions and all else follow from them and from the input exactly. In which triangle the point lies is decided exactly,
+/// too. No descriptor changes; the new vertex, its edges and faces have the next ones.
+///
+/// \param triangulation a Delaunay triangulation, or a constrained one
+/// \param point a point strictly inside a face of `triangulation.exact_geometry().correspondence().input()`, or on an edge of it that
+///   coincides with an edge of the triangulation, as those on the border and those that were never flipped do
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{a property map that tells which edges must not be flipped. It is asked for new edges, too}
+///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is constrained}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return the new vertex
+/// \exception Invalid_point_error if the point is no such point, or a vertex of the triangulation lies there
+/// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
+/// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+/// \pre `triangulation.keeps_input()`, with traits that use exact geometry
+///
+/// Complexity: proportional to the number of edges around a corner of the input face, to the number of edges that
+/// cross this face between that corner and the point, and to the number of flips.
+template <class Traits, class NamedParameters = parameters::Default_named_parameters>
+Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const Surface_point& point,
+                           const NamedParameters& np = parameters::default_values())
+{
+  const auto is_constrained = parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
+                                                           Static_boolean_property_map<Edge_index, false>());
+  const Delta_complex& complex = triangulation.connectivity();
+  const Exact_geometry& geometry = triangulation.exact_geometry();
+  const Correspondence& correspondence = geometry.correspondence();
+  internal::check_new_vertex(correspondence.input(), point);
+  Vertex_index v;
+  if (point.dimension() == 1) {
+    const std::optional<Halfedge_index> h = internal::halfedge_along(complex, correspondence, point);
+    if (!h)
+      throw Invalid_point_error("a new vertex lies on an input edge that is no edge of the triangulation any more: move it into a face, or "
+                                "constrain that edge before flips");
+    if (complex.is_self_glued(complex.edge(*h)))
+      throw Invalid_point_error("a new vertex lies on an edge with the same face on both sides: move it into the face");
+    v = triangulation.split_edge(*h, point);
+  } else {
+    const Triangle_piece start = internal::piece_at_source(complex, correspondence, point.halfedge);
+    const Triangle_piece piece = internal::Piece_search(complex, geometry)(start, point);
+    internal::check_corners(complex, correspondence, piece.side, point);
+    v = triangulation.split_face(piece, point);
+  }
+  std::vector<Edge_index> stack;
+  internal::settle_around(triangulation, v, is_constrained, stack, [](Edge_index) {});
+  return v;
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INSERT_VERTEX_H

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Which input edge crosses an edge at some place.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_CROSSED_INPUT_HALFEDGE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_CROSSED_INPUT_HALFEDGE_H
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// An input edge on its way through the triangles, each time it enters one.
+class Input_edge_walk
+{
+public:
+  // It crosses h to the left, so many crossings after the source of h.
+  Input_edge_walk(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h, std::int64_t position)
+    : complex_(complex), correspondence_(correspondence), halfedge_(h), position_(position)
+  {}
+
+  // Goes through a triangle. Returns whether the edge ends there.
+  bool step()
+  {
+    const Triangle_crossings t = correspondence_.coordinates().triangle_crossings(complex_, halfedge_);
+    const Halfedge_index jk = complex_.next(halfedge_), ki = complex_.prev(halfedge_);
+    if (position_ < t.c_i) {
+      halfedge_ = complex_.opposite(ki);
+      return false;
+    }
+    if (position_ >= t.c_i + t.e_k) {
+      position_ += number_of_crossings(jk) - number_of_crossings(halfedge_); // the distance from j stays
+      halfedge_ = complex_.opposite(jk);
+      return false;
+    }
+    end_ = correspondence_.input_halfedge(ki);
+    const Delta_complex& input = correspondence_.input();
+    const bool is_original = correspondence_.coordinates().is_original(complex_.edge(ki));
+    for (std::int64_t i = position_ - t.c_i + (is_original ? 1 : 0); i > 0; --i)
+      end_ = input.next_around_source(end_);
+    return true;
+  }
+
+  // The edge as the input halfedge that leaves the vertex where it ended.
+  Halfedge_index end() const { return end_; }
+
+private:
+  std::int64_t number_of_crossings(Halfedge_index h) const
+  {
+    return correspondence_.coordinates().number_of_crossings(complex_.edge(h));
+  }
+
+  const Delta_complex& complex_;
+  const Correspondence& correspondence_;
+  Halfedge_index halfedge_, end_;
+  std::int64_t position_;
+};
+
+// The input halfedge that crosses h from the left to the right, so many crossings after the source of h. Both ends of the
+// input edge are looked for, until one is found. Time: twice the number of triangles to the nearer one.
+inline Halfedge_index crossed_input_halfedge(const Delta_complex& complex, const Correspondence& correspondence,
+                                             Halfedge_index h, std::int64_t position, const Interruption& interruption)
+{
+  const std::int64_t n = correspondence.coordinates().number_of_crossings(complex.edge(h));
+  CGAL_precondition(position < n);
+  Input_edge_walk to_left(complex, correspondence, h, position),
+    to_right(complex, correspondence, complex.opposite(h), n - 1 - position);
+  for (std::size_t step = 0;; ++step) {
+    if (step % 1024 == 1023)
+      interruption.check();
+    if (to_left.step())
+      return to_left.end();
+    if (to_right.step())
+      return correspondence.input().opposite(to_right.end());
+  }
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_CROSSED_INPUT_HALFEDGE_H

@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// In which piece of the current triangles a point of the input lies.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_PIECE_SEARCH_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_PIECE_SEARCH_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+
+#include <CGAL/enum.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Intrinsic edges cut an input face into pieces by chords that do not meet. So the search walks from piece to piece,
+// each time across a chord that has the point on its other side, and comes to an end: the pieces and their
+// chords form a tree.
+class Piece_search
+{
+public:
+  Piece_search(const Delta_complex& complex, const Exact_geometry& geometry) : complex_(complex), geometry_(geometry) {}
+
+  // The piece that contains a point which lies strictly inside an input face; one of two if an edge runs through it.
+  // \param start a piece of the same input face
+  Triangle_piece operator()(Triangle_piece start, const Surface_point& point) const
+  {
+    const Normal_coordinates& coordinates = geometry_.correspondence().coordinates();
+    for (std::size_t step = 0;; ++step) {
+      if (step % 1024 == 1023)
+        geometry_.check_interruption();
+      std::optional<Triangle_piece> next;
+      const auto names = coordinates.names(complex_, start);
+      for (std::size_t i = step == 0 ? 0 : 1; i < names.size() && !next; ++i) { // not back across the first
+        const Triangle_piece& name = names[i];
+        // A side that coincides with an input edge has the whole input face on one side.
+        if (!name.side.is_valid() || coordinates.is_original(complex_.edge(name.side)))
+          continue;
+        if (geometry_.side_of(complex_, name.side, name.gap, point) == NEGATIVE)
+          next = Triangle_piece{complex_.opposite(name.side),
+                                coordinates.number_of_crossings(complex_.edge(name.side)) - name.gap};
+      }
+      if (!next)
+        return start;
+      start = *next;
+    }
+  }
+
+private:
+  const Delta_complex& complex_;
+  const Exact_geometry& geometry_;
+};
+
+// The piece of the current triangulation at the source of an input halfedge, to the left of that. O(number of edges around the source).
+// \pre the source is not isolated, and the halfedge has a face
+inline Triangle_piece piece_at_source(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index input_halfedge)
+{
+  const Delta_complex& input = correspondence.input();
+  const Normal_coordinates& coordinates = correspondence.coordinates();
+  const Halfedge_index first = complex.opposite(complex.halfedge(input.source(input_halfedge)));
+  Halfedge_index ki = first;
+  do {
+    if (!complex.is_border(ki)) {
+      // From ki counterclockwise: ki itself, if it coincides with an input halfedge, then those that end in the corner.
+      const Halfedge_index ij = complex.next(ki);
+      const Triangle_crossings t = coordinates.triangle_crossings(complex, ij);
+      Halfedge_index start = correspondence.input_halfedge(ki);
+      std::int64_t position = t.c_i;
+      if (coordinates.is_original(complex.edge(ki))) {
+        if (start == input_halfedge)
+          return {ij, position};
+        start = input.next_around_source(start);
+      }
+      for (std::int64_t i = 0; i < t.e_k; ++i, start = input.next_around_source(start)) {
+        ++position;
+        if (start == input_halfedge)
+          return {ij, position};
+      }
+    }
+    ki = complex.next_around_source(ki);
+  } while (ki != first);
+  CGAL_assertion(false);
+  return {};
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_PIECE_SEARCH_H

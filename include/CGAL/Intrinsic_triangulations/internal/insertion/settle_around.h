@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// What has to be flipped after an insertion.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SETTLE_AROUND_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SETTLE_AROUND_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/property_map.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Makes a triangulation Delaunay again that is so but for the faces around a vertex: Lawson's algorithm. The work
+// is local.
+// \param after_flip is called with each edge that was flipped
+// \return the number of flips
+template <class Traits, class ConstraintMap, class AfterFlip>
+std::uint64_t settle_around(Intrinsic_triangulation<Traits>& triangulation, Vertex_index v, const ConstraintMap& is_constrained,
+                            std::vector<Edge_index>& stack, const AfterFlip& after_flip)
+{
+  using Flip_outcome = typename Intrinsic_triangulation<Traits>::Flip_outcome;
+  Whole_triangulation<Traits> whole(triangulation);
+  const Delta_complex& complex = triangulation.connectivity();
+  stack.clear();
+  const Halfedge_index first = complex.halfedge(v);
+  Halfedge_index h = first;
+  do { // the edges that lead to v, and the sides opposite to it
+    stack.push_back(complex.edge(h));
+    if (!complex.is_border(h))
+      stack.push_back(complex.edge(complex.prev(h)));
+    h = complex.next_around_target(h);
+  } while (h != first);
+  std::uint64_t flips = 0;
+  while (!stack.empty()) {
+    const Edge_index e = stack.back();
+    stack.pop_back();
+    if (!complex.is_flippable(e) || whole.is_known_Delaunay(e) || get(is_constrained, e) || possibly(whole.test_and_refine(e)))
+      continue;
+    const Hinge_halfedges around = complex.hinge(e);
+    if (whole.flip_not_Delaunay(around) != Flip_outcome::FLIPPED)
+      continue;
+    ++flips;
+    after_flip(e);
+    for (Halfedge_index side : {around.jk, around.ki, around.il, around.lj})
+      stack.push_back(complex.edge(side));
+  }
+  return flips;
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SETTLE_AROUND_H
