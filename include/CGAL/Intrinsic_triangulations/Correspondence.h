@@ -121,6 +121,11 @@ public:
     CGAL_precondition(is_prepared_ && location.dimension() == 2);
     coordinates_.split_face(complex, piece);
     locations_.push_back(location);
+    Halfedge_index from_corner(2 * complex.number_of_edges() + 1);
+    for (Halfedge_index side : {piece.side, complex.next(piece.side), complex.prev(piece.side)}) {
+      turn_around(from_corner, complex.source(side));
+      from_corner = Halfedge_index(from_corner.idx() + 2);
+    }
   }
   /// \brief follows the insertion of a vertex on an edge that coincides with an input edge; to be called before `split_edge(h)`
   /// of the connectivity. O(1).
@@ -134,6 +139,14 @@ public:
     CGAL_precondition(is_prepared_ && location.dimension() == 1);
     coordinates_.split_edge(complex, h, input_halfedge(h));
     locations_.push_back(location);
+    Halfedge_index from_corner(2 * complex.number_of_edges() + 1);
+    turn_around(from_corner, complex.target(h));
+    for (Halfedge_index side : {h, complex.opposite(h)}) {
+      if (complex.is_border(side))
+        continue;
+      from_corner = Halfedge_index(from_corner.idx() + 2);
+      turn_around(from_corner, complex.target(complex.next(side)));
+    }
   }
 
   /// returns whether `v` is no vertex of the input. \pre `is_prepared()`

@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/crossed_input_halfedge.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
 
@@ -143,7 +143,7 @@ public:
     const Edge_vector u = edge_vector(ki), v = edge_vector(kj);
     Vector w = v.vector;
     if (BOOST_UNLIKELY(is_inserted(complex_.source(kj)))) {
-      w = w * ratio_in_face(u.reference, kj, v.reference);
+      w = w * ratio_at_inserted(ki, u.reference, kj, v.reference);
     } else { // from the frame of u to the frame of v there is a fan of input triangles
       const Normal_coordinates& coordinates = correspondence_.coordinates();
       std::int64_t fan = coordinates.triangle_crossings(complex_, h).e_k +
@@ -254,18 +254,29 @@ private:
     return result;
   }
 
-  // The ratio of `to`, the reference of kj, to `from`, where k lies inside of one input face or on its side.
-  Vector ratio_in_face(Halfedge_index from, Halfedge_index kj, Halfedge_index to) const
+  // The ratio of two halfedges of one input face, as vectors.
+  Vector ratio_in_face(Halfedge_index from, Halfedge_index to) const
   {
     const Frame frame(input_, metric_);
-    const bool is_backwards = correspondence_.coordinates().is_original(complex_.edge(kj)); // the face is to its right
-    if (is_backwards)
-      to = input_.opposite(to);
-    CGAL_assertion(to == from || to == input_.next(from) || to == input_.prev(from));
-    const Vector ratio = to == from                ? frame.real(metric_.constant(-1))
-                         : to == input_.next(from) ? frame.ratios(from).at_target
-                                                   : frame.ratios(from).at_source;
-    return is_backwards ? ratio : frame.real(metric_.constant(0)) - ratio;
+    if (to == from)
+      return frame.real(metric_.constant(1));
+    CGAL_assertion(to == input_.next(from) || to == input_.prev(from));
+    const auto& ratios = frame.ratios(from);
+    return reversed(to == input_.next(from) ? ratios.at_target : ratios.at_source);
+  }
+  Vector reversed(const Vector& v) const { return Frame(input_, metric_).real(metric_.constant(0)) - v; }
+
+  // The ratio of `to`, the reference of kj, to `from`, that of ki, where k was inserted. The input edge that k lies on
+  // may run between them.
+  Vector ratio_at_inserted(Halfedge_index ki, Halfedge_index from, Halfedge_index kj, Halfedge_index to) const
+  {
+    const Normal_coordinates& coordinates = correspondence_.coordinates();
+    if (coordinates.is_original(complex_.edge(kj))) // the face is to its right
+      return reversed(ratio_in_face(from, input_.opposite(to)));
+    if (coordinates.triangle_crossings(complex_, complex_.next(ki)).e_k == 0)
+      return ratio_in_face(from, to);
+    const Halfedge_index between = correspondence_.input_halfedge(ki);
+    return reversed(ratio_in_face(from, input_.opposite(between)) * ratio_in_face(between, to));
   }
 
   // A face whose three edges coincide with input edges is an input face.

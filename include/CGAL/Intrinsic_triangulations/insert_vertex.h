@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/compare_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
@@ -50,10 +51,12 @@ inline void check_new_vertex(const Delta_complex& input, const Surface_point& po
     fail("lies at a vertex of the input: use that");
 }
 
-// The halfedge of the current triangulation that coincides with a part of an input edge and contains a point of that, not at an end.
-inline std::optional<Halfedge_index> halfedge_along(const Delta_complex& complex, const Correspondence& correspondence,
+// The halfedge of the current triangulation that coincides with the part of an input edge which contains a point of that, if
+// there is one. Vertices that were inserted cut the edge into parts.
+inline std::optional<Halfedge_index> halfedge_along(const Delta_complex& complex, const Exact_geometry& geometry,
                                                     const Surface_point& point)
 {
+  const Correspondence& correspondence = geometry.correspondence();
   const Delta_complex& input = correspondence.input();
   Halfedge_index along = point.halfedge;
   std::size_t i = 0;
@@ -62,29 +65,30 @@ inline std::optional<Halfedge_index> halfedge_along(const Delta_complex& complex
     ++i;
   }
   const double a = point.coordinates[i], b = point.coordinates[(i + 1) % 3];
-  // From part to part, each starts where the one before ended.
-  const Halfedge_index first = complex.opposite(complex.halfedge(input.source(along)));
-  Halfedge_index h = first;
-  while (!(correspondence.coordinates().is_original(complex.edge(h)) && correspondence.input_halfedge(h) == along)) {
-    h = complex.next_around_source(h);
-    if (h == first)
-      return std::nullopt;
-  }
-  while (correspondence.is_inserted(complex.target(h))) {
-    const Vertex_index v = complex.target(h);
-    const auto [c, d] = coordinates_on_edge(input, correspondence.location(v), along);
-    const Sign order = compare_products(b, c, d, a); // of b / (a + b) and d / (c + d)
+  for (Vertex_index v = input.source(along);;) {
+    const Input_edge_start start = start_of_input_edge(complex, correspondence, v, along);
+    const bool coincides = start.position < 0;
+    if (coincides)
+      v = complex.target(start.side);
+    else {
+      const Edge_index e = complex.edge(start.side);
+      Input_edge_walk walk(complex, correspondence, complex.opposite(start.side),
+                           correspondence.coordinates().number_of_crossings(e) - 1 - start.position);
+      for (std::size_t step = 1; !walk.step(); ++step)
+        if (step % 1024 == 0)
+          geometry.check_interruption();
+      v = walk.end_vertex();
+    }
+    Sign order = NEGATIVE; // of the point and v, from the source on
+    if (correspondence.is_inserted(v)) {
+      const auto [c, d] = coordinates_on_edge(input, correspondence.location(v), along);
+      order = compare_products(b, c, d, a); // b / (a + b) and d / (c + d)
+    }
     if (order == ZERO)
       throw Invalid_point_error("a new vertex lies at vertex " + std::to_string(v.idx()) + ": use that");
     if (order == NEGATIVE)
-      break;
-    Halfedge_index next = complex.opposite(h);
-    do
-      next = complex.next_around_source(next);
-    while (!(correspondence.coordinates().is_original(complex.edge(next)) && correspondence.input_halfedge(next) == along));
-    h = next;
+      return coincides ? std::make_optional(start.side) : std::nullopt;
   }
-  return h;
 }
 
 // That no corner of a face is the point.
@@ -144,7 +148,7 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
   internal::check_new_vertex(correspondence.input(), point);
   Vertex_index v;
   if (point.dimension() == 1) {
-    const std::optional<Halfedge_index> h = internal::halfedge_along(complex, correspondence, point);
+    const std::optional<Halfedge_index> h = internal::halfedge_along(complex, geometry, point);
     if (!h)
       throw Invalid_point_error("a new vertex lies on an input edge that is no edge of the triangulation any more: move it into a face, or "
                                 "constrain that edge before flips");

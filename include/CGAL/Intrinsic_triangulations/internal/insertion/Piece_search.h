@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
 
 #include <CGAL/enum.h>
 
@@ -61,36 +62,12 @@ private:
   const Exact_geometry& geometry_;
 };
 
-// The piece of the current triangulation at the source of an input halfedge, to the left of that. O(number of edges around the source).
-// \pre the source is not isolated, and the halfedge has a face
+// The piece at the source of an input halfedge, to the left of that. O(number of edges around the source).
 inline Triangle_piece piece_at_source(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index input_halfedge)
 {
-  const Delta_complex& input = correspondence.input();
-  const Normal_coordinates& coordinates = correspondence.coordinates();
-  const Halfedge_index first = complex.opposite(complex.halfedge(input.source(input_halfedge)));
-  Halfedge_index ki = first;
-  do {
-    if (!complex.is_border(ki)) {
-      // From ki counterclockwise: ki itself, if it coincides with an input halfedge, then those that end in the corner.
-      const Halfedge_index ij = complex.next(ki);
-      const Triangle_crossings t = coordinates.triangle_crossings(complex, ij);
-      Halfedge_index start = correspondence.input_halfedge(ki);
-      std::int64_t position = t.c_i;
-      if (coordinates.is_original(complex.edge(ki))) {
-        if (start == input_halfedge)
-          return {ij, position};
-        start = input.next_around_source(start);
-      }
-      for (std::int64_t i = 0; i < t.e_k; ++i, start = input.next_around_source(start)) {
-        ++position;
-        if (start == input_halfedge)
-          return {ij, position};
-      }
-    }
-    ki = complex.next_around_source(ki);
-  } while (ki != first);
-  CGAL_assertion(false);
-  return {};
+  const auto [side, position] =
+    start_of_input_edge(complex, correspondence, correspondence.input().source(input_halfedge), input_halfedge);
+  return {side, position + 1};
 }
 
 } // namespace internal
