@@ -22,6 +22,7 @@
 #include <CGAL/enum.h>
 
 #include <atomic>
+#include <complex>
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
@@ -36,6 +37,7 @@ namespace Intrinsic_triangulations {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 class Input_surface;
+class Interruption;
 class Late_stages;
 class Residues;
 } // namespace internal
@@ -205,7 +207,15 @@ public:
   Corner corner(const Delta_complex& complex, Halfedge_index h) const;
 
   // For work that makes many short decisions.
-  void check_interruption() const;
+  const internal::Interruption& interruption() const;
+
+  // As `edge_beginning()` of `Unfolding`, rounded.
+  struct Edge_beginning
+  {
+    std::complex<double> source, vector;
+    Halfedge_index reference;
+  };
+  Edge_beginning edge_beginning(const Delta_complex& complex, Halfedge_index h) const;
 
   // The input as the images of its metric see it; the caller's own as long as the lease lives. \pre `prepare()` was called
   using Surface_lease = internal::Scratch_pool<internal::Input_surface>::Lease;

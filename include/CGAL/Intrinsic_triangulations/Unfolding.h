@@ -102,6 +102,25 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
+  // Where h begins, and where it leads to from there, in the frame of an input halfedge of the face into which h leaves its source.
+  struct Edge_beginning
+  {
+    Vector source, vector;
+    Halfedge_index reference;
+  };
+  Edge_beginning edge_beginning(Halfedge_index h) const
+  {
+    const Edge_vector u = edge_vector(h);
+    const std::int64_t n = correspondence_.coordinates().crossings(complex_.edge(h));
+    if (n >= 0)
+      return {position_of_source(h, n, u.reference), u.vector, u.reference};
+    const Frame frame(input_, metric_);
+    if (!is_inserted(complex_.source(h)))
+      return {frame.real(metric_.constant(0)), u.vector, u.reference};
+    const auto [a, b] = internal::coordinates_on_edge(input_, correspondence_.location(complex_.source(h)), u.reference);
+    return {frame.real(frame.weights({a, b, 0})[1]), u.vector, u.reference};
+  }
+
   // Twice the area of the triangle of h and a point of the input, in units of the squared length of an input edge: positive if
   // the point lies to the left of h. The point lies in the input triangle that h runs through after so many crossings.
   Real area_beside(Halfedge_index h, std::int64_t position, const Surface_point& point) const

@@ -76,7 +76,7 @@ inline std::optional<Halfedge_index> halfedge_along(const Delta_complex& complex
                            correspondence.coordinates().number_of_crossings(e) - 1 - start.position);
       for (std::size_t step = 1; !walk.step(); ++step)
         if (step % 1024 == 0)
-          geometry.check_interruption();
+          geometry.interruption().check();
       v = walk.end_vertex();
     }
     Sign order = NEGATIVE; // of the point and v, from the source on
@@ -91,8 +91,9 @@ inline std::optional<Halfedge_index> halfedge_along(const Delta_complex& complex
   }
 }
 
-// That no corner of a face is the point.
-inline void check_corners(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h, const Surface_point& point)
+// The vertex that was inserted at the point before, if it is a corner of the face of h.
+inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
+                                             const Surface_point& point)
 {
   const Delta_complex& input = correspondence.input();
   for (Halfedge_index side : {h, complex.next(h), complex.prev(h)}) {
@@ -101,8 +102,9 @@ inline void check_corners(const Delta_complex& complex, const Correspondence& co
       continue;
     const Surface_point& location = correspondence.location(v);
     if (location.dimension() == 2 && input.face(location.halfedge) == input.face(point.halfedge) && are_same_points(input, location, point))
-      throw Invalid_point_error("a new vertex lies at vertex " + std::to_string(v.idx()) + ": use that");
+      return v;
   }
+  return std::nullopt;
 }
 
 } // namespace internal
@@ -158,7 +160,8 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
   } else {
     const Triangle_piece start = internal::piece_at_source(complex, correspondence, point.halfedge);
     const Triangle_piece piece = internal::Piece_search(complex, geometry)(start, point);
-    internal::check_corners(complex, correspondence, piece.side, point);
+    if (const auto there = internal::vertex_at(complex, correspondence, piece.side, point))
+      throw Invalid_point_error("a new vertex lies at vertex " + std::to_string(there->idx()) + ": use that");
     v = triangulation.split_face(piece, point);
   }
   std::vector<Edge_index> stack;

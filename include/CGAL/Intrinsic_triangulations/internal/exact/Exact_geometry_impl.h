@@ -150,7 +150,7 @@ std::function<bool()> Exact_geometry::set_interruption(std::function<bool()> go_
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::check_interruption() const { memory_->settings.interruption.check(); }
+const internal::Interruption& Exact_geometry::interruption() const { return memory_->settings.interruption; }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_geometry::Surface_lease Exact_geometry::input_surface() const
@@ -489,6 +489,17 @@ bool Exact_geometry::has_length_zero(const Delta_complex& complex, Edge_index e)
   const Surface_lease surface = input_surface();
   const internal::Bounded_double_double s = squared_length(complex, e, *surface);
   return is_certain(s.sign()) ? s.is_zero() : late_stages(complex, *surface).has_length_zero(e);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Edge_beginning Exact_geometry::edge_beginning(const Delta_complex& complex, Halfedge_index h) const
+{
+  prepare(complex);
+  const Surface_lease surface = input_surface();
+  internal::Double_double_metric metric(*surface);
+  const auto begin = Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).edge_beginning(h);
+  const auto rounded = [](const auto& z) { return std::complex<double>(z.x().hi(), z.y().hi()); };
+  return {rounded(begin.source), rounded(begin.vector), begin.reference};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

@@ -1,0 +1,554 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Delaunay refinement: Ruppert's algorithm on a surface, with vertices that small cones are protected by.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_DELAUNAY_REFINER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_DELAUNAY_REFINER_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Refinement_report.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/insert_vertex.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/point_on_input.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
+
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Segments are the edges that are not flipped: on the border, or constrained.
+template <class Traits, class Visitor>
+class Delaunay_refiner
+{
+public:
+  using Triangulation = Intrinsic_triangulation<Traits>;
+
+  Delaunay_refiner(Triangulation& triangulation, const Refinement_criteria& criteria, std::vector<bool> is_segment, Visitor& visitor,
+                   std::uint64_t maximum_number)
+    : triangulation_(triangulation), complex_(triangulation.connectivity()), geometry_(triangulation.exact_geometry()),
+      correspondence_(geometry_.correspondence()), shapes_(geometry_), criteria_(criteria), is_segment_(std::move(is_segment)),
+      visitor_(visitor), maximum_number_(maximum_number)
+  {}
+
+  Refinement_report operator()()
+  {
+    find_cones();
+    if (goes_on())
+      protect_cones();
+    for (Edge_index e : complex_.edges())
+      if (is_segment_[e.idx()])
+        segments_.push_back(e);
+    for (Face_index f : complex_.faces())
+      note(f);
+    while (goes_on()) {
+      if (!segments_.empty()) {
+        const Edge_index e = segments_.back();
+        segments_.pop_back();
+        if (is_encroached(e))
+          split_segment(e);
+      } else if (!bad_faces_.empty()) {
+        const Candidate candidate = bad_faces_.top();
+        bad_faces_.pop();
+        if (is_bad(candidate.face) && circumradius(candidate.face) == candidate.circumradius)
+          refine(candidate.face);
+      } else
+        break;
+    }
+    list_unrefined_faces();
+    return std::move(report_);
+  }
+
+private:
+  static constexpr double smallest_whole_cone = CGAL_PI / 3;
+
+  struct Candidate
+  {
+    double circumradius;
+    Face_index face;
+    bool operator<(const Candidate& other) const
+    {
+      return circumradius != other.circumradius ? circumradius < other.circumradius : other.face.idx() < face.idx();
+    }
+  };
+
+  struct Is_segment
+  {
+    using key_type = Edge_index;
+    using value_type = bool;
+    using reference = bool;
+    using category = boost::readable_property_map_tag;
+    friend bool get(const Is_segment& map, Edge_index e) { return map.is_segment[e.idx()]; }
+    const std::vector<bool>& is_segment;
+  };
+
+  bool goes_on()
+  {
+    if (report_.status != Refinement_status::REFINED)
+      return false;
+    const std::uint64_t points = report_.insertions + report_.segment_splits;
+    if (!visitor_.go_further(points, report_.flips))
+      report_.status = Refinement_status::CANCELLED;
+    else if (points >= maximum_number_ && (!segments_.empty() || !bad_faces_.empty()))
+      report_.status = Refinement_status::BUDGET_EXHAUSTED;
+    return report_.status == Refinement_status::REFINED;
+  }
+
+  // Lengths, in the unit of the input, and shapes.
+  double length(Edge_index e) const { return CGAL::to_double(triangulation_.length(e)); }
+  double length(Halfedge_index h) const { return length(complex_.edge(h)); }
+  Plane_point apex(Halfedge_index h) const
+  {
+    return third_corner(length(h), length(complex_.next(h)), length(complex_.prev(h)));
+  }
+  Halfedge_index longest_side(Face_index f) const
+  {
+    const Halfedge_index h = complex_.halfedge(f);
+    Halfedge_index result = h;
+    for (Halfedge_index side : {complex_.next(h), complex_.prev(h)})
+      if (length(side) > length(result))
+        result = side;
+    return result;
+  }
+  double circumradius(Face_index f) const
+  {
+    const Halfedge_index h = longest_side(f);
+    const double jk = length(complex_.next(h)), ki = length(complex_.prev(h)), height = apex(h).imag();
+    return height > 0 ? jk / length(h) * ki / height / 2 : (std::numeric_limits<double>::infinity)();
+  }
+  // The angle at the source of h, in its face.
+  double angle(Halfedge_index h) const
+  {
+    const Halfedge_index longest = longest_side(complex_.face(h));
+    const Plane_point z = apex(longest);
+    if (h == longest)
+      return std::atan2(z.imag(), z.real());
+    if (h == complex_.next(longest))
+      return std::atan2(z.imag(), 1 - z.real());
+    return CGAL_PI - std::atan2(z.imag(), z.real()) - std::atan2(z.imag(), 1 - z.real());
+  }
+
+  // Whether refinement cannot change the corner at the source of h.
+  std::optional<Refinement_obstacle> obstacle_at(Halfedge_index h) const
+  {
+    if (is_segment(h) && is_segment(complex_.prev(h)))
+      return Refinement_obstacle::SMALL_INPUT_ANGLE;
+    if (cones_.count(complex_.source(h)) != 0)
+      return Refinement_obstacle::CONE;
+    return std::nullopt;
+  }
+  bool is_segment(Halfedge_index h) const { return is_segment_[complex_.edge(h).idx()]; }
+
+  bool is_too_large(Face_index f) const
+  {
+    return length(longest_side(f)) > criteria_.maximum_edge_length || circumradius(f) > criteria_.maximum_circumradius;
+  }
+  bool is_too_small(double angle) const { return angle < criteria_.minimum_angle / 180 * CGAL_PI; }
+
+  // Whether f is to be refined.
+  bool is_bad(Face_index f) const
+  {
+    if (is_too_large(f))
+      return true;
+    const Halfedge_index h = complex_.halfedge(f);
+    for (Halfedge_index corner : {h, complex_.next(h), complex_.prev(h)})
+      if (is_too_small(angle(corner)) && !obstacle_at(corner) && !is_between_shells(complex_.next(corner)))
+        return true;
+    return false;
+  }
+  void note(Face_index f)
+  {
+    if (is_bad(f))
+      bad_faces_.push({circumradius(f), f});
+  }
+
+  // A corner of the input between two segments can force a small angle opposite to an edge between points at the same distance from it.
+  // (G. Miller, S. Pav, N. Walkington, "When and why Ruppert's algorithm works", 2003.)
+  bool is_between_shells(Halfedge_index h) const
+  {
+    const auto ends = [&](Vertex_index v) {
+      std::array<std::pair<Vertex_index, double>, 2> result{};
+      if (!correspondence_.is_inserted(v) || correspondence_.location(v).dimension() != 1)
+        return result;
+      const Surface_point& p = correspondence_.location(v);
+      const Delta_complex& input = correspondence_.input();
+      Halfedge_index along = p.halfedge;
+      std::size_t i = 0;
+      for (; p.coordinates[(i + 2) % 3] != 0; ++i)
+        along = input.next(along);
+      const double l = shapes_.length(input.edge(along));
+      result[0] = {input.source(along), l * p.coordinates[(i + 1) % 3]};
+      result[1] = {input.target(along), l * p.coordinates[i]};
+      return result;
+    };
+    for (const auto& [v, d] : ends(complex_.source(h)))
+      for (const auto& [w, e] : ends(complex_.target(h)))
+        if (v.is_valid() && v == w && std::abs(d - e) < 1e-9 * d && small_corners_.count(v) != 0)
+          return true;
+    return false;
+  }
+
+  // An edge is encroached if an opposite angle is larger than a right one.
+  bool is_encroached(Edge_index e) const
+  {
+    for (Halfedge_index h : {complex_.halfedge(e), complex_.opposite(complex_.halfedge(e))})
+      if (!complex_.is_border(h)) {
+        const double a = length(complex_.next(h)) / length(h), b = length(complex_.prev(h)) / length(h);
+        if (a * a + b * b < 1)
+          return true;
+      }
+    return false;
+  }
+
+  void find_cones()
+  {
+    std::vector<double> sum(complex_.number_of_vertices(), 0);
+    std::vector<bool> is_on_border(complex_.number_of_vertices(), false);
+    for (Halfedge_index h : complex_.halfedges())
+      if (complex_.is_border(h))
+        is_on_border[complex_.source(h).idx()] = true;
+      else
+        sum[complex_.source(h).idx()] += angle(h);
+    for (Vertex_index v : complex_.vertices()) {
+      if (!complex_.halfedge(v).is_valid() || correspondence_.is_inserted(v))
+        continue;
+      if (!is_on_border[v.idx()] && sum[v.idx()] < smallest_whole_cone && !has_segment(v))
+        cones_.emplace(v, Cone{sum[v.idx()], 0});
+      if (has_small_corner(v))
+        small_corners_.emplace(v, true);
+    }
+  }
+  bool has_segment(Vertex_index v) const
+  {
+    const Halfedge_index first = complex_.halfedge(v);
+    Halfedge_index h = first;
+    do {
+      if (is_segment(h))
+        return true;
+      h = complex_.next_around_target(h);
+    } while (h != first);
+    return false;
+  }
+  // Whether two segments meet at v in less than 60 degrees.
+  bool has_small_corner(Vertex_index v) const
+  {
+    const Halfedge_index first = complex_.opposite(complex_.halfedge(v));
+    Halfedge_index h = first;
+    do {
+      if (is_segment(h)) {
+        double sum = 0;
+        for (Halfedge_index side = h; !complex_.is_border(side);) {
+          sum += angle(side);
+          side = complex_.next_around_source(side);
+          if (is_segment(side)) {
+            if (sum < smallest_whole_cone)
+              return true;
+            break;
+          }
+        }
+      }
+      h = complex_.next_around_source(h);
+    } while (h != first);
+    return false;
+  }
+
+  // A vertex close to a small cone makes a triangle around it that no other vertex disturbs: those that would lie in its circumcircle are
+  // not inserted.
+  void protect_cones()
+  {
+    const Delta_complex& input = correspondence_.input();
+    std::vector<Vertex_index> cones;
+    for (const auto& cone : cones_)
+      cones.push_back(cone.first);
+    std::sort(cones.begin(), cones.end());
+    for (Vertex_index v : cones) {
+      const Halfedge_index first = complex_.opposite(complex_.halfedge(v));
+      Halfedge_index nearest = first, h = first;
+      while ((h = complex_.next_around_source(h)) != first)
+        if (length(h) < length(nearest))
+          nearest = h;
+      double radius = length(nearest) / 3;
+      // The circle lies in the input faces around the vertex.
+      const Halfedge_index begin = input.opposite(input.halfedge(v));
+      Halfedge_index g = begin;
+      do {
+        const double opposite = shapes_.length(input.edge(input.next(g)));
+        const double height = geometry_.metric().four_areas_double_double(input, input.face(g)).hi() / (2 * opposite);
+        radius = (std::min)(radius, std::ldexp(height, geometry_.metric().unit_exponent()) / 2);
+        g = input.next_around_source(g);
+      } while (g != begin);
+      const double t = radius / length(nearest);
+      const auto place = point_on_input(complex_, geometry_, nearest, {1 - t, t, 0}, [&](Halfedge_index x) { return apex(x); });
+      if (!(t > 0) || !place)
+        continue;
+      const std::optional<Vertex_index> p = insert(*place);
+      if (!p)
+        continue;
+      Halfedge_index to_p = complex_.halfedge(*p);
+      const Halfedge_index last = to_p;
+      while (complex_.source(to_p) != v && (to_p = complex_.next_around_target(to_p)) != last) {}
+      if (complex_.source(to_p) == v)
+        cones_.at(v).radius = length(to_p) / std::cos(cones_.at(v).angle / 2) * (1 + 1e-9);
+    }
+  }
+  bool is_too_close_to_cone(const Surface_point& point) const
+  {
+    if (cones_.empty())
+      return false;
+    const Delta_complex& input = correspondence_.input();
+    std::array<double, 3> w = point.coordinates;
+    Halfedge_index h = point.halfedge;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto cone = cones_.find(input.source(h));
+      if (cone != cones_.end()) {
+        const double distance = std::abs(w[1] + w[2] * shapes_.apex(h)) * shapes_.length(input.edge(h));
+        if (std::ldexp(distance, geometry_.metric().unit_exponent()) < cone->second.radius)
+          return true;
+      }
+      h = input.next(h);
+      std::rotate(w.begin(), w.begin() + 1, w.end());
+    }
+    return false;
+  }
+
+  // Inserts a vertex at the circumcenter of a face, or splits the segment that is in the way.
+  void refine(Face_index f)
+  {
+    const Halfedge_index h = longest_side(f);
+    const Plane_point z = apex(h);
+    // Far outside, the height is of no importance.
+    constexpr double farthest = 64;
+    const double below = std::abs(z) * std::abs(z) - z.real(), height = 2 * z.imag();
+    const double y = below <= -farthest * height ? -farthest : below / height;
+    if (y < 0 && is_segment(h)) {
+      leave_or_split(f, complex_.edge(h));
+      return;
+    }
+    const Walk_end center = walk_straight(complex_, y < 0 ? complex_.opposite(h) : h, 0.5, y < 0 ? Plane_point(0.5, -y) : Plane_point(0.5, y), false,
+                                          [&](Halfedge_index g) { return apex(g); }, [&](Edge_index e) { return is_segment_[e.idx()]; });
+    if (center.barrier.is_valid()) {
+      leave_or_split(f, complex_.edge(center.barrier));
+      return;
+    }
+    if (const std::optional<Edge_index> e = encroached_by(center)) {
+      leave_or_split(f, *e);
+      return;
+    }
+    const auto place = point_on_input(complex_, geometry_, center.halfedge, center.weights, [&](Halfedge_index g) { return apex(g); });
+    if (!place)
+      leave(f, Refinement_obstacle::UNREPRESENTABLE);
+    else if (is_too_close_to_cone(place->point))
+      leave(f, Refinement_obstacle::CONE);
+    else if (is_too_fine(f, place->point) || !insert(*place))
+      leave(f, Refinement_obstacle::UNREPRESENTABLE);
+  }
+  void leave(Face_index f, Refinement_obstacle reason) { left_[f] = {circumradius(f), reason}; }
+  void leave_or_split(Face_index f, Edge_index e)
+  {
+    if (!split_segment(e))
+      leave(f, Refinement_obstacle::UNREPRESENTABLE);
+    else
+      note(f);
+  }
+  // Whether the face is so small that coordinates in the input face are too coarse.
+  bool is_too_fine(Face_index f, const Surface_point& point) const
+  {
+    const Delta_complex& input = correspondence_.input();
+    double size = 0;
+    for (Halfedge_index h : {point.halfedge, input.next(point.halfedge), input.prev(point.halfedge)})
+      size = (std::max)(size, shapes_.length(input.edge(h)));
+    return circumradius(f) < std::ldexp(size, geometry_.metric().unit_exponent() - 40);
+  }
+
+  // A segment that a vertex at this point would encroach on: among those that bound the triangles with the point in their circumcircles.
+  std::optional<Edge_index> encroached_by(const Walk_end& end)
+  {
+    if (std::find(is_segment_.begin(), is_segment_.end(), true) == is_segment_.end())
+      return std::nullopt;
+    struct Side
+    {
+      Halfedge_index halfedge;
+      Plane_point point;
+    };
+    std::vector<Side> sides{{end.halfedge, end.weights[1] + end.weights[2] * apex(end.halfedge)}};
+    const auto push_others = [&](const Side& s, Plane_point z) {
+      sides.push_back({complex_.next(s.halfedge), (s.point - 1.) / (z - 1.)});
+      sides.push_back({complex_.prev(s.halfedge), (s.point - z) / -z});
+    };
+    push_others(sides[0], apex(end.halfedge));
+    for (std::size_t i = 0; i < sides.size() && i < 300; ++i) {
+      const Side s = sides[i];
+      if (is_segment(s.halfedge)) {
+        if (std::real(s.point * std::conj(s.point - 1.)) < 0)
+          return complex_.edge(s.halfedge);
+        continue;
+      }
+      const Side behind{complex_.opposite(s.halfedge), 1. - s.point};
+      const Plane_point z = apex(behind.halfedge), center(0.5, (std::norm(z) - z.real()) / (2 * z.imag()));
+      if (std::norm(behind.point - center) < std::norm(center))
+        push_others(behind, z);
+    }
+    return std::nullopt;
+  }
+
+  // \return nothing if a vertex lies there
+  std::optional<Vertex_index> insert(const Point_to_insert& place)
+  {
+    const Triangle_piece piece = Piece_search(complex_, geometry_)(place.start, place.point);
+    if (vertex_at(complex_, correspondence_, piece.side, place.point))
+      return std::nullopt;
+    const Vertex_index v = triangulation_.split_face(piece, place.point);
+    ++report_.insertions;
+    settle(v);
+    return v;
+  }
+
+  // \return whether there is a point to split it at
+  bool split_segment(Edge_index e)
+  {
+    const Delta_complex& input = correspondence_.input();
+    if (!correspondence_.coordinates().is_original(e) || complex_.is_self_glued(e))
+      return false;
+    Halfedge_index h = complex_.halfedge(e), along = correspondence_.input_halfedge(h);
+    if (input.is_border(along)) {
+      h = complex_.opposite(h);
+      along = input.opposite(along);
+    }
+    const auto position = [&](Vertex_index v, double at_vertex) {
+      if (!correspondence_.is_inserted(v))
+        return at_vertex;
+      const auto [a, b] = coordinates_on_edge(input, correspondence_.location(v), along);
+      return b / (a + b);
+    };
+    const double begin = position(complex_.source(h), 0), end = position(complex_.target(h), 1);
+    const double t = std::ldexp(std::nearbyint(std::ldexp(split_position(h, begin, end), 52)), -52);
+    if (!(begin < t && t < end))
+      return false;
+    const Vertex_index v = triangulation_.split_edge(h, Surface_point{along, {1 - t, t, 0}});
+    ++report_.segment_splits;
+    is_segment_.resize(complex_.number_of_edges(), false);
+    // Of the edges that lead to the new vertex, these are its parts.
+    const Halfedge_index first = complex_.halfedge(v);
+    Halfedge_index g = first;
+    do {
+      if (correspondence_.coordinates().is_original(complex_.edge(g)))
+        is_segment_[complex_.edge(g).idx()] = true;
+      g = complex_.next_around_target(g);
+    } while (g != first);
+    settle(v);
+    return true;
+  }
+  // Halfway, but at a distance that is a power of two from a corner where two segments meet in a small angle: so they are split at the same
+  // distances from it.
+  double split_position(Halfedge_index h, double begin, double end) const
+  {
+    const bool at_source = small_corners_.count(complex_.source(h)) != 0, at_target = small_corners_.count(complex_.target(h)) != 0;
+    if (at_source == at_target)
+      return (begin + end) / 2;
+    const double l = length(h);
+    double shell = std::exp2(std::floor(std::log2(l)));
+    while (shell > 2 * l / 3)
+      shell /= 2;
+    const double part = shell / l * (end - begin);
+    return at_source ? begin + part : end - part;
+  }
+
+  void settle(Vertex_index v)
+  {
+    is_segment_.resize(complex_.number_of_edges(), false);
+    flipped_.clear();
+    report_.flips += settle_around(triangulation_, v, Is_segment{is_segment_}, stack_, [&](Edge_index e) { flipped_.push_back(e); });
+    visitor_.after_insertion(v);
+    const auto note_faces = [&](Halfedge_index h) {
+      if (!complex_.is_border(h))
+        note(complex_.face(h));
+    };
+    const Halfedge_index first = complex_.halfedge(v);
+    Halfedge_index h = first;
+    do {
+      note_faces(h);
+      for (Halfedge_index side : {h, complex_.prev(h)})
+        if (!complex_.is_border(h) && is_segment(side))
+          segments_.push_back(complex_.edge(side));
+      if (is_segment(h))
+        segments_.push_back(complex_.edge(h));
+      h = complex_.next_around_target(h);
+    } while (h != first);
+    for (Edge_index e : flipped_)
+      for (Halfedge_index side : {complex_.halfedge(e), complex_.opposite(complex_.halfedge(e))})
+        if (complex_.source(complex_.halfedge(e)) != v && complex_.target(complex_.halfedge(e)) != v)
+          note_faces(side);
+  }
+
+  void list_unrefined_faces()
+  {
+    for (Face_index f : complex_.faces()) {
+      const Halfedge_index h = complex_.halfedge(f);
+      bool is_below = is_too_large(f);
+      std::optional<Refinement_obstacle> reason;
+      for (Halfedge_index corner : {h, complex_.next(h), complex_.prev(h)})
+        if (is_too_small(angle(corner))) {
+          is_below = true;
+          if (const auto obstacle = obstacle_at(corner))
+            reason = obstacle;
+          else if (is_between_shells(complex_.next(corner)))
+            reason = Refinement_obstacle::SMALL_INPUT_ANGLE;
+        }
+      if (!is_below)
+        continue;
+      const auto left = left_.find(f);
+      if (left != left_.end() && left->second.first == circumradius(f))
+        reason = left->second.second;
+      report_.unrefined.push_back({f, reason.value_or(Refinement_obstacle::BUDGET)});
+    }
+  }
+
+  struct Cone
+  {
+    double angle;
+    double radius; // in the unit of the input
+  };
+
+  Triangulation& triangulation_;
+  const Delta_complex& complex_;
+  const Exact_geometry& geometry_;
+  const Correspondence& correspondence_;
+  Input_shapes shapes_;
+  const Refinement_criteria criteria_;
+  std::vector<bool> is_segment_;
+  Visitor& visitor_;
+  const std::uint64_t maximum_number_;
+  Refinement_report report_;
+  std::priority_queue<Candidate> bad_faces_;
+  std::vector<Edge_index> segments_, stack_, flipped_;
+  std::unordered_map<Vertex_index, Cone> cones_;
+  std::unordered_map<Vertex_index, bool> small_corners_;
+  std::unordered_map<Face_index, std::pair<double, Refinement_obstacle>> left_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_DELAUNAY_REFINER_H

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The point of the input at a point of a triangle of the current triangulation.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_POINT_ON_INPUT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_POINT_ON_INPUT_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Coordinates that are positive multiples of 2^-52 and sum exactly to 1. So nothing has to be divided later, and the point is
+// strictly inside the face.
+inline std::array<double, 3> rounded_coordinates(const std::array<double, 3>& w)
+{
+  constexpr std::int64_t one = std::int64_t(1) << 52;
+  std::array<std::int64_t, 3> n{};
+  std::size_t largest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    n[i] = (std::max)(std::int64_t(1), std::int64_t(std::llround(std::ldexp(w[i], 52))));
+    if (n[i] > n[largest])
+      largest = i;
+  }
+  n[largest] = one - n[(largest + 1) % 3] - n[(largest + 2) % 3];
+  return {std::ldexp(double(n[0]), -52), std::ldexp(double(n[1]), -52), std::ldexp(double(n[2]), -52)};
+}
+
+// The lengths of the input edges, rounded, and the shapes of its faces.
+class Input_shapes
+{
+public:
+  explicit Input_shapes(const Exact_geometry& geometry) : input_(geometry.correspondence().input()), metric_(geometry.metric()) {}
+
+  double squared_length(Edge_index e) const { return metric_.squared_length_double_double(input_, e).hi(); }
+  double length(Edge_index e) const { return std::sqrt(squared_length(e)); }
+  // The third corner of the face of h, in the frame of h.
+  Plane_point apex(Halfedge_index h) const
+  {
+    const double ij = squared_length(input_.edge(h)), jk = squared_length(input_.edge(input_.next(h))),
+                 ki = squared_length(input_.edge(input_.prev(h)));
+    return {(ij + (ki - jk)) / (2 * ij), metric_.four_areas_double_double(input_, input_.face(h)).hi() / (2 * ij)};
+  }
+
+private:
+  const Delta_complex& input_;
+  const Input_metric& metric_;
+};
+
+// The input face that contains a piece.
+inline Face_index input_face(const Delta_complex& complex, const Exact_geometry& geometry, const Triangle_piece& piece)
+{
+  const Correspondence& correspondence = geometry.correspondence();
+  const Delta_complex& input = correspondence.input();
+  const std::int64_t n = correspondence.coordinates().crossings(complex.edge(piece.side));
+  if (n < 0)
+    return input.face(correspondence.input_halfedge(piece.side));
+  if (n > 0) {
+    const Halfedge_index crossed = crossed_input_halfedge(complex, correspondence, piece.side,
+                                                          (std::max)(std::int64_t(0), piece.gap - 1), geometry.interruption());
+    return input.face(piece.gap > 0 ? crossed : input.opposite(crossed));
+  }
+  const Halfedge_index roundabout = correspondence.input_halfedge(piece.side);
+  return input.face(roundabout.is_valid() ? input.opposite(roundabout)
+                                          : correspondence.location(complex.source(piece.side)).halfedge);
+}
+
+// A point of the input, and the piece where the search for it begins.
+struct Point_to_insert
+{
+  Surface_point point;
+  Triangle_piece start;
+};
+
+// The point with given weights in the face of h, up to rounding: straight over the input from the corner with the largest weight.
+// \param apex gives the third corner of the face of a halfedge of the current triangulation, in the frame of that
+template <class Apex>
+std::optional<Point_to_insert> point_on_input(const Delta_complex& complex, const Exact_geometry& geometry, Halfedge_index h,
+                                              std::array<double, 3> weights, const Apex& apex)
+{
+  const Correspondence& correspondence = geometry.correspondence();
+  const Delta_complex& input = correspondence.input();
+  while (weights[0] < weights[1] || weights[0] < weights[2]) {
+    h = complex.next(h);
+    std::rotate(weights.begin(), weights.begin() + 1, weights.end());
+  }
+  const auto [source, vector, reference] = geometry.edge_beginning(complex, h);
+  Plane_point to_point = vector * (weights[1] + weights[2] * apex(h)); // seen from the source of h
+  const Input_shapes shapes(geometry);
+  const auto input_apex = [&](Halfedge_index g) { return shapes.apex(g); };
+  const bool leaves_corner = !correspondence.is_inserted(complex.source(h));
+  Halfedge_index base = reference;
+  if (leaves_corner) // from face to face around the corner
+    for (Plane_point z = shapes.apex(base); cross_product(z, to_point) > 0; z = shapes.apex(base)) {
+      const Halfedge_index next = input.next_around_source(base);
+      if (input.is_border(next) || !(z.imag() > 0))
+        break;
+      to_point /= z;
+      base = next;
+    }
+  const Walk_end end = walk_straight(input, base, source, source + to_point, leaves_corner, input_apex,
+                                     [&](Edge_index e) { return input.is_border(e); });
+  for (double w : end.weights)
+    if (!std::isfinite(w))
+      return std::nullopt;
+  const Surface_point point{end.halfedge, rounded_coordinates(end.weights)};
+  // Input edges that cut off the corner are crossed first, one after the other.
+  const auto crossed = std::int64_t(end.number_of_crossed_edges);
+  const Halfedge_index ki = complex.prev(h);
+  const std::int64_t n_ki = correspondence.coordinates().number_of_crossings(complex.edge(ki));
+  for (const Triangle_piece& piece : {Triangle_piece{h, crossed}, Triangle_piece{ki, n_ki - crossed}})
+    if (piece.gap >= 0 && piece.gap <= correspondence.coordinates().number_of_crossings(complex.edge(piece.side)) &&
+        input_face(complex, geometry, piece) == input.face(point.halfedge))
+      return Point_to_insert{point, piece};
+  return Point_to_insert{point, piece_at_source(complex, correspondence, point.halfedge)};
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_POINT_ON_INPUT_H

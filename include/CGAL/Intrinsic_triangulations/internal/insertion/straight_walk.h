@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// A straight line over the triangles of a surface, in doubles.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_STRAIGHT_WALK_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_STRAIGHT_WALK_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+using Plane_point = std::complex<double>;
+
+// The third corner of a triangle with sides of these lengths, where the first side leads from 0 to 1. The area is that of W. Kahan,
+// "Miscalculating area and angles of a needle-like triangle" (2014), which is accurate for thin triangles.
+inline Plane_point third_corner(double ij, double jk, double ki)
+{
+  double a = 1, b = jk / ij, c = ki / ij;
+  const double x = (1 + (c - b) * (c + b)) / 2;
+  if (a < b)
+    std::swap(a, b);
+  if (b < c)
+    std::swap(b, c);
+  if (a < b)
+    std::swap(a, b);
+  const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+  return {x, product > 0 ? std::sqrt(product) / 2 : 0};
+}
+
+inline double cross_product(Plane_point a, Plane_point b)
+{
+  return a.real() * b.imag() - a.imag() * b.real();
+}
+
+// Where a straight line ends: in the face of a halfedge, with weights of its source, its target and the third corner that are not
+// negative and sum to 1 up to rounding.
+struct Walk_end
+{
+  Halfedge_index halfedge;
+  std::array<double, 3> weights;
+  Halfedge_index barrier;             // if it is valid, the line ends before this halfedge, which belongs to that face
+  std::size_t number_of_crossed_edges;
+};
+
+// Walks from a point in the face of h to another one, both given in the frame of h: its source is 0, its target 1.
+// \param leaves_corner whether the walk starts at the source of h, into the triangle
+// \param apex gives the third corner of the face of a halfedge, in the frame of that
+// \param is_barrier whether an edge that is met must not be crossed
+template <class Apex, class Is_barrier>
+Walk_end walk_straight(const Delta_complex& complex, Halfedge_index h, Plane_point start, Plane_point end, bool leaves_corner,
+                       const Apex& apex, const Is_barrier& is_barrier)
+{
+  const auto weights = [](Plane_point z, Plane_point p) {
+    const double c = z.imag() != 0 ? p.imag() / z.imag() : 0, b = p.real() - c * z.real();
+    return std::array<double, 3>{1 - b - c, b, c};
+  };
+  const auto inside = [](std::array<double, 3> w) {
+    double sum = 0;
+    for (double& x : w)
+      sum += x = x > 0 ? x : 0;
+    for (double& x : w)
+      x /= sum;
+    return w;
+  };
+  for (std::size_t crossed = 0;; ++crossed) {
+    const Plane_point z = apex(h);
+    const std::array<double, 3> w = weights(z, end);
+    // Corner i is opposite to the side that the line leaves by, if it does.
+    std::size_t i = 0;
+    if (crossed > 0) // it came through h
+      i = cross_product(end - start, z - start) > 0 ? 0 : 1;
+    else if (!leaves_corner) {
+      const std::array<double, 3> from = weights(z, start);
+      double first = 2;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (w[k] < 0) {
+          const double x = from[k] > 0 ? from[k] : 0, t = x / (x - w[k]);
+          if (t < first) {
+            first = t;
+            i = k;
+          }
+        }
+    }
+    if (!(w[i] < 0) || !(z.imag() > 0))
+      return {h, inside(w), {}, crossed};
+    const Halfedge_index side = i == 0 ? complex.next(h) : i == 1 ? complex.prev(h) : h;
+    if (is_barrier(complex.edge(side)))
+      return {h, inside(w), side, crossed};
+    const Plane_point corners[3] = {0, 1, z}, left = corners[(i + 2) % 3], right = corners[(i + 1) % 3];
+    start = (start - left) / (right - left);
+    end = (end - left) / (right - left);
+    h = complex.opposite(side);
+  }
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_STRAIGHT_WALK_H
