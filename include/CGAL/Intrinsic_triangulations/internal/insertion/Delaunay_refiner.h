@@ -49,7 +49,8 @@ public:
                    std::uint64_t maximum_number)
     : triangulation_(triangulation), complex_(triangulation.connectivity()), geometry_(triangulation.exact_geometry()),
       correspondence_(geometry_.correspondence()), shapes_(geometry_), criteria_(criteria), is_segment_(std::move(is_segment)),
-      visitor_(visitor), maximum_number_(maximum_number)
+      visitor_(visitor), maximum_number_(maximum_number),
+      has_segments_(std::find(is_segment_.begin(), is_segment_.end(), true) != is_segment_.end())
   {}
 
   Refinement_report operator()()
@@ -384,7 +385,7 @@ private:
   // A segment that a vertex at this point would encroach on: among those that bound the triangles with the point in their circumcircles.
   std::optional<Edge_index> encroached_by(const Walk_end& end)
   {
-    if (std::find(is_segment_.begin(), is_segment_.end(), true) == is_segment_.end())
+    if (!has_segments_)
       return std::nullopt;
     struct Side
     {
@@ -392,7 +393,7 @@ private:
       Plane_point point;
     };
     std::vector<Side> sides{{end.halfedge, end.weights[1] + end.weights[2] * apex(end.halfedge)}};
-    const auto push_others = [&](const Side& s, Plane_point z) {
+    const auto push_others = [&](Side s, Plane_point z) {
       sides.push_back({complex_.next(s.halfedge), (s.point - 1.) / (z - 1.)});
       sides.push_back({complex_.prev(s.halfedge), (s.point - z) / -z});
     };
@@ -539,6 +540,7 @@ private:
   std::vector<bool> is_segment_;
   Visitor& visitor_;
   const std::uint64_t maximum_number_;
+  const bool has_segments_;
   Refinement_report report_;
   std::priority_queue<Candidate> bad_faces_;
   std::vector<Edge_index> segments_, stack_, flipped_;
