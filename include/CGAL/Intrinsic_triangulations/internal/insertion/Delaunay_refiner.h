@@ -55,6 +55,9 @@ public:
 
   Refinement_report operator()()
   {
+    lengths_.resize(complex_.number_of_edges());
+    for (Edge_index e : complex_.edges())
+      measure(e);
     find_cones();
     if (goes_on())
       protect_cones();
@@ -117,7 +120,8 @@ private:
   }
 
   // Lengths, in the unit of the input, and shapes.
-  double length(Edge_index e) const { return CGAL::to_double(triangulation_.length(e)); }
+  double length(Edge_index e) const { return lengths_[e.idx()]; }
+  void measure(Edge_index e) { lengths_[e.idx()] = CGAL::to_double(triangulation_.length(e)); }
   double length(Halfedge_index h) const { return length(complex_.edge(h)); }
   Plane_point apex(Halfedge_index h) const
   {
@@ -481,12 +485,19 @@ private:
     flipped_.clear();
     report_.flips += settle_around(triangulation_, v, Is_segment{is_segment_}, stack_, [&](Edge_index e) { flipped_.push_back(e); });
     visitor_.after_insertion(v);
+    lengths_.resize(complex_.number_of_edges());
+    for (Edge_index e : flipped_)
+      measure(e);
+    const Halfedge_index first = complex_.halfedge(v);
+    Halfedge_index h = first;
+    do {
+      measure(complex_.edge(h));
+      h = complex_.next_around_target(h);
+    } while (h != first);
     const auto note_faces = [&](Halfedge_index h) {
       if (!complex_.is_border(h))
         note(complex_.face(h));
     };
-    const Halfedge_index first = complex_.halfedge(v);
-    Halfedge_index h = first;
     do {
       note_faces(h);
       for (Halfedge_index side : {h, complex_.prev(h)})
@@ -538,6 +549,7 @@ private:
   Input_shapes shapes_;
   const Refinement_criteria criteria_;
   std::vector<bool> is_segment_;
+  std::vector<double> lengths_; // of the edges, in the unit of the input
   Visitor& visitor_;
   const std::uint64_t maximum_number_;
   const bool has_segments_;
