@@ -17,6 +17,8 @@
 #include <CGAL/assertions.h>
 
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -32,6 +34,48 @@ struct Default_refinement_visitor
   void after_insertion(Vertex_index) {}
 };
 
+/// \ingroup PkgIntrinsicTriangulationsInsertion
+/// \brief flips edges until the triangulation is Delaunay, and inserts vertices until no triangle is too thin or too large.
+///
+/// The largest triangle that does not meet the criteria gets a vertex at its circumcenter, found by a straight walk over the
+/// triangles. An edge of the border or a constrained one that is in the way, or that the vertex would encroach on, is split instead.
+/// Where the new vertices lie is chosen in doubles; what follows from that is exact, as in `insert_vertex()`: the metric does not change,
+/// and after each insertion all edges that are not constrained are Delaunay.
+///
+/// A vertex inside the surface whose angles sum to less than 60 degrees gets one neighbor close to it, and the triangle between
+/// them is left as it is. Edges that end in a corner of less than 60 degrees between two edges that are not flipped are split at powers of
+/// two.
+///
+/// \tparam Traits with exact geometry
+/// \param triangulation a triangulation that keeps its input
+/// \param criteria which triangles are refined
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{a property map that tells which edges must not be flipped. They have to coincide with input edges. It is asked
+///       at the beginning only; the parts of an edge that is split are constrained, too}
+///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is constrained}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told of each new vertex and can cancel; pass `std::ref()` to keep its state}
+///     \cgalParamType{a class with the members of `Default_refinement_visitor`}
+///     \cgalParamDefault{`Default_refinement_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number}
+///     \cgalParamDescription{the largest number of new vertices}
+///     \cgalParamType{`std::uint64_t`}
+///     \cgalParamDefault{ten for each vertex, and a million}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return what happened. The triangulation is Delaunay whatever the status.
+/// \exception Integer_overflow_error, Undecided_error as `insert_vertex()`
+/// \pre `criteria.minimum_angle <= 30`
+///
+/// Source: J. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh generation" (1995); on surfaces, N. Sharp,
+/// Y. Soliman, K. Crane, "Navigating intrinsic triangulations" (2019).
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation, const Refinement_criteria& criteria = {},
                                   const NamedParameters& np = parameters::default_values())

@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// New vertices: in faces and on edges, of flat and curved surfaces, among many others.
+
+#include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/insert_vertex.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+
+class Inserted_vertices
+{
+public:
+  explicit Inserted_vertices(IT::Indexed_triangles surface)
+    : surface_(std::move(surface)), input_(IT::make_Delta_complex_from_triangles(surface_.points.size(), surface_.triangles)),
+      triangulation(input_, surface_.points)
+  {
+    area_ = area();
+    IT::flip_to_Delaunay(triangulation);
+  }
+
+  // At random points with coordinates of small integers, so that many lie on edges and lines.
+  // \return the number of vertices
+  std::size_t insert(std::size_t number, bool on_edges, std::mt19937& random, unsigned largest_coordinate)
+  {
+    std::size_t inserted = 0;
+    for (std::size_t i = 0; i < number; ++i) {
+      IT::Halfedge_index h;
+      do
+        h = IT::Halfedge_index(random() % input_.number_of_halfedges());
+      while (input_.is_border(h));
+      IT::Surface_point point{h, {}};
+      for (double& x : point.coordinates)
+        x = 1 + random() % largest_coordinate;
+      if (on_edges && random() % 2 == 0)
+        point.coordinates[random() % 3] = 0;
+      try {
+        IT::insert_vertex(triangulation, point);
+        ++inserted;
+      } catch (const IT::Invalid_point_error&) {
+      }
+    }
+    return inserted;
+  }
+
+  double area() const
+  {
+    double sum = 0;
+    for (IT::Face_index f : triangulation.connectivity().faces())
+      sum += triangulation.area(f);
+    return sum;
+  }
+
+  void expect_consistent() const
+  {
+    const IT::Delta_complex& complex = triangulation.connectivity();
+    ASSERT_TRUE(complex.is_valid());
+    const IT::Exact_geometry& geometry = triangulation.exact_geometry();
+    for (IT::Edge_index e : complex.edges()) {
+      if (complex.is_flippable(e)) {
+        ASSERT_NE(geometry.sign_by_unfolding(complex, e), CGAL::NEGATIVE) << e;
+      }
+    }
+    for (IT::Face_index f : complex.faces())
+      ASSERT_EQ(geometry.sign_of_area(complex, f), CGAL::POSITIVE) << f;
+    EXPECT_NEAR(area() / area_, 1, 1e-13);
+  }
+
+  // Where a vertex lies in space.
+  std::array<double, 3> position(IT::Vertex_index v) const
+  {
+    const IT::Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+    if (!correspondence.is_inserted(v))
+      return surface_.points[v.idx()];
+    const IT::Surface_point& p = correspondence.location(v);
+    const std::array<IT::Vertex_index, 3> corners{input_.source(p.halfedge), input_.target(p.halfedge),
+                                                  input_.target(input_.next(p.halfedge))};
+    const double sum = p.coordinates[0] + p.coordinates[1] + p.coordinates[2];
+    std::array<double, 3> result{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        result[j] += p.coordinates[i] / sum * surface_.points[corners[i].idx()][j];
+    return result;
+  }
+
+private:
+  IT::Indexed_triangles surface_;
+  IT::Delta_complex input_;
+  double area_ = 0;
+
+public:
+  Triangulation triangulation;
+};
+
+TEST(Insert_vertex, lengths_in_a_plane_are_distances)
+{
+  std::mt19937 random(1);
+  for (const IT::Indexed_triangles& surface : {IT::sheared_grid(), IT::random_diagonal_grid(), IT::strip(200, 30)}) {
+    Inserted_vertices test(surface);
+    EXPECT_GT(test.insert(700, true, random, 6), 300u);
+    test.expect_consistent();
+    const IT::Delta_complex& complex = test.triangulation.connectivity();
+    for (IT::Edge_index e : complex.edges()) {
+      const auto p = test.position(complex.source(complex.halfedge(e))), q = test.position(complex.target(complex.halfedge(e)));
+      const double distance = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+      EXPECT_NEAR(test.triangulation.length(e) / distance, 1, 1e-11);
+    }
+  }
+}
+
+TEST(Insert_vertex, of_curved_surfaces)
+{
+  std::mt19937 random(2);
+  for (const IT::Indexed_triangles& surface :
+       {IT::torus(), IT::bad_torus(30, 30), IT::bumpy_dome(), IT::disk_with_spike(), IT::Schwarz_lantern(), IT::cap(), IT::prism(),
+        IT::pillow(60), IT::sliver_sheet(), IT::helical_tube()})
+    for (unsigned largest_coordinate : {3u, 1000u}) {
+      Inserted_vertices test(surface);
+      EXPECT_GT(test.insert(200, true, random, largest_coordinate), 50u);
+      test.expect_consistent();
+    }
+}
+
+// The angles around a vertex on the surface sum to 2 pi, or to pi on the border.
+TEST(Insert_vertex, does_not_change_the_metric)
+{
+  std::mt19937 random(3);
+  Inserted_vertices test(IT::bumpy_dome());
+  test.insert(300, true, random, 20);
+  const IT::Delta_complex& complex = test.triangulation.connectivity();
+  const IT::Correspondence& correspondence = test.triangulation.exact_geometry().correspondence();
+  for (IT::Vertex_index v : complex.vertices()) {
+    if (!correspondence.is_inserted(v))
+      continue;
+    EXPECT_NEAR(IT::angle_defect(test.triangulation, v), 0, 1e-9) << v;
+  }
+}
+
+TEST(Insert_vertex, refuses_what_is_no_new_point)
+{
+  Inserted_vertices test(IT::torus(8, 6));
+  const IT::Halfedge_index h(0);
+  const auto refuses = [&](const std::array<double, 3>& coordinates) {
+    EXPECT_THROW(IT::insert_vertex(test.triangulation, {h, coordinates}), IT::Invalid_point_error);
+  };
+  refuses({0, 0, 0});
+  refuses({1, 0, 0});
+  refuses({-1, 1, 1});
+  refuses({1, 1, std::nan("")});
+  const std::size_t n = test.triangulation.connectivity().number_of_vertices();
+  EXPECT_EQ(IT::insert_vertex(test.triangulation, {h, {1, 1, 2}}).idx(), n);
+  refuses({2, 2, 4});
+  EXPECT_EQ(test.triangulation.connectivity().number_of_vertices(), n + 1);
+}
+
+} // namespace

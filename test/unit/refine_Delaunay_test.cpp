@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Refinement: what is below the bound is on the list, with a reason.
+
+#include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+
+Triangulation triangulation_of(const IT::Indexed_triangles& surface)
+{
+  return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
+}
+
+void expect_refined(const Triangulation& triangulation, const IT::Refinement_report& report, const IT::Refinement_criteria& criteria)
+{
+  EXPECT_EQ(report.status, IT::Refinement_status::REFINED);
+  const IT::Delta_complex& complex = triangulation.connectivity();
+  ASSERT_TRUE(complex.is_valid());
+  for (IT::Edge_index e : complex.edges()) {
+    if (complex.is_flippable(e)) {
+      ASSERT_NE(triangulation.exact_geometry().sign_by_unfolding(complex, e), CGAL::NEGATIVE);
+    }
+  }
+  std::set<IT::Face_index> listed;
+  for (const IT::Unrefined_face& f : report.unrefined) {
+    EXPECT_NE(f.reason, IT::Refinement_obstacle::BUDGET);
+    listed.insert(f.face);
+  }
+  for (IT::Face_index f : complex.faces()) {
+    if (listed.count(f) != 0)
+      continue;
+    const IT::Halfedge_index h = complex.halfedge(f);
+    for (IT::Halfedge_index side : {h, complex.next(h), complex.prev(h)}) {
+      EXPECT_GE(IT::angle(triangulation, side) * 180 / CGAL_PI, criteria.minimum_angle * (1 - 1e-12));
+      EXPECT_LE(triangulation.length(complex.edge(side)), criteria.maximum_edge_length);
+    }
+  }
+}
+
+TEST(Refine_Delaunay, leaves_no_thin_triangle)
+{
+  for (const IT::Indexed_triangles& surface :
+       {IT::torus(), IT::bad_torus(30, 30), IT::bumpy_dome(), IT::disk_with_spike(), IT::Schwarz_lantern(), IT::cap(1e-17), IT::cap(0.1),
+        IT::prism(), IT::pillow(60), IT::sliver_sheet(), IT::strip(200, 30)}) {
+    Triangulation triangulation = triangulation_of(surface);
+    const IT::Refinement_report report = IT::refine_Delaunay(triangulation);
+    expect_refined(triangulation, report, {});
+    EXPECT_TRUE(report.unrefined.empty());
+  }
+}
+
+TEST(Refine_Delaunay, makes_large_triangles_small)
+{
+  Triangulation triangulation = triangulation_of({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}});
+  IT::Refinement_criteria criteria;
+  criteria.maximum_edge_length = 0.05;
+  const IT::Refinement_report report = IT::refine_Delaunay(triangulation, criteria);
+  expect_refined(triangulation, report, criteria);
+  EXPECT_TRUE(report.unrefined.empty());
+  EXPECT_GT(report.insertions, 300u);
+}
+
+// A needle of 5 degrees: its tip is left, and nothing else.
+TEST(Refine_Delaunay, protects_small_cones)
+{
+  for (double degrees : {5., 20., 59.}) {
+    IT::Indexed_triangles cone;
+    const double radius = degrees / 360, height = std::sqrt(1 - radius * radius);
+    const std::uint32_t n = 12;
+    cone.points.push_back({0, 0, height});
+    for (std::uint32_t i = 0; i < n; ++i) {
+      cone.points.push_back({radius * std::cos(2 * CGAL_PI * i / n), radius * std::sin(2 * CGAL_PI * i / n), 0});
+      cone.triangles.push_back({0, i + 1, (i + 1) % n + 1});
+    }
+    Triangulation triangulation = triangulation_of(cone);
+    const IT::Refinement_report report = IT::refine_Delaunay(triangulation);
+    expect_refined(triangulation, report, {});
+    EXPECT_EQ(report.unrefined.size(), degrees < 25 ? 1u : 0u) << degrees;
+    for (const IT::Unrefined_face& f : report.unrefined)
+      EXPECT_EQ(f.reason, IT::Refinement_obstacle::CONE);
+  }
+}
+
+// A triangle with a corner of one degree between border edges.
+TEST(Refine_Delaunay, leaves_small_corners_of_the_border)
+{
+  Triangulation triangulation = triangulation_of({{{0, 0, 0}, {1, 0, 0}, {std::cos(CGAL_PI / 180), std::sin(CGAL_PI / 180), 0}}, {{0, 1, 2}}});
+  const IT::Refinement_report report = IT::refine_Delaunay(triangulation);
+  expect_refined(triangulation, report, {});
+  ASSERT_FALSE(report.unrefined.empty());
+  for (const IT::Unrefined_face& f : report.unrefined)
+    EXPECT_EQ(f.reason, IT::Refinement_obstacle::SMALL_INPUT_ANGLE);
+}
+
+struct Limited_visitor : IT::Default_refinement_visitor
+{
+  bool go_further(std::uint64_t points, std::uint64_t) { return points < 10; }
+  void after_insertion(IT::Vertex_index) { ++insertions; }
+  int insertions = 0;
+};
+
+TEST(Refine_Delaunay, ends_early_where_told_to)
+{
+  Triangulation triangulation = triangulation_of(IT::bad_torus(30, 30));
+  Limited_visitor visitor;
+  const IT::Refinement_report cancelled = IT::refine_Delaunay(triangulation, {}, CGAL::parameters::visitor(std::ref(visitor)));
+  EXPECT_EQ(cancelled.status, IT::Refinement_status::CANCELLED);
+  EXPECT_EQ(visitor.insertions, 10);
+  const IT::Refinement_report exhausted = IT::refine_Delaunay(triangulation, {}, CGAL::parameters::maximum_number(5));
+  EXPECT_EQ(exhausted.status, IT::Refinement_status::BUDGET_EXHAUSTED);
+  EXPECT_EQ(exhausted.insertions, 5u);
+  EXPECT_FALSE(exhausted.unrefined.empty());
+  expect_refined(triangulation, IT::refine_Delaunay(triangulation), {});
+}
+
+} // namespace
