@@ -4,6 +4,7 @@
 // The overlay is the graph that section 2.3 of the paper says it is, and both triangulations can
 // be read back from it.
 
+#include "insert_random_vertices.h"
 #include "property/flip_test_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
@@ -39,7 +40,7 @@ class Overlay_check
 {
 public:
   Overlay_check(const Delta_complex& intrinsic, const Correspondence& correspondence)
-    : intrinsic_(intrinsic), correspondence_(correspondence), input_(correspondence.input()), coordinates_(correspondence.coordinates()),
+    : intrinsic_(intrinsic), input_(correspondence.input()), correspondence_(correspondence), coordinates_(correspondence.coordinates()),
       overlay_(intrinsic, correspondence)
   {}
 
@@ -200,7 +201,10 @@ private:
                   i + 1 == n ? input_.target(h).idx() : overlay_.input_crossing(e, i).idx());
       }
     }
-    ASSERT_EQ(crossings, overlay_.number_of_crossings());
+    std::size_t inserted_on_edges = 0;
+    for (std::uint32_t v = input_.number_of_vertices(); v < intrinsic_.number_of_vertices(); ++v)
+      inserted_on_edges += correspondence_.location(Vertex_index(v)).dimension() == 1 ? 1 : 0;
+    ASSERT_EQ(crossings, overlay_.number_of_crossings() + inserted_on_edges);
   }
 
   // The same order as the overlay's, found edge by edge.
@@ -226,14 +230,21 @@ private:
       if (overlay_.is_border(h))
         continue;
       const Halfedge_index input = overlay_.input_side(h), intrinsic = overlay_.intrinsic_side(h);
-      ASSERT_EQ(input_.face(input), overlay_.input_face(overlay_.face(h)));
+      if (input.is_valid()) {
+        ASSERT_EQ(input_.face(input), overlay_.input_face(overlay_.face(h)));
+      } else {
+        ASSERT_EQ(input_.face(correspondence_.location(overlay_.original_vertex(overlay_.target(h))).halfedge),
+                  overlay_.input_face(overlay_.face(h)));
+      }
       ASSERT_EQ(intrinsic_.face(intrinsic), overlay_.intrinsic_face(overlay_.face(h)));
       const Overlay::Vertex v = overlay_.target(h);
       if (overlay_.is_crossing(v)) {
         ASSERT_EQ(input_.edge(input), overlay_.input_edge(v));
         ASSERT_EQ(intrinsic_.edge(intrinsic), overlay_.intrinsic_edge(v));
       } else {
-        ASSERT_EQ(input_.source(input), overlay_.original_vertex(v));
+        if (!overlay_.is_inserted(v)) {
+          ASSERT_EQ(input_.source(input), overlay_.original_vertex(v));
+        }
         ASSERT_EQ(intrinsic_.source(intrinsic), overlay_.original_vertex(v));
       }
     }
@@ -276,6 +287,24 @@ TEST(Overlay_graph, OfSampleSurfaces)
       check_Delaunay_overlay(from_triangles(sample.name, std::get<IT::Indexed_triangles>(surface)));
     else
       check_Delaunay_overlay(from_gluing(sample.name, std::get<IT::Glued_triangles>(surface)));
+  }
+}
+
+TEST(Overlay_graph, of_inserted_vertices)
+{
+  std::mt19937 random(1);
+  for (const IT::Sample& sample : IT::sample_names()) {
+    SCOPED_TRACE(sample.name);
+    const auto surface = IT::make_sample(sample.name);
+    if (!std::holds_alternative<IT::Indexed_triangles>(surface))
+      continue;
+    auto t = triangulation<IT::Filtered_edge_length_traits>(from_triangles(sample.name, std::get<IT::Indexed_triangles>(surface)));
+    IT::flip_to_Delaunay(t);
+    for (unsigned largest_coordinate : {2u, 1000u}) {
+      EXPECT_GT(IT::insert_random_vertices(t, 200, largest_coordinate, random), 10u);
+      const Overlay_check check(t.connectivity(), t.exact_geometry().correspondence());
+      check.run();
+    }
   }
 }
 

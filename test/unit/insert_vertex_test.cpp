@@ -3,6 +3,7 @@
 //
 // New vertices: in faces and on edges, of flat and curved surfaces, among many others.
 
+#include "insert_random_vertices.h"
 #include "samples/sample_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
@@ -37,30 +38,6 @@ public:
   {
     area_ = area();
     IT::flip_to_Delaunay(triangulation);
-  }
-
-  // At random points with coordinates of small integers, so that many lie on edges and lines.
-  // \return the number of vertices
-  std::size_t insert(std::size_t number, bool on_edges, std::mt19937& random, unsigned largest_coordinate)
-  {
-    std::size_t inserted = 0;
-    for (std::size_t i = 0; i < number; ++i) {
-      IT::Halfedge_index h;
-      do
-        h = IT::Halfedge_index(random() % input_.number_of_halfedges());
-      while (input_.is_border(h));
-      IT::Surface_point point{h, {}};
-      for (double& x : point.coordinates)
-        x = 1 + random() % largest_coordinate;
-      if (on_edges && random() % 2 == 0)
-        point.coordinates[random() % 3] = 0;
-      try {
-        IT::insert_vertex(triangulation, point);
-        ++inserted;
-      } catch (const IT::Invalid_point_error&) {
-      }
-    }
-    return inserted;
   }
 
   double area() const
@@ -117,7 +94,7 @@ TEST(Insert_vertex, lengths_in_a_plane_are_distances)
   std::mt19937 random(1);
   for (const IT::Indexed_triangles& surface : {IT::sheared_grid(), IT::random_diagonal_grid(), IT::strip(200, 30)}) {
     Inserted_vertices test(surface);
-    EXPECT_GT(test.insert(700, true, random, 6), 300u);
+    EXPECT_GT(IT::insert_random_vertices(test.triangulation, 700, 6, random), 300u);
     test.expect_consistent();
     const IT::Delta_complex& complex = test.triangulation.connectivity();
     for (IT::Edge_index e : complex.edges()) {
@@ -136,7 +113,7 @@ TEST(Insert_vertex, of_curved_surfaces)
         IT::pillow(60), IT::sliver_sheet(), IT::helical_tube()})
     for (unsigned largest_coordinate : {3u, 1000u}) {
       Inserted_vertices test(surface);
-      EXPECT_GT(test.insert(200, true, random, largest_coordinate), 50u);
+      EXPECT_GT(IT::insert_random_vertices(test.triangulation, 200, largest_coordinate, random), 50u);
       test.expect_consistent();
     }
 }
@@ -146,7 +123,7 @@ TEST(Insert_vertex, does_not_change_the_metric)
 {
   std::mt19937 random(3);
   Inserted_vertices test(IT::bumpy_dome());
-  test.insert(300, true, random, 20);
+  IT::insert_random_vertices(test.triangulation, 300, 20, random);
   const IT::Delta_complex& complex = test.triangulation.connectivity();
   const IT::Correspondence& correspondence = test.triangulation.exact_geometry().correspondence();
   for (IT::Vertex_index v : complex.vertices()) {

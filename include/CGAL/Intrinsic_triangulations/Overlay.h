@@ -62,11 +62,12 @@ enum class Segment_label : std::uint8_t {
 ///
 /// \brief the overlay of the input triangulation and the intrinsic triangulation.
 ///
-/// Its vertices are those of the surface, followed by the crossings of input and
-/// intrinsic edges. Its edges are the segments into which crossings cut the edges. Each of
+/// Its vertices are those of the surface, first those of the input, then those that were inserted, followed by the crossings of
+/// input and intrinsic edges. Its edges are the segments into which crossings cut the edges. Each of
 /// its faces is the convex intersection of one input face and one intrinsic face. At a
 /// crossing four segments meet, alternately of an input and of an intrinsic edge. The overlay
-/// has neither coordinates nor lengths; see `Common_subdivision`.
+/// has neither coordinates nor lengths; see `Common_subdivision`. An inserted vertex divides the input edge on which it lies
+/// into segments, as a crossing does, or lies inside an input face.
 ///
 /// The overlay is built from the integers of `Normal_coordinates`; later flips do not change
 /// it. It is a halfedge graph like `Delta_complex`, with faces of any degree:
@@ -127,6 +128,8 @@ public:
   size_type number_of_vertices() const { return size_type(arrays_.vertex_halfedges.size()); }
   /// returns the number of vertices of the surface, which come before the crossings.
   size_type number_of_original_vertices() const { return arrays_.number_of_original_vertices; }
+  /// returns the number of vertices of the input, which come before those that were inserted.
+  size_type number_of_input_vertices() const { return arrays_.number_of_input_vertices; }
   /// returns the number of crossings.
   size_type number_of_crossings() const { return number_of_vertices() - arrays_.number_of_original_vertices; }
   /// returns the number of segments.
@@ -184,6 +187,8 @@ public:
   /// @{
   /// returns whether `v` is a crossing, not a vertex of the surface.
   bool is_crossing(Vertex v) const { return v.idx() >= arrays_.number_of_original_vertices; }
+  /// returns whether `v` is a vertex of the surface, but none of the input.
+  bool is_inserted(Vertex v) const { return !is_crossing(v) && v.idx() >= arrays_.number_of_input_vertices; }
   /// returns the vertex of the surface that `v` is. \pre `!is_crossing(v)`
   Vertex_index original_vertex(Vertex v) const
   {
@@ -215,8 +220,8 @@ public:
   /// \brief returns a side of the input face that contains `face(h)`, on which `target(h)` lies.
   ///
   /// If `target(h)` is a vertex of the surface, this is the side that begins there,
-  /// in the corner to the left of `h`. Finding it takes as many steps as intrinsic
-  /// edges lie in that corner; otherwise O(1). \pre `!is_border(h)`
+  /// in the corner to the left of `h`, or the part of a side; the null descriptor if the vertex was inserted inside the
+  /// face. Finding it takes as many steps as intrinsic edges lie in that corner; otherwise O(1). \pre `!is_border(h)`
   Halfedge_index input_side(Halfedge h) const
   {
     return side(h, [this](Halfedge g) { return input_halfedge(g); });
@@ -234,7 +239,8 @@ public:
   /// @}
 
   /// \name Along an edge
-  /// The crossings of an edge are numbered from zero in the direction of its halfedge `2e`.
+  /// The crossings of an edge, and the inserted vertices on an input edge, are numbered from zero in the direction of its halfedge
+  /// `2e`.
   /// @{
 
   /// returns the segments of intrinsic edge `e`, in order.
@@ -257,9 +263,9 @@ public:
   {
     const internal::Overlay_arrays::Input_edge& edge = arrays_.input_edges[e.idx()];
     CGAL_precondition(position < edge.count);
-    return Halfedge(edge.first_halfedge + 2 * position);
+    return Halfedge(arrays_.input_part(edge, position));
   }
-  /// returns the crossing of input edge `e` with the given position.
+  /// returns the crossing of input edge `e`, or the inserted vertex on it, with the given position.
   Vertex input_crossing(Edge_index e, size_type position) const
   {
     CGAL_precondition(position + 1 < number_of_input_segments(e));
@@ -283,12 +289,20 @@ public:
   Halfedge_index crossing_input_halfedge(Vertex x) const { return input_halfedge(next(halfedge(x))); }
   /// returns the input edge that crosses at `x`.
   Edge_index input_edge(Vertex x) const { return Edge_index(crossing_input_halfedge(x).idx() >> 1); }
-  /// returns the position of `x` among the crossings of `input_edge(x)`.
+  /// returns the position of `x` among the crossings of `input_edge(x)` and the inserted vertices on it. O(1), or
+  /// O(number of segments of the input edge) if there are such vertices.
   size_type input_position(Vertex x) const
   {
     const Halfedge out = next(halfedge(x));
     const size_type s = segment(out).idx(); // begins at x, or ends there
-    return s - (arrays_.input_edges[arrays_.parents[s]].first_halfedge >> 1) - ((out.idx() & 1) ? 0 : 1);
+    const internal::Overlay_arrays::Input_edge& edge = arrays_.input_edges[arrays_.parents[s]];
+    const size_type before = (out.idx() & 1) ? 0 : 1;
+    if (!edge.is_split)
+      return s - (edge.first >> 1) - before;
+    size_type position = 0;
+    while ((arrays_.input_part(edge, position) >> 1) != s)
+      ++position;
+    return position - before;
   }
   /// @}
 
@@ -298,10 +312,13 @@ private:
   {
     if (is_crossing(target(h)))
       return halfedge_of(h).is_valid() ? halfedge_of(h) : halfedge_of(next(h));
-    Halfedge out = next(h);
-    while (!halfedge_of(out).is_valid()) // clockwise
+    const Halfedge first = next(h);
+    for (Halfedge out = first;;) { // clockwise
+      const Halfedge_index side = halfedge_of(out);
       out = next(opposite(out));
-    return halfedge_of(out);
+      if (side.is_valid() || out == first)
+        return side;
+    }
   }
 
   template <class Descriptor>

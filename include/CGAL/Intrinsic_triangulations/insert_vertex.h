@@ -58,13 +58,8 @@ inline std::optional<Halfedge_index> halfedge_along(const Delta_complex& complex
 {
   const Correspondence& correspondence = geometry.correspondence();
   const Delta_complex& input = correspondence.input();
-  Halfedge_index along = point.halfedge;
-  std::size_t i = 0;
-  while (point.coordinates[(i + 2) % 3] != 0) {
-    along = input.next(along);
-    ++i;
-  }
-  const double a = point.coordinates[i], b = point.coordinates[(i + 1) % 3];
+  const Halfedge_index along = side_of(input, point);
+  const auto [a, b] = coordinates_on_edge(input, point, along);
   for (Vertex_index v = input.source(along);;) {
     const Input_edge_start start = start_of_input_edge(complex, correspondence, v, along);
     const bool coincides = start.position < 0;

@@ -23,7 +23,7 @@ namespace internal {
 // HalfedgeOf names the halfedge of the triangulation that a part belongs to, or none, and
 // FaceOf the face of the triangulation that contains a face of the overlay.
 template <class HalfedgeOf, class FaceOf>
-Delta_complex read_triangulation(const Overlay& overlay, std::uint32_t number_of_edges,
+Delta_complex read_triangulation(const Overlay& overlay, std::uint32_t number_of_vertices, std::uint32_t number_of_edges,
                                  const HalfedgeOf& halfedge_of, const FaceOf& face_of)
 {
   using Part = Overlay::Halfedge;
@@ -32,16 +32,19 @@ Delta_complex read_triangulation(const Overlay& overlay, std::uint32_t number_of
     if (face_of(f).idx() >= number_of_faces)
       number_of_faces = face_of(f).idx() + 1;
   Delta_complex::Halfedge_vector records(2 * std::size_t(number_of_edges));
-  Delta_complex::Descriptor_vector vertex_halfedges(overlay.number_of_original_vertices()),
+  Delta_complex::Descriptor_vector vertex_halfedges(number_of_vertices),
     face_halfedges(number_of_faces);
   for (Part first : overlay.halfedges()) {
     const Halfedge_index h = halfedge_of(first);
-    if (!h.is_valid() || overlay.is_crossing(overlay.source(first)))
+    if (!h.is_valid() || overlay.source(first).idx() >= number_of_vertices)
       continue;
-    // The edge goes straight on at each crossing: left, and left again.
+    // The edge goes on at each crossing, and an input edge at an inserted vertex.
     Part last = first;
-    while (overlay.is_crossing(overlay.target(last)))
-      last = overlay.next(overlay.opposite(overlay.next(last)));
+    while (overlay.target(last).idx() >= number_of_vertices) {
+      last = overlay.next(last);
+      while (halfedge_of(last) != h)
+        last = overlay.next(overlay.opposite(last));
+    }
     // The halfedge after it is the first clockwise around its target.
     Part after = overlay.next(last);
     while (!halfedge_of(after).is_valid())
@@ -72,7 +75,7 @@ Delta_complex read_triangulation(const Overlay& overlay, std::uint32_t number_of
 inline Delta_complex intrinsic_triangulation_of(const Overlay& overlay)
 {
   return internal::read_triangulation(
-    overlay, overlay.number_of_intrinsic_edges(),
+    overlay, overlay.number_of_original_vertices(), overlay.number_of_intrinsic_edges(),
     [&](Overlay::Halfedge h) { return overlay.intrinsic_halfedge(h); },
     [&](Overlay::Face f) { return overlay.intrinsic_face(f); });
 }
@@ -82,7 +85,7 @@ inline Delta_complex intrinsic_triangulation_of(const Overlay& overlay)
 inline Delta_complex input_triangulation_of(const Overlay& overlay)
 {
   return internal::read_triangulation(
-    overlay, overlay.number_of_input_edges(),
+    overlay, overlay.number_of_input_vertices(), overlay.number_of_input_edges(),
     [&](Overlay::Halfedge h) { return overlay.input_halfedge(h); },
     [&](Overlay::Face f) { return overlay.input_face(f); });
 }

@@ -98,7 +98,7 @@ private:
     if (point.dimension() == 0)
       return at_vertex(from, to, point);
     if (point.dimension() == 1) {
-      const Overlay::Halfedge part = from.part(side_of(from.complex, point), 0);
+      const Overlay::Halfedge part = from.part(internal::side_of(from.complex, point), 0);
       if (from.overlay.label(from.overlay.segment(part)) == Segment_label::BOTH)
         return on_common_edge(to, part, point);
     }
@@ -129,15 +129,6 @@ private:
       for (double& x : result.coordinates)
         x = std::ldexp(x, -std::ilogb(largest));
     return result;
-  }
-
-  // The side of its face that a point lies on.
-  static Halfedge_index side_of(const Delta_complex& complex, const Surface_point& point)
-  {
-    const Coordinates& b = point.coordinates;
-    return b[2] == 0   ? point.halfedge
-           : b[0] == 0 ? complex.next(point.halfedge)
-                       : complex.prev(point.halfedge);
   }
 
   template <class From, class To>

@@ -114,6 +114,16 @@ inline Input_edge_start start_of_input_edge(const Delta_complex& complex, const 
   }
 }
 
+// The input face to the left of a halfedge that crosses no input edge.
+inline Face_index uncrossed_input_face(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h)
+{
+  const Delta_complex& input = correspondence.input();
+  const Halfedge_index roundabout = correspondence.input_halfedge(h);
+  if (!roundabout.is_valid())
+    return input.face(correspondence.location(complex.source(h)).halfedge);
+  return input.face(correspondence.coordinates().is_original(complex.edge(h)) ? roundabout : input.opposite(roundabout));
+}
+
 // The input halfedge that crosses h from the left to the right, so many crossings after the source of h. Both ends of the
 // input edge are looked for, until one is found. Time: twice the number of triangles to the nearer one.
 inline Halfedge_index crossed_input_halfedge(const Delta_complex& complex, const Correspondence& correspondence,

@@ -70,16 +70,12 @@ inline Face_index input_face(const Delta_complex& complex, const Exact_geometry&
   const Correspondence& correspondence = geometry.correspondence();
   const Delta_complex& input = correspondence.input();
   const std::int64_t n = correspondence.coordinates().crossings(complex.edge(piece.side));
-  if (n < 0)
-    return input.face(correspondence.input_halfedge(piece.side));
   if (n > 0) {
     const Halfedge_index crossed = crossed_input_halfedge(complex, correspondence, piece.side,
                                                           (std::max)(std::int64_t(0), piece.gap - 1), geometry.interruption());
     return input.face(piece.gap > 0 ? crossed : input.opposite(crossed));
   }
-  const Halfedge_index roundabout = correspondence.input_halfedge(piece.side);
-  return input.face(roundabout.is_valid() ? input.opposite(roundabout)
-                                          : correspondence.location(complex.source(piece.side)).halfedge);
+  return uncrossed_input_face(complex, correspondence, piece.side);
 }
 
 // A point of the input, and the piece where the search for it begins.

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_arrays.h>
 
 #include <cstdint>
@@ -46,6 +47,9 @@ public:
       overlay_(overlay)
   {}
 
+  // The vertex where an input edge ends, or an inserted one on it.
+  Vertex_index vertex(const End& end) const { return intrinsic_.target(intrinsic_.next(end.ij)); }
+
   std::int64_t number_of_crossings(Halfedge_index h) const
   {
     const Overlay_arrays::size_type e = intrinsic_.edge(h).idx();
@@ -65,15 +69,16 @@ public:
   {
     if (n == 0)
       return;
+    const Vertex_index v = intrinsic_.source(ki);
     Halfedge_index start = correspondence_.input_halfedge(ki);
     if (correspondence_.coordinates().is_original(intrinsic_.edge(ki)))
-      start = input_.next_around_source(start);
-    for (std::int64_t i = 0; i < n; ++i, start = input_.next_around_source(start))
+      start = next_input_halfedge(correspondence_, v, start);
+    for (std::int64_t i = 0; i < n; ++i, start = next_input_halfedge(correspondence_, v, start))
       function(start, i);
   }
 
   // Calls function(h, source, position) for the input halfedges h, those numbered 2e, that cross the
-  // intrinsic edge e next to their source, at a position counted from the source of `source.ij`.
+  // intrinsic edge e next to their source or an inserted vertex on them, at a position counted from the source of `source.ij`.
   template <class Function>
   void for_each_path_across(Edge_index e, const Function& function) const
   {

@@ -39,8 +39,9 @@ struct Overlay_arrays
   };
   struct Input_edge
   {
-    size_type first_halfedge; // out of the source of 2e; odd if it runs against an oc segment
-    size_type count;          // number of segments
+    size_type first;         // the first halfedge, out of the source of 2e; odd if it runs against an oc segment
+    size_type count : 31;    // number of segments
+    size_type is_split : 1;  // if inserted vertices lie on it, `first` is the position of the first part in `split_parts`
   };
 
   size_type intrinsic_segments_end(size_type e) const
@@ -57,7 +58,14 @@ struct Overlay_arrays
     return coinciding_halfedges[parent] == null ? null : coinciding_halfedges[parent] ^ (h & 1);
   }
 
-  size_type number_of_original_vertices = 0;
+  // The part of an input edge with a position.
+  size_type input_part(const Input_edge& edge, size_type position) const
+  {
+    return edge.is_split ? split_parts[edge.first + position] : edge.first + 2 * position;
+  }
+
+  size_type number_of_original_vertices = 0; // with those that were inserted
+  size_type number_of_input_vertices = 0;
   size_type first_input_segment = 0; // those before have label c or oc
   Large_vector<Halfedge> halfedges;
   Large_vector<size_type> parents; // of each segment, its edge
@@ -66,6 +74,7 @@ struct Overlay_arrays
   Large_vector<size_type> first_segments;       // of each intrinsic edge, and where they end
   Large_vector<size_type> coinciding_halfedges; // for each intrinsic edge, what 2e is in the input
   Large_vector<Input_edge> input_edges;
+  Large_vector<size_type> split_parts; // of input edges on which vertices were inserted, the halfedges from end to end
 };
 
 } // namespace internal

@@ -10,13 +10,17 @@
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Input_edge_tracer.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_arrays.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
@@ -35,6 +39,8 @@ namespace internal {
 // input edge is followed once through the intrinsic triangles; at every crossing it is known
 // which four segments meet. What is left are the corners at the vertices, where input edges
 // leave between intrinsic ones, and the faces.
+//
+// Vertices that were inserted on input edges divide these into paths, which are followed and numbered one by one.
 //
 // Most intrinsic triangles are input triangles; they are copied with few accesses to memory,
 // which are what takes the time.
@@ -62,6 +68,7 @@ public:
     number_intrinsic_segments();
     follow_input_edges();
     fill_faces();
+    join_paths();
     name_vertex_halfedges();
     return std::move(overlay_);
   }
@@ -96,6 +103,7 @@ private:
   {
     const std::size_t n = intrinsic_.number_of_edges();
     overlay_.number_of_original_vertices = intrinsic_.number_of_vertices();
+    overlay_.number_of_input_vertices = input_.number_of_vertices();
     overlay_.first_segments.resize(n + 1, default_init);
     auto crossings = make_counts<std::uint64_t>(n), coinciding = crossings;
     for_each_block(n, [&](std::size_t first, std::size_t last) {
@@ -126,9 +134,12 @@ private:
   void allocate(std::uint64_t crossings, std::uint64_t coinciding)
   {
     check_size(crossings);
+    std::uint64_t number_of_paths = input_.number_of_edges();
+    for (Vertex_index v : inserted_vertices())
+      number_of_paths += correspondence_.location(v).dimension() == 1 ? 1 : 0;
     // Each chord that an input edge cuts out of an intrinsic triangle adds a face.
-    const std::uint64_t number_of_chords = crossings + input_.number_of_edges() - coinciding;
-    const std::uint64_t number_of_segments = 2 * (intrinsic_.number_of_edges() + crossings) - coinciding;
+    const std::uint64_t number_of_chords = crossings + number_of_paths - coinciding;
+    const std::uint64_t number_of_segments = intrinsic_.number_of_edges() + crossings + number_of_chords;
     check_size(number_of_segments);
     overlay_.first_input_segment = size_type(intrinsic_.number_of_edges() + crossings);
     overlay_.first_segments.back() = overlay_.first_input_segment;
@@ -139,7 +150,19 @@ private:
     overlay_.faces.resize(intrinsic_.number_of_faces() + number_of_chords, default_init);
     overlay_.coinciding_halfedges.resize(intrinsic_.number_of_edges(), default_init);
     overlay_.input_edges.resize(input_.number_of_edges(), default_init);
+    if (has_inserted_vertices()) {
+      path_ends_.resize(input_.number_of_edges(), default_init);
+      inserted_.resize(correspondence_.number_of_inserted_vertices(), default_init);
+    }
   }
+
+  bool has_inserted_vertices() const { return correspondence_.number_of_inserted_vertices() != 0; }
+  auto inserted_vertices() const
+  {
+    using Iterator = Descriptor_iterator<Vertex_index>;
+    return make_range(Iterator(input_.number_of_vertices()), Iterator(intrinsic_.number_of_vertices()));
+  }
+  bool is_inserted(Vertex_index v) const { return correspondence_.is_inserted(v); }
 
   void fill_intrinsic_segments(std::size_t first, std::size_t last, const Loop_progress& progress)
   {
@@ -181,7 +204,20 @@ private:
   {
     const Halfedge_index in_input = correspondence_.input_halfedge(h);
     overlay_.coinciding_halfedges[intrinsic_.edge(h).idx()] = in_input.idx();
-    overlay_.input_edges[input_.edge(in_input).idx()] = {2 * segment + (in_input.idx() & 1), 1};
+    const bool runs_against = (in_input.idx() & 1) != 0;
+    const Halfedge_index along = runs_against ? intrinsic_.opposite(h) : h;
+    const size_type first = 2 * segment + (runs_against ? 1 : 0);
+    if (!has_inserted_vertices())
+      overlay_.input_edges[input_.edge(in_input).idx()] = {first, 1, 0};
+    else
+      note_path(input_.edge(in_input), intrinsic_.source(along), intrinsic_.target(along), first, 1);
+  }
+
+  // A path of an input edge, in the direction of its halfedge 2e.
+  void note_path(Edge_index input_edge, Vertex_index from, Vertex_index to, size_type first, size_type count)
+  {
+    (is_inserted(from) ? inserted(from).onward : overlay_.input_edges[input_edge.idx()]) = {first, count, 0};
+    (is_inserted(to) ? inserted(to).back : path_ends_[input_edge.idx()]) = (first + 2 * (count - 1)) ^ 1;
   }
 
   // The faces are not known yet; those of border halfedges never will be.
@@ -281,15 +317,19 @@ private:
                       const Function& for_each_crossing)
   {
     const size_type edge = input_.edge(input_halfedge).idx(), first = segment;
-    size_type from = input_.source(input_halfedge).idx();
+    const bool has_inserted = has_inserted_vertices();
+    size_type from = (has_inserted ? tracer_.vertex(source) : input_.source(input_halfedge)).idx();
     const auto end_segment = [&](size_type to) {
       overlay_.parents[segment] = edge;
       set_ends(segment++, from, to);
       from = to;
     };
     const End target = for_each_crossing([&](const Crossed& x) { end_segment(cross(x, segment)); });
-    end_segment(input_.target(input_halfedge).idx());
-    overlay_.input_edges[edge] = {2 * first, segment - first};
+    end_segment((has_inserted ? tracer_.vertex(target) : input_.target(input_halfedge)).idx());
+    if (has_inserted)
+      note_path(Edge_index(edge), tracer_.vertex(source), tracer_.vertex(target), 2 * first, segment - first);
+    else
+      overlay_.input_edges[edge] = {2 * first, segment - first, 0};
     link_end(source, 2 * first);
     link_end(target, 2 * (segment - 1) + 1);
   }
@@ -332,11 +372,17 @@ private:
     return 2 * (overlay_.intrinsic_segments_end(e) - 1) + 1;
   }
 
-  size_type first_part_in_input(Halfedge_index h) const
+  // Of an input halfedge, out of one of its vertices.
+  size_type first_part_in_input(Halfedge_index h, Vertex_index v) const
   {
-    const Overlay_arrays::Input_edge& edge = overlay_.input_edges[input_.edge(h).idx()];
-    return h == input_.halfedge(input_.edge(h)) ? edge.first_halfedge
-                                                : (edge.first_halfedge + 2 * (edge.count - 1)) ^ 1;
+    const Edge_index e = input_.edge(h);
+    const bool is_onward = h == input_.halfedge(e);
+    if (is_inserted(v))
+      return is_onward ? inserted(v).onward.first : inserted(v).back;
+    const Overlay_arrays::Input_edge& edge = overlay_.input_edges[e.idx()];
+    return is_onward                 ? edge.first
+           : has_inserted_vertices() ? path_ends_[e.idx()]
+                                     : (edge.first + 2 * (edge.count - 1)) ^ 1;
   }
 
   void fill_faces()
@@ -408,7 +454,11 @@ private:
     record(jk).next = ki;
     record(ki).next = ij;
     record(ij).face = record(jk).face = record(ki).face = face;
-    overlay_.faces[face] = {ij, f.idx(), input_face(overlay_.input_halfedge(ij))};
+    const size_type input_halfedge = overlay_.input_halfedge(ij);
+    overlay_.faces[face] = {ij, f.idx(),
+                            input_halfedge != Overlay_arrays::null
+                              ? input_face(input_halfedge)
+                              : uncrossed_input_face(intrinsic_, correspondence_, intrinsic_.halfedge(f)).idx()};
   }
 
   // The corner between two sides, where n input halfedges leave; one alone has been linked.
@@ -420,7 +470,7 @@ private:
       return;
     size_type before = out.first;
     tracer_.for_each_start(out.halfedge, n, [&](Halfedge_index input_halfedge, std::int64_t) {
-      const size_type next = first_part_in_input(input_halfedge);
+      const size_type next = first_part_in_input(input_halfedge, intrinsic_.source(out.halfedge));
       link(before, next);
       before = next;
     });
@@ -447,6 +497,30 @@ private:
     overlay_.faces[face] = {first, intrinsic_face.idx(), input_face(overlay_.input_halfedge(on_input_edge))};
   }
 
+  // Lists the parts of input edges that consist of several paths.
+  void join_paths()
+  {
+    for (Vertex_index v : inserted_vertices()) {
+      const Surface_point& location = correspondence_.location(v);
+      if (location.dimension() != 1)
+        continue;
+      const Edge_index e = input_.edge(internal::side_of(input_, location));
+      Overlay_arrays::Input_edge& edge = overlay_.input_edges[e.idx()];
+      if (edge.is_split)
+        continue;
+      const size_type first = size_type(overlay_.split_parts.size());
+      for (Overlay_arrays::Input_edge path = edge;;) {
+        for (size_type i = 0; i < path.count; ++i)
+          overlay_.split_parts.push_back(path.first + 2 * i);
+        const Vertex_index end(record(overlay_.split_parts.back()).target);
+        if (!is_inserted(end))
+          break;
+        path = inserted(end).onward;
+      }
+      edge = {first, size_type(overlay_.split_parts.size()) - first, 1};
+    }
+  }
+
   void name_vertex_halfedges()
   {
     for_each_block(intrinsic_.number_of_vertices(), [&](std::size_t first, std::size_t last) {
@@ -468,6 +542,15 @@ private:
     return Loop_progress(is_parallel ? nobody : progress_, what, begin, end, number_of_elements);
   }
 
+  // A vertex that was inserted on an input edge.
+  struct Inserted
+  {
+    Overlay_arrays::Input_edge onward; // the path from there
+    size_type back;                    // the path to there, seen from there
+  };
+  Inserted& inserted(Vertex_index v) { return inserted_[v.idx() - input_.number_of_vertices()]; }
+  const Inserted& inserted(Vertex_index v) const { return inserted_[v.idx() - input_.number_of_vertices()]; }
+
   Overlay_arrays::Halfedge& record(size_type h) { return overlay_.halfedges[h]; }
 
   const Delta_complex& intrinsic_;
@@ -477,6 +560,9 @@ private:
   const Input_edge_tracer tracer_;
   const Progress_function& progress_;
   Overlay_arrays overlay_;
+  // If vertices were inserted:
+  Large_vector<size_type> path_ends_; // for each input edge, the path to its target, seen from there
+  Large_vector<Inserted> inserted_;
 };
 
 // A function and no member, so that it can be compiled once.
