@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
@@ -76,14 +77,16 @@ public:
   /// returns the exact geometry of the input, for queries about `intrinsic()`.
   const Exact_geometry& exact_geometry() const { return geometry_; }
 
-  /// \brief returns the point in space of a vertex of the overlay, on an input edge.
+  /// \brief returns the point in space of a vertex of the overlay, on an input edge or inside an input face.
   ///
   /// \param v a vertex of the overlay
-  /// \param points a random access range with the points of the vertices of the surface, each with three coordinates `p[i]`
-  /// \return the coordinates, each within a few units in the last place of the larger one at the ends of the edge
+  /// \param points a random access range with the points of the vertices of the input, each with three coordinates `p[i]`
+  /// \return the coordinates, each within a few units in the last place of the largest one at the corners of the face
   template <class PointRange>
   std::array<double, 3> point(Overlay::Vertex v, const PointRange& points) const
   {
+    if (overlay_.is_inserted(v))
+      return point(positions_.location(v), points);
     if (!overlay_.is_crossing(v)) {
       const auto& p = points[v.idx()];
       return {to_double(p[0]), to_double(p[1]), to_double(p[2])};
@@ -94,6 +97,23 @@ public:
     std::array<double, 3> result{};
     for (int i = 0; i < 3; ++i)
       result[i] = (1 - t) * to_double(p[i]) + t * to_double(q[i]);
+    return result;
+  }
+
+  /// \brief returns the point in space of a point of the input.
+  /// \param point the point; its coordinates sum to 1
+  /// \param points as above
+  template <class PointRange>
+  std::array<double, 3> point(const Surface_point& point, const PointRange& points) const
+  {
+    std::array<double, 3> result{};
+    Halfedge_index h = point.halfedge;
+    for (double weight : point.coordinates) {
+      const auto& p = points[input().source(h).idx()];
+      for (int i = 0; i < 3; ++i)
+        result[i] += weight * to_double(p[i]);
+      h = input().next(h);
+    }
     return result;
   }
 

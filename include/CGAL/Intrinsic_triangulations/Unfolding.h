@@ -141,6 +141,21 @@ public:
     }
     return internal::area_between(u.vector, p);
   }
+
+  // Lays out the strip of an edge that crosses input edges.
+  template <class Frame>
+  void lay_out(internal::Strip<Frame>& strip, Halfedge_index h, const internal::Crossed_edges& crossed) const
+  {
+    const Halfedge_index g = complex_.opposite(h);
+    if (is_inserted(complex_.source(g))) {
+      const Surface_point end = location_of_source(g);
+      strip.lay_out(internal::Crossed_edges_to_point(crossed, end));
+    } else {
+      strip.lay_out(crossed);
+    }
+    if (is_inserted(complex_.source(h)))
+      strip.move_source(position_of_source(h, std::int64_t(crossed.size()), Frame::reference(input_, crossed.front())));
+  }
   /// \endcond
 
   /// returns the squared length of `e`.

@@ -54,13 +54,15 @@ auto overlay_to_surface_mesh_without_corners(const Common_subdivision& subdivisi
   using Edge = typename Mesh::Edge_index;
   using Face = typename Mesh::Face_index;
   const std::vector<Point> original_points(std::begin(points), std::end(points));
-  check_number_of_points(original_points.size(), overlay.number_of_original_vertices());
+  check_number_of_points(original_points.size(), overlay.number_of_input_vertices());
 
   Mesh mesh;
   mesh.reserve(overlay.number_of_vertices(), overlay.number_of_segments(), overlay.number_of_faces());
   for (const Point& p : original_points)
     mesh.add_vertex(p);
-  for (Overlay::Vertex x : overlay.crossings()) {
+  for (Overlay::Vertex x : overlay.vertices()) {
+    if (x.idx() < overlay.number_of_input_vertices())
+      continue;
     const auto [a, b, c] = subdivision.point(x, original_points);
     mesh.add_vertex(Point{a, b, c});
   }
@@ -120,14 +122,10 @@ auto overlay_to_surface_mesh(const Common_subdivision& subdivision, const PointR
     mesh.template add_property_map<Halfedge, Surface_point>("h:intrinsic_point", none).first;
   const internal::Input_layer input_layer{subdivision.input(), overlay, subdivision.positions()};
   const internal::Intrinsic_layer intrinsic_layer{subdivision.intrinsic(), overlay, subdivision.positions()};
-  const auto on_side = [](const auto& layer, Overlay::Halfedge h) {
-    const double t = layer.on_side(h);
-    return Surface_point{layer.side(h), {1 - t, t, 0}};
-  };
   for (Overlay::Halfedge h : overlay.halfedges())
     if (!overlay.is_border(h)) {
-      input_point[Halfedge(h.idx())] = on_side(input_layer, h);
-      intrinsic_point[Halfedge(h.idx())] = on_side(intrinsic_layer, h);
+      input_point[Halfedge(h.idx())] = internal::corner(input_layer, h);
+      intrinsic_point[Halfedge(h.idx())] = internal::corner(intrinsic_layer, h);
     }
   return mesh;
 }

@@ -9,12 +9,15 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_POINT_LOCATION_H
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/compare_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Chord_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Exact_side.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/Piece_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/affine_image.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
@@ -23,6 +26,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -42,9 +46,11 @@ namespace Intrinsic_triangulations {
 ///
 /// A query searches the edges that cross a face by bisection. It costs O(log n) for n such edges,
 /// unless the point is so close to one of them that `double` cannot tell the side. Then the strip of
-/// input triangles that the edge crosses is laid out.
+/// input triangles that the edge crosses is laid out. In an input face with inserted vertices it walks from piece to piece, in
+/// O(number of pieces) at most.
 ///
-/// No array is built: the overlay stores the edges that cross a face in order.
+/// No array is built, but for a bit for each input face where vertices were inserted: the overlay stores the edges that cross a
+/// face in order.
 class Point_location
 {
 public:
@@ -54,8 +60,12 @@ public:
   explicit Point_location(const Common_subdivision& subdivision)
     : input_{subdivision.input(), subdivision.overlay(), subdivision.positions()},
       intrinsic_{subdivision.intrinsic(), subdivision.overlay(), subdivision.positions()},
-      exact_side_(subdivision.intrinsic(), subdivision.exact_geometry(), subdivision.overlay())
-  {}
+      exact_side_(subdivision.intrinsic(), subdivision.exact_geometry(), subdivision.overlay()),
+      correspondence_(subdivision.exact_geometry().correspondence())
+  {
+    if (correspondence_.number_of_inserted_vertices() != 0)
+      note_inserted_vertices();
+  }
   /// \cond SKIP_IN_MANUAL
   explicit Point_location(const Common_subdivision&&) = delete; // does not outlive the map
   /// \endcond
@@ -71,7 +81,10 @@ public:
   /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
   Surface_point input_to_intrinsic(const Surface_point& point) const
   {
-    return map(input_, intrinsic_, point,
+    const Surface_point p = checked(input_.complex, point);
+    if (!has_inserted_.empty() && p.dimension() > 0 && has_inserted_[input_.complex.face(p.halfedge).idx()])
+      return beside_inserted_vertices(p);
+    return map(input_, intrinsic_, p,
                [this](Overlay::Halfedge chord, Halfedge_index, const Surface_point& p) {
                  return exact_side_.of_intrinsic_chord(chord, p);
                });
@@ -81,7 +94,7 @@ public:
   /// `input_to_intrinsic()`, but in the other direction.
   Surface_point intrinsic_to_input(const Surface_point& point) const
   {
-    return map(intrinsic_, input_, point,
+    return map(intrinsic_, input_, checked(intrinsic_.complex, point),
                [this](Overlay::Halfedge chord, Halfedge_index side, const Surface_point& p) {
                  return exact_side_.of_input_chord(chord, side, p);
                });
@@ -91,20 +104,89 @@ private:
   using Coordinates = internal::Coordinates;
 
   template <class From, class To, class ExactSide>
-  Surface_point map(const From& from, const To& to, const Surface_point& query,
+  Surface_point map(const From& from, const To& to, const Surface_point& point,
                     const ExactSide& exact_side) const
   {
-    const Surface_point point = checked(from.complex, query);
     if (point.dimension() == 0)
       return at_vertex(from, to, point);
     if (point.dimension() == 1) {
       const Overlay::Halfedge part = from.part(internal::side_of(from.complex, point), 0);
       if (from.overlay.label(from.overlay.segment(part)) == Segment_label::BOTH)
-        return on_common_edge(to, part, point);
+        return on_common_edge(from, to, part, point);
     }
     const auto found = internal::Chord_search<From, ExactSide>(from, exact_side, point)();
     return found.is_on_chord ? on_chord(from, to, found.part, point)
                              : in_face(from, to, from.overlay.face(found.part), point);
+  }
+
+  // Which input faces have inserted vertices inside or on their sides.
+  void note_inserted_vertices()
+  {
+    const Delta_complex& input = input_.complex;
+    has_inserted_.resize(input.number_of_faces(), false);
+    for (Vertex_index v : intrinsic_.complex.vertices()) {
+      if (!correspondence_.is_inserted(v))
+        continue;
+      const Surface_point& location = correspondence_.location(v);
+      const Halfedge_index side = location.dimension() == 1 ? internal::side_of(input, location) : location.halfedge;
+      has_inserted_[input.face(side).idx()] = true;
+      if (location.dimension() == 1 && !input.is_border(input.opposite(side)))
+        has_inserted_[input.face(input.opposite(side)).idx()] = true;
+    }
+  }
+
+  // As input_to_intrinsic(), in a face with inserted vertices.
+  Surface_point beside_inserted_vertices(const Surface_point& point) const
+  {
+    if (point.dimension() == 1) {
+      const Place_on_input_edge place = place_on_input_edge(point);
+      if (place.vertex.is_valid())
+        return at(place.vertex);
+      if (input_.overlay.label(input_.overlay.segment(place.part)) == Segment_label::BOTH)
+        return on_common_edge(input_, intrinsic_, place.part, point);
+    }
+    const auto found = internal::Piece_walk(input_, exact_side_)(point);
+    const auto& before = found.before_chords;
+    for (std::size_t i = 0; before.size() > 1 && i < before.size(); ++i) {
+      const Overlay::Halfedge chord = input_.overlay.next(before[i]);
+      if (chord == before[(i + 1) % before.size()])
+        return at(input_.overlay.target(chord));
+    }
+    return before.empty() ? in_face(input_, intrinsic_, found.face, point) : on_chord(input_, intrinsic_, before.front(), point);
+  }
+
+  struct Place_on_input_edge
+  {
+    Overlay::Vertex vertex; // an inserted vertex, or:
+    Overlay::Halfedge part; // the first part of the input edge behind the last vertex before the point
+  };
+  Place_on_input_edge place_on_input_edge(const Surface_point& point) const
+  {
+    const Overlay& overlay = input_.overlay;
+    const Delta_complex& input = input_.complex;
+    const Edge_index e = input.edge(internal::side_of(input, point));
+    const Halfedge_index along = input.halfedge(e);
+    const auto [a, b] = internal::coordinates_on_edge(input, point, along);
+    Overlay::Halfedge part = overlay.input_part(e, 0);
+    for (Overlay::size_type i = 0; i + 1 < overlay.number_of_input_segments(e); ++i) {
+      const Overlay::Vertex v = overlay.input_crossing(e, i);
+      if (overlay.is_crossing(v))
+        continue;
+      const auto [c, d] = internal::coordinates_on_edge(input, correspondence_.location(overlay.original_vertex(v)), along);
+      const Sign order = internal::compare_products(b, c, d, a); // b / (a + b) and d / (c + d)
+      if (order == ZERO)
+        return {v, {}};
+      if (order == NEGATIVE)
+        break;
+      part = overlay.input_part(e, i + 1);
+    }
+    return {{}, part};
+  }
+
+  Surface_point at(Overlay::Vertex inserted) const
+  {
+    const Delta_complex& complex = intrinsic_.complex;
+    return {complex.opposite(complex.halfedge(intrinsic_.overlay.original_vertex(inserted))), {1, 0, 0}};
   }
 
   // The point with coordinates whose sum does not overflow.
@@ -139,23 +221,33 @@ private:
     const Vertex_index v = b[0] > 0   ? c.source(point.halfedge)
                            : b[1] > 0 ? c.target(point.halfedge)
                                       : c.target(c.next(point.halfedge));
+    if (v.idx() >= to.complex.number_of_vertices())
+      return to.positions.location(Overlay::Vertex(v.idx()));
     // A vertex on the border names a border halfedge that points to it.
     return {to.complex.opposite(to.complex.halfedge(v)), {1, 0, 0}};
   }
 
   // The part is that of the side that the point lies on.
-  template <class To>
-  static Surface_point on_common_edge(const To& to, Overlay::Halfedge part, const Surface_point& point)
+  template <class From, class To>
+  static Surface_point on_common_edge(const From& from, const To& to, Overlay::Halfedge part, const Surface_point& point)
   {
-    const Coordinates& b = point.coordinates;
-    const std::size_t zero = b[0] == 0 ? 0 : b[1] == 0 ? 1
-                                                       : 2;
-    const double source = b[(zero + 1) % 3], target = b[(zero + 2) % 3];
-    return on_edge(to.complex, to.halfedge(part), source / (source + target),
-                   target / (source + target));
+    const auto [source, target] =
+      internal::coordinates_on_edge(from.complex, point, from.halfedge(part));
+    double before = target / (source + target), behind = source / (source + target);
+    const auto [from_begin, from_end] = from.ends(part);
+    const auto [to_begin, to_end] = to.ends(part);
+    if (from_begin > 0 || from_end < 1) {
+      before = (std::min)(1., (std::max)(0., (before - from_begin) / (from_end - from_begin)));
+      behind = 1 - before;
+    }
+    if (to_begin > 0 || to_end < 1) {
+      before = to_begin + before * (to_end - to_begin);
+      behind = 1 - before;
+    }
+    return on_edge(to.complex, to.halfedge(part), behind, before);
   }
 
-  // The chord begins where `part` ends, at a crossing.
+  // The chord begins where `part` ends.
   template <class From, class To>
   static Surface_point on_chord(const From& from, const To& to, Overlay::Halfedge part,
                                 const Surface_point& point)
@@ -165,9 +257,8 @@ private:
     const double t = internal::fraction_between(
       internal::corner_coordinates(from, part, point.halfedge),
       internal::corner_coordinates(from, chord, point.halfedge), normalized(point.coordinates));
-    const double behind = to.on_side(from.overlay.opposite(chord)); // on the opposite of h
-    const Coordinates result = internal::between({behind, 1 - behind, 0},
-                                                 internal::corner_coordinates(to, chord, h), t);
+    const auto [begin, end] = to.ends(chord);
+    const Coordinates result = internal::between({1 - begin, begin, 0}, {1 - end, end, 0}, t);
     return on_edge(to.complex, h, result[0], result[1]);
   }
 
@@ -204,6 +295,8 @@ private:
   internal::Input_layer input_;
   internal::Intrinsic_layer intrinsic_;
   internal::Exact_side exact_side_;
+  const Correspondence& correspondence_;
+  std::vector<bool> has_inserted_; // for each input face, if there are inserted vertices
 };
 
 } // namespace Intrinsic_triangulations

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
 #include <CGAL/assertions.h>
@@ -28,12 +29,13 @@ namespace internal {
 template <class Range>
 using Value_of = std::decay_t<decltype(std::declval<const Range&>()[0])>;
 
-// `edge_of` and `position_of` say where a crossing lies in `complex`.
+// `edge_of` and `position_of` say where a crossing lies in `complex`; the vertices before, where those that are none of `complex` lie.
 template <class VertexValues, class EdgeOf, class PositionOf>
-auto interpolate_at_crossings(const Overlay& overlay, const Delta_complex& complex,
+auto interpolate_at_crossings(const Common_subdivision& subdivision, const Delta_complex& complex,
                               const VertexValues& values, const EdgeOf& edge_of,
                               const PositionOf& position_of)
 {
+  const Overlay& overlay = subdivision.overlay();
   CGAL_precondition(values.size() == complex.number_of_vertices());
   using Value = Value_of<VertexValues>;
   static_assert(!std::is_integral<Value>::value, "interpolation between integers would cut off");
@@ -41,6 +43,8 @@ auto interpolate_at_crossings(const Overlay& overlay, const Delta_complex& compl
   result.reserve(overlay.number_of_vertices());
   for (Vertex_index v : complex.vertices())
     result.push_back(values[v.idx()]);
+  for (Overlay::size_type v = complex.number_of_vertices(); v < overlay.number_of_original_vertices(); ++v)
+    result.push_back(interpolate(complex, values, subdivision.positions().location(Overlay::Vertex(v))));
   for (Overlay::Vertex x : overlay.crossings()) {
     const Halfedge_index h = complex.halfedge(edge_of(x));
     const double t = position_of(x);
@@ -71,7 +75,7 @@ template <class VertexValues>
 auto interpolate_input_values(const Common_subdivision& subdivision, const VertexValues& values)
 {
   return internal::interpolate_at_crossings(
-    subdivision.overlay(), subdivision.input(), values,
+    subdivision, subdivision.input(), values,
     [&](Overlay::Vertex x) { return subdivision.overlay().input_edge(x); },
     [&](Overlay::Vertex x) { return subdivision.positions().on_input_edge(x); });
 }
@@ -87,7 +91,7 @@ template <class VertexValues>
 auto interpolate_intrinsic_values(const Common_subdivision& subdivision, const VertexValues& values)
 {
   return internal::interpolate_at_crossings(
-    subdivision.overlay(), subdivision.intrinsic(), values,
+    subdivision, subdivision.intrinsic(), values,
     [&](Overlay::Vertex x) { return subdivision.overlay().intrinsic_edge(x); },
     [&](Overlay::Vertex x) { return subdivision.positions().on_intrinsic_edge(x); });
 }
@@ -115,11 +119,18 @@ auto interpolate_input_corner_values(const Common_subdivision& subdivision, cons
   using Value = internal::Value_of<CornerValues>;
   static_assert(!std::is_integral<Value>::value, "interpolation between integers would cut off");
   std::vector<Value> result(overlay.number_of_halfedges());
+  const internal::Input_layer layer{input, overlay, subdivision.positions()};
   for (Overlay::Halfedge h : overlay.halfedges()) {
     if (overlay.is_border(h))
       continue;
-    const Halfedge_index side = internal::input_side(input, overlay, h);
-    const double t = subdivision.positions().on_input_side(overlay, h);
+    if (layer.is_inside(overlay.target(h))) {
+      const auto& [side, weights] = subdivision.positions().location(overlay.target(h));
+      result[h.idx()] = Value(weights[0] * values[input.prev(side).idx()] + weights[1] * values[side.idx()] +
+                              weights[2] * values[input.next(side).idx()]);
+      continue;
+    }
+    const Halfedge_index side = layer.side(h);
+    const double t = layer.on_side(h);
     result[h.idx()] =
       Value((1 - t) * values[input.prev(side).idx()] + t * values[side.idx()]);
   }

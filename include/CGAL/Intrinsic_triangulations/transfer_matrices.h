@@ -35,15 +35,24 @@ namespace internal {
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 template <class EdgeOf, class PositionOf>
-Eigen::SparseMatrix<double> interpolation_matrix(const Overlay& overlay,
+Eigen::SparseMatrix<double> interpolation_matrix(const Common_subdivision& subdivision,
                                                  const Delta_complex& complex,
                                                  const EdgeOf& edge_of,
                                                  const PositionOf& position_of)
 {
+  const Overlay& overlay = subdivision.overlay();
   Triplets entries;
   entries.reserve(overlay.number_of_vertices() + overlay.number_of_crossings());
   for (Vertex_index v : complex.vertices())
     entries.emplace_back(int(v.idx()), int(v.idx()), 1.);
+  for (Overlay::size_type v = complex.number_of_vertices(); v < overlay.number_of_original_vertices(); ++v) {
+    const auto& [side, weights] = subdivision.positions().location(Overlay::Vertex(v));
+    Halfedge_index h = side;
+    for (double weight : weights) {
+      entries.emplace_back(int(v), int(complex.source(h).idx()), weight);
+      h = complex.next(h);
+    }
+  }
   for (Overlay::Vertex x : overlay.crossings()) {
     const Halfedge_index h = complex.halfedge(edge_of(x));
     const double t = position_of(x);
@@ -71,7 +80,7 @@ inline std::array<int, 3> corner_vertices(const Delta_complex& complex, Face_ind
 inline Eigen::SparseMatrix<double> input_interpolation_matrix(const Common_subdivision& subdivision)
 {
   return internal::interpolation_matrix(
-    subdivision.overlay(), subdivision.input(),
+    subdivision, subdivision.input(),
     [&](Overlay::Vertex x) { return subdivision.overlay().input_edge(x); },
     [&](Overlay::Vertex x) { return subdivision.positions().on_input_edge(x); });
 }
@@ -81,7 +90,7 @@ inline Eigen::SparseMatrix<double> input_interpolation_matrix(const Common_subdi
 inline Eigen::SparseMatrix<double> intrinsic_interpolation_matrix(const Common_subdivision& subdivision)
 {
   return internal::interpolation_matrix(
-    subdivision.overlay(), subdivision.intrinsic(),
+    subdivision, subdivision.intrinsic(),
     [&](Overlay::Vertex x) { return subdivision.overlay().intrinsic_edge(x); },
     [&](Overlay::Vertex x) { return subdivision.positions().on_intrinsic_edge(x); });
 }

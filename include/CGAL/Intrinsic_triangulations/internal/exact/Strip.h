@@ -50,6 +50,14 @@ private:
   std::vector<Halfedge_index> halfedges_;
 };
 
+// The same for an edge that ends at a point of the triangle behind the last one.
+struct Crossed_edges_to_point : Crossed_edges
+{
+  Crossed_edges_to_point(const Crossed_edges& crossed, const Surface_point& point) : Crossed_edges(crossed), end(&point) {}
+  const Surface_point* end;
+  static constexpr bool may_end_inside = true;
+};
+
 // The third corner of the face of h.
 inline Vertex_index apex(const Delta_complex& complex, Halfedge_index h)
 {
@@ -116,11 +124,19 @@ public:
   }
 
   // Lays out all corners.
+  // \tparam Path as `Crossed_edges`
   // \pre something is crossed
-  void lay_out(const Crossed_edges& crossed)
+  template <class Path>
+  void lay_out(const Path& path)
   {
     corners_.clear();
-    walk<true>(crossed);
+    walk<true>(path);
+  }
+  // Lays out the same for an edge that starts within the first triangle.
+  void move_source(const Vector& source)
+  {
+    for (Corner& corner : corners_)
+      corner.position = corner.position - source;
   }
 
   // What was laid out:

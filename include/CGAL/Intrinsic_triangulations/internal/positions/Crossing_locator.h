@@ -9,7 +9,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CROSSING_LOCATOR_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
@@ -90,10 +92,10 @@ class Crossing_locator
 {
 public:
   // \param surface the input, which remembers what it is asked
-  Crossing_locator(const Delta_complex& input, Input_surface& surface, const Overlay& overlay)
-    : input_(input), surface_(surface), overlay_(overlay),
-      in_space_(input, Space_frame(input, surface.metric().points())),
-      in_plane_(input, Plane_frame(input, surface.metric().points())), crossed_(input)
+  Crossing_locator(const Delta_complex& intrinsic, const Correspondence& correspondence, Input_surface& surface, const Overlay& overlay)
+    : intrinsic_(intrinsic), correspondence_(correspondence), input_(correspondence.input()), surface_(surface), overlay_(overlay),
+      in_space_(input_, Space_frame(input_, surface.metric().points())),
+      in_plane_(input_, Plane_frame(input_, surface.metric().points())), crossed_(input_)
   {}
 
   // Calls `visit(x, on_intrinsic_edge, on_input_edge)` for each crossing of e in order.
@@ -102,8 +104,9 @@ public:
   void operator()(Edge_index e, const Visit& visit)
   {
     find_crossed_edges(overlay_, input_, e, crossed_);
-    bool is_good = !surface_.metric().points().empty() && (is_flat() ? locate_crossings(in_plane_, crossed_, positions_)
-                                                                     : locate_crossings(in_space_, crossed_, positions_));
+    bool is_good = !surface_.metric().points().empty() && !has_inserted_end(e) &&
+                   (is_flat() ? locate_crossings(in_plane_, crossed_, positions_)
+                              : locate_crossings(in_space_, crossed_, positions_));
     if (!is_good)
       locate_in_stages(e);
     for (std::size_t i = 0; i < positions_.size(); ++i) {
@@ -114,6 +117,12 @@ public:
   }
 
 private:
+  bool has_inserted_end(Edge_index e) const
+  {
+    const Halfedge_index h = intrinsic_.halfedge(e);
+    return correspondence_.is_inserted(intrinsic_.source(h)) || correspondence_.is_inserted(intrinsic_.target(h));
+  }
+
   static double in_unit_interval(double x) { return (std::min)(1., (std::max)(0., x)); }
 
   bool is_flat()
@@ -141,7 +150,7 @@ private:
   {
     using Frame = Metric_frame<Metric>;
     Strip<Frame> strip(input_, Frame(input_, metric));
-    strip.lay_out(crossed_);
+    Unfolding<Metric>(intrinsic_, correspondence_, metric).lay_out(strip, intrinsic_.halfedge(e), crossed_);
     bool is_good = true;
     positions_.clear();
     strip.for_each_crossing([&](const auto& areas, const auto& left, const auto& right) {
@@ -185,6 +194,8 @@ private:
     return {middle, starts_left ? from_left : 1 - from_left};
   }
 
+  const Delta_complex& intrinsic_;
+  const Correspondence& correspondence_;
   const Delta_complex& input_;
   Input_surface& surface_;
   const Overlay& overlay_;

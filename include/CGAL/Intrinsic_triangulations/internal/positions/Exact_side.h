@@ -23,8 +23,7 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // A chord is a segment of the overlay that crosses a face of one triangulation and is part of an
-// edge of the other. Both are laid out over the input triangles that the intrinsic edge crosses;
-// barycentric coordinates are taken as they are and never divided by their sum. In a face of zero
+// edge of the other. Both are laid out over the input triangles that the intrinsic edge crosses. In a face of zero
 // area there may be no side: if the edge runs along the face, all its points lie on one line.
 class Exact_side
 {

@@ -19,6 +19,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <type_traits>
 
@@ -52,27 +53,11 @@ inline Crossed_edges crossed_edges(const Overlay& overlay, const Delta_complex& 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::optional<Sign> Exact_side::of_intrinsic_chord(Overlay::Halfedge chord, const Surface_point& point) const
 {
+  const Halfedge_index h = intrinsic_.halfedge(intrinsic_.edge(overlay_.intrinsic_halfedge(chord)));
+  const std::int64_t position =
+    std::int64_t(overlay_.segment(chord).idx()) - (*overlay_.intrinsic_segments(intrinsic_.edge(h)).begin()).idx();
+  const Sign side = geometry_.side_of(intrinsic_, h, position, point);
   const Delta_complex& input = geometry_.correspondence().input();
-  const Edge_index e = intrinsic_.edge(overlay_.intrinsic_halfedge(chord));
-  const std::size_t position =
-    overlay_.segment(chord).idx() - (*overlay_.intrinsic_segments(e).begin()).idx();
-  const Crossed_edges crossed = crossed_edges(overlay_, input, e);
-  const auto left_of_edge = [&](auto& metric) {
-    using Frame = Metric_frame<std::decay_t<decltype(metric)>>;
-    using Vector = typename Frame::Vector;
-    const auto real = [zero = metric.constant(0)](const auto& x) { return Vector(x, zero); };
-    Strip<Frame> strip(input, Frame(input, metric));
-    strip.lay_out(crossed);
-    if (position == 0) { // before the first crossing
-      const auto b = coordinates_from(metric, input, point, Frame::reference(input, crossed.front()));
-      return area_between(strip.target(), real(b[1]) * strip.first_right() + real(b[2]) * strip.first_left());
-    }
-    const auto b = coordinates_from(metric, input, point, crossed[position - 1]);
-    const auto triangle = strip.triangle_behind(position - 1);
-    return area_between(strip.target(),
-                        real(b[0]) * triangle.left + real(b[1]) * triangle.right + real(b[2]) * triangle.apex);
-  };
-  const Sign side = exact_sign(*geometry_.input_surface(), left_of_edge, [e] { return description_of_distance(e); });
   if (side == ZERO && squared_four_areas(geometry_.metric(), input, input.face(point.halfedge)) == 0)
     return std::nullopt;
   return (chord.idx() & 1) ? -side : side;
@@ -91,13 +76,13 @@ std::optional<Sign> Exact_side::of_input_chord(Overlay::Halfedge chord, Halfedge
     using Metric = std::decay_t<decltype(metric)>;
     using Frame = Metric_frame<Metric>;
     using Vector = typename Frame::Vector;
+    const Unfolding<Metric> unfolding(intrinsic_, geometry_.correspondence(), metric);
     Strip<Frame> strip(input, Frame(input, metric));
-    strip.lay_out(crossed);
+    unfolding.lay_out(strip, intrinsic_.halfedge(e), crossed);
     const auto triangle = strip.triangle_behind(overlay_.intrinsic_position(x));
     // The corner at the source of `side`: from there, the third corner relative to `side` is
     // (p + i four_areas) / (2 s_first). The denominator is multiplied out: it is no input quantity.
-    const auto corner = Unfolding<Metric>(intrinsic_, geometry_.correspondence(), metric)
-                          .opposite_corner(intrinsic_.next(side));
+    const auto corner = unfolding.opposite_corner(intrinsic_.next(side));
     const auto zero = metric.constant(0);
     const auto b = coordinates_from(metric, intrinsic_, point, side);
     const auto two_s = corner.s_first + corner.s_first;

@@ -17,10 +17,11 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Overlay_positions::find_crossings(const Exact_geometry& geometry, const Overlay& overlay, std::size_t first, std::size_t last, const internal::Loop_progress& progress)
+void Overlay_positions::find_crossings(const Delta_complex& intrinsic, const Exact_geometry& geometry, const Overlay& overlay,
+                                       std::size_t first, std::size_t last, const internal::Loop_progress& progress)
 {
   const Exact_geometry::Surface_lease surface = geometry.input_surface();
-  internal::Crossing_locator locate(geometry.correspondence().input(), *surface, overlay);
+  internal::Crossing_locator locate(intrinsic, geometry.correspondence(), *surface, overlay);
   for (std::size_t i = first; i < last; ++i) {
     progress.at(i);
     const Edge_index e{size_type(i)};

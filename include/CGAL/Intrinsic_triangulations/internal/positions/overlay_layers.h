@@ -11,10 +11,12 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -79,6 +81,8 @@ struct Input_layer
   Face_index face(Overlay::Face f) const { return overlay.input_face(f); }
   Halfedge_index side(Overlay::Halfedge h) const { return input_side(complex, overlay, h); }
   double on_side(Overlay::Halfedge h) const { return positions.on_input_side(overlay, h); }
+  std::pair<double, double> ends(Overlay::Halfedge h) const { return positions.ends_on_input_halfedge(overlay, h); }
+  bool is_inside(Overlay::Vertex v) const { return overlay.is_inserted(v) && positions.location(v).dimension() == 2; }
 };
 
 struct Intrinsic_layer
@@ -107,6 +111,8 @@ struct Intrinsic_layer
                           [&] { return overlay.intrinsic_side(h); });
   }
   double on_side(Overlay::Halfedge h) const { return positions.on_intrinsic_side(overlay, h); }
+  std::pair<double, double> ends(Overlay::Halfedge h) const { return positions.ends_on_intrinsic_halfedge(overlay, h); }
+  bool is_inside(Overlay::Vertex) const { return false; }
 };
 
 using Coordinates = std::array<double, 3>;
@@ -118,17 +124,21 @@ inline std::size_t side_number(const Delta_complex& complex, Halfedge_index firs
                                                    : 2;
 }
 
-// The barycentric coordinates, relative to `first`, of the target of h in the face of the layer
-// that contains the face of h.
+// The target of h in the face of the layer that contains the face of h.
+template <class Layer>
+Surface_point corner(const Layer& layer, Overlay::Halfedge h)
+{
+  if (layer.is_inside(layer.overlay.target(h)))
+    return layer.positions.location(layer.overlay.target(h));
+  const double t = layer.on_side(h);
+  return {layer.side(h), {1 - t, t, 0}};
+}
+
+// Its barycentric coordinates relative to `first`.
 template <class Layer>
 Coordinates corner_coordinates(const Layer& layer, Overlay::Halfedge h, Halfedge_index first)
 {
-  const std::size_t i = side_number(layer.complex, first, layer.side(h));
-  const double t = layer.on_side(h);
-  Coordinates result{0, 0, 0};
-  result[i] = 1 - t;
-  result[(i + 1) % 3] = t;
-  return result;
+  return coordinates_from(layer.complex, corner(layer, h), first);
 }
 
 } // namespace internal

@@ -5,8 +5,8 @@
 //
 // Exact comparisons of barycentric coordinates, whatever they sum to.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_COMPARE_POINTS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_COMPARE_POINTS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_COMPARE_POINTS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_COMPARE_POINTS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
@@ -63,4 +63,4 @@ inline bool are_same_points(const Delta_complex& complex, const Surface_point& p
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_COMPARE_POINTS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_COMPARE_POINTS_H
