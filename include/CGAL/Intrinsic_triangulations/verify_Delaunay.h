@@ -75,7 +75,7 @@ Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
   const Exact_geometry& geometry = triangulation.exact_geometry();
   Delaunay_verification result;
   for (Face_index f : complex.faces()) {
-    geometry.check_interruption();
+    geometry.interruption().check();
     if (geometry.sign_of_area(complex, f) == NEGATIVE)
       result.inverted.push_back(f);
   }
@@ -83,7 +83,7 @@ Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
     if (!complex.is_flippable(e) || get(is_constrained, e))
       continue;
     ++result.tests;
-    geometry.check_interruption();
+    geometry.interruption().check();
     const Sign sign = geometry.sign_by_unfolding(complex, e);
     if (sign == NEGATIVE)
       result.not_Delaunay.push_back(e);
