@@ -183,9 +183,9 @@ TEST(Inserted_vertices, leave_points_where_they_are)
         const IT::Surface_point p = random_point(subdivision.intrinsic(), random);
         const IT::Surface_point q = location.intrinsic_to_input(p);
         const IT::Surface_point r = location.input_to_intrinsic(q);
-          ASSERT_LE(distance(point_of(subdivision.input(), surface.points, q),
-                             point_of(subdivision.input(), surface.points, location.intrinsic_to_input(r))),
-                    1e-12 * size);
+        ASSERT_LE(distance(point_of(subdivision.input(), surface.points, q),
+                           point_of(subdivision.input(), surface.points, location.intrinsic_to_input(r))),
+                  1e-12 * size);
       }
     }
 }

@@ -21,7 +21,7 @@ namespace Intrinsic_triangulations {
 /// \brief which triangles `refine_Delaunay()` makes smaller.
 struct Refinement_criteria
 {
-  double minimum_angle = 25; ///< no corner is to be smaller, in degrees; at most 30
+  double minimum_angle = 25;                                               ///< no corner is to be smaller, in degrees; at most 30
   double maximum_circumradius = (std::numeric_limits<double>::infinity)(); ///< no circumradius is to be larger, in the unit of the input
   double maximum_edge_length = (std::numeric_limits<double>::infinity)();  ///< no edge is to be longer, in the unit of the input
 };

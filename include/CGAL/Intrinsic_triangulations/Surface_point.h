@@ -65,7 +65,8 @@ inline std::array<double, 3> coordinates_from(const Delta_complex& complex, cons
 inline Halfedge_index side_of(const Delta_complex& complex, const Surface_point& point)
 {
   const auto& [a, b, c] = point.coordinates;
-  return c == 0 ? point.halfedge : a == 0 ? complex.next(point.halfedge) : complex.prev(point.halfedge);
+  return c == 0 ? point.halfedge : a == 0 ? complex.next(point.halfedge)
+                                          : complex.prev(point.halfedge);
 }
 
 // The coordinates of a point on an edge relative to the ends of a halfedge of that edge.

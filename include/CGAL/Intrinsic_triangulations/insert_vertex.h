@@ -105,7 +105,7 @@ inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex, const
 } // namespace internal
 /// \endcond
 
-/// \ingroup PkgIntrinsicTriangulationsRef
+/// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief inserts a vertex at a point of the input, and flips edges until the triangulation is Delaunay again.
 ///
 /// The metric does not change: the barycentric coordinates of the point are taken as exact once they are divided by their

@@ -95,7 +95,7 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   const std::uint64_t maximum_number = choose_parameter(get_parameter(np, internal_np::maximum_number),
                                                         10 * std::uint64_t(complex.number_of_vertices()) + 1000000);
   return internal::Delaunay_refiner<Traits, std::decay_t<decltype(unwrapped)>>(triangulation, criteria, std::move(is_segment), unwrapped,
-                                                                              maximum_number)();
+                                                                               maximum_number)();
 }
 
 } // namespace Intrinsic_triangulations

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Small_cones.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/point_on_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
@@ -50,7 +51,7 @@ public:
     : triangulation_(triangulation), complex_(triangulation.connectivity()), geometry_(triangulation.exact_geometry()),
       correspondence_(geometry_.correspondence()), shapes_(geometry_), criteria_(criteria), is_segment_(std::move(is_segment)),
       visitor_(visitor), maximum_number_(maximum_number),
-      has_segments_(std::find(is_segment_.begin(), is_segment_.end(), true) != is_segment_.end())
+      has_segments_(std::find(is_segment_.begin(), is_segment_.end(), true) != is_segment_.end()), cones_(geometry_, shapes_)
   {}
 
   Refinement_report operator()()
@@ -159,7 +160,7 @@ private:
   {
     if (is_segment(h) && is_segment(complex_.prev(h)))
       return Refinement_obstacle::SMALL_INPUT_ANGLE;
-    if (cones_.count(complex_.source(h)) != 0)
+    if (cones_.contains(complex_.source(h)))
       return Refinement_obstacle::CONE;
     return std::nullopt;
   }
@@ -239,7 +240,7 @@ private:
       if (!complex_.halfedge(v).is_valid() || correspondence_.is_inserted(v))
         continue;
       if (!is_on_border[v.idx()] && sum[v.idx()] < smallest_whole_cone && !has_segment(v))
-        cones_.emplace(v, Cone{sum[v.idx()], 0});
+        cones_.add(v, sum[v.idx()]);
       if (has_small_corner(v))
         small_corners_.emplace(v, true);
     }
@@ -282,27 +283,13 @@ private:
   // not inserted.
   void protect_cones()
   {
-    const Delta_complex& input = correspondence_.input();
-    std::vector<Vertex_index> cones;
-    for (const auto& cone : cones_)
-      cones.push_back(cone.first);
-    std::sort(cones.begin(), cones.end());
-    for (Vertex_index v : cones) {
+    for (Vertex_index v : cones_.vertices()) {
       const Halfedge_index first = complex_.opposite(complex_.halfedge(v));
       Halfedge_index nearest = first, h = first;
       while ((h = complex_.next_around_source(h)) != first)
         if (length(h) < length(nearest))
           nearest = h;
-      double radius = length(nearest) / 3;
-      // The circle lies in the input faces around the vertex.
-      const Halfedge_index begin = input.opposite(input.halfedge(v));
-      Halfedge_index g = begin;
-      do {
-        const double opposite = shapes_.length(input.edge(input.next(g)));
-        const double height = geometry_.metric().four_areas_double_double(input, input.face(g)).hi() / (2 * opposite);
-        radius = (std::min)(radius, std::ldexp(height, geometry_.metric().unit_exponent()) / 2);
-        g = input.next_around_source(g);
-      } while (g != begin);
+      const double radius = (std::min)(length(nearest) / 3, cones_.radius_of_input_faces(v) / 2);
       const double t = radius / length(nearest);
       const auto place = point_on_input(complex_, geometry_, nearest, {1 - t, t, 0}, [&](Halfedge_index x) { return apex(x); });
       if (!(t > 0) || !place)
@@ -312,31 +299,12 @@ private:
         continue;
       Halfedge_index to_p = complex_.halfedge(*p);
       const Halfedge_index last = to_p;
-      while (complex_.source(to_p) != v && (to_p = complex_.next_around_target(to_p)) != last) {}
-      if (complex_.source(to_p) == v)
-        cones_.at(v).radius = length(to_p) / std::cos(cones_.at(v).angle / 2) * (1 + 1e-9);
-    }
-  }
-  bool is_too_close_to_cone(const Surface_point& point) const
-  {
-    if (cones_.empty())
-      return false;
-    const Delta_complex& input = correspondence_.input();
-    std::array<double, 3> w = point.coordinates;
-    Halfedge_index h = point.halfedge;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto cone = cones_.find(input.source(h));
-      if (cone != cones_.end()) {
-        const double distance = std::abs(w[1] + w[2] * shapes_.apex(h)) * shapes_.length(input.edge(h));
-        if (std::ldexp(distance, geometry_.metric().unit_exponent()) < cone->second.radius)
-          return true;
+      while (complex_.source(to_p) != v && (to_p = complex_.next_around_target(to_p)) != last) {
       }
-      h = input.next(h);
-      std::rotate(w.begin(), w.begin() + 1, w.end());
+      if (complex_.source(to_p) == v)
+        cones_.protect(v, length(to_p));
     }
-    return false;
   }
-
   // Inserts a vertex at the circumcenter of a face, or splits the segment that is in the way.
   void refine(Face_index f)
   {
@@ -350,8 +318,9 @@ private:
       leave_or_split(f, complex_.edge(h));
       return;
     }
-    const Walk_end center = walk_straight(complex_, y < 0 ? complex_.opposite(h) : h, 0.5, y < 0 ? Plane_point(0.5, -y) : Plane_point(0.5, y), false,
-                                          [&](Halfedge_index g) { return apex(g); }, [&](Edge_index e) { return is_segment_[e.idx()]; });
+    const Walk_end center = walk_straight(
+      complex_, y < 0 ? complex_.opposite(h) : h, 0.5, y < 0 ? Plane_point(0.5, -y) : Plane_point(0.5, y), false,
+      [&](Halfedge_index g) { return apex(g); }, [&](Edge_index e) { return is_segment_[e.idx()]; });
     if (center.barrier.is_valid()) {
       leave_or_split(f, complex_.edge(center.barrier));
       return;
@@ -363,7 +332,7 @@ private:
     const auto place = point_on_input(complex_, geometry_, center.halfedge, center.weights, [&](Halfedge_index g) { return apex(g); });
     if (!place)
       leave(f, Refinement_obstacle::UNREPRESENTABLE);
-    else if (is_too_close_to_cone(place->point))
+    else if (cones_.is_too_close(place->point))
       leave(f, Refinement_obstacle::CONE);
     else if (is_too_fine(f, place->point) || !insert(*place))
       leave(f, Refinement_obstacle::UNREPRESENTABLE);
@@ -536,17 +505,11 @@ private:
     }
   }
 
-  struct Cone
-  {
-    double angle;
-    double radius; // in the unit of the input
-  };
-
   Triangulation& triangulation_;
   const Delta_complex& complex_;
   const Exact_geometry& geometry_;
   const Correspondence& correspondence_;
-  Input_shapes shapes_;
+  const Input_shapes shapes_;
   const Refinement_criteria criteria_;
   std::vector<bool> is_segment_;
   std::vector<double> lengths_; // of the edges, in the unit of the input
@@ -556,7 +519,7 @@ private:
   Refinement_report report_;
   std::priority_queue<Candidate> bad_faces_;
   std::vector<Edge_index> segments_, stack_, flipped_;
-  std::unordered_map<Vertex_index, Cone> cones_;
+  Small_cones cones_;
   std::unordered_map<Vertex_index, bool> small_corners_;
   std::unordered_map<Face_index, std::pair<double, Refinement_obstacle>> left_;
 };

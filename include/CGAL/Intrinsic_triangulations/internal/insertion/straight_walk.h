@@ -48,7 +48,7 @@ struct Walk_end
 {
   Halfedge_index halfedge;
   std::array<double, 3> weights;
-  Halfedge_index barrier;             // if it is valid, the line ends before this halfedge, which belongs to that face
+  Halfedge_index barrier; // if it is valid, the line ends before this halfedge, which belongs to that face
   std::size_t number_of_crossed_edges;
 };
 
@@ -93,7 +93,8 @@ Walk_end walk_straight(const Delta_complex& complex, Halfedge_index h, Plane_poi
     }
     if (!(w[i] < 0) || !(z.imag() > 0))
       return {h, inside(w), {}, crossed};
-    const Halfedge_index side = i == 0 ? complex.next(h) : i == 1 ? complex.prev(h) : h;
+    const Halfedge_index side = i == 0 ? complex.next(h) : i == 1 ? complex.prev(h)
+                                                                  : h;
     if (is_barrier(complex.edge(side)))
       return {h, inside(w), side, crossed};
     const Plane_point corners[3] = {0, 1, z}, left = corners[(i + 2) % 3], right = corners[(i + 1) % 3];

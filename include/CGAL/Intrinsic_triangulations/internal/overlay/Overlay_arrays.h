@@ -39,9 +39,9 @@ struct Overlay_arrays
   };
   struct Input_edge
   {
-    size_type first;         // the first halfedge, out of the source of 2e; odd if it runs against an oc segment
-    size_type count : 31;    // number of segments
-    size_type is_split : 1;  // if inserted vertices lie on it, `first` is the position of the first part in `split_parts`
+    size_type first;        // the first halfedge, out of the source of 2e; odd if it runs against an oc segment
+    size_type count : 31;   // number of segments
+    size_type is_split : 1; // if inserted vertices lie on it, `first` is the position of the first part in `split_parts`
   };
 
   size_type intrinsic_segments_end(size_type e) const
