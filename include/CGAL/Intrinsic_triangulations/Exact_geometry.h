@@ -205,6 +205,9 @@ public:
   /// \cond SKIP_IN_MANUAL
   // The corner opposite to h, in the unit of the metric. \pre h is not a border halfedge
   Corner corner(const Delta_complex& complex, Halfedge_index h) const;
+  // The corners at a vertex that was just inserted, in the unit of the metric: for each face that side which is opposite to it,
+  // counterclockwise.
+  std::vector<std::pair<Halfedge_index, Corner>> corners_at(const Delta_complex& complex, Vertex_index v) const;
 
   // For work that makes many short decisions.
   const internal::Interruption& interruption() const;

@@ -501,26 +501,17 @@ private:
     if (keeps_bounds)
       bounds_.append(number_of_new_edges);
     const auto refined = traits_.construct_refined_data_object();
-    const Halfedge_index first = connectivity_.opposite(connectivity_.halfedge(v));
-    Halfedge_index h = first;
-    do { // counterclockwise; each face has h before its side opposite to v
-      if (!connectivity_.is_border(h)) {
-        const Halfedge_index side = connectivity_.next(h);
-        const Exact_geometry::Corner c = geometry_->corner(connectivity_, side);
-        const Face_data face = refined(c.four_areas, c.s_first, c.s_second, c.s_opposite);
-        edges_[edge(h).idx()] = refined(c.s_first);
-        edges_[edge(connectivity_.prev(h)).idx()] = refined(c.s_second);
-        if (face.error < std::numeric_limits<double>::infinity())
-          edges_[edge(side).idx()] = refined(c.s_opposite);
-        faces_[connectivity_.face(h).idx()] = face;
-      }
-      h = connectivity_.next_around_source(h);
-    } while (h != first);
-    do {
-      if (!connectivity_.is_border(h))
-        bound_corners(h);
-      h = connectivity_.next_around_source(h);
-    } while (h != first);
+    const auto corners = geometry_->corners_at(connectivity_, v);
+    for (const auto& [side, c] : corners) {
+      const Face_data face = refined(c.four_areas, c.s_first, c.s_second, c.s_opposite);
+      edges_[edge(connectivity_.prev(side)).idx()] = refined(c.s_first);
+      edges_[edge(connectivity_.next(side)).idx()] = refined(c.s_second);
+      if (face.error < std::numeric_limits<double>::infinity())
+        edges_[edge(side).idx()] = refined(c.s_opposite);
+      faces_[connectivity_.face(side).idx()] = face;
+    }
+    for (const auto& corner : corners)
+      bound_corners(corner.first);
   }
 
   void bound_corners(Halfedge_index h)

@@ -173,8 +173,36 @@ public:
     CGAL_precondition(!complex_.is_border(h));
     if (is_input_face(h))
       return input_corner(h);
+    return corner_between(h, edge_vector(complex_.prev(h)), edge_vector(complex_.opposite(complex_.next(h))));
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  // Calls `visit(h, corner)` for each face that has the corner k, opposite to h, counterclockwise. Edges between them are laid out once.
+  template <class Visit>
+  void for_each_corner_at(Vertex_index k, const Visit& visit) const
+  {
+    const Halfedge_index first = complex_.opposite(complex_.halfedge(k));
+    const Edge_vector vector_of_first = edge_vector(first);
+    Edge_vector u = vector_of_first;
+    Halfedge_index ki = first;
+    do {
+      const Halfedge_index kj = complex_.next_around_source(ki), h = complex_.next(ki);
+      const Edge_vector v = kj == first ? vector_of_first : edge_vector(kj);
+      if (!complex_.is_border(ki))
+        visit(h, corner_between(h, u, v));
+      u = v;
+      ki = kj;
+    } while (ki != first);
+  }
+  /// \endcond
+
+private:
+  using Frame = internal::Metric_frame<Metric>;
+
+  // The corner opposite to h, from its sides ki and kj.
+  Corner corner_between(Halfedge_index h, const Edge_vector& u, const Edge_vector& v) const
+  {
     const Halfedge_index ki = complex_.prev(h), kj = complex_.opposite(complex_.next(h));
-    const Edge_vector u = edge_vector(ki), v = edge_vector(kj);
     Vector w = v.vector;
     if (BOOST_UNLIKELY(is_inserted(complex_.source(kj)))) {
       w = w * ratio_at_inserted(ki, u.reference, kj, v.reference);
@@ -192,9 +220,6 @@ public:
     return {two_s * z.x(), two_s * z.y(), s * squared_norm(u.vector), s * squared_norm(w),
             s * squared_norm(w - u.vector)};
   }
-
-private:
-  using Frame = internal::Metric_frame<Metric>;
 
   bool is_inserted(Vertex_index v) const { return correspondence_.is_inserted(v); }
 

@@ -654,6 +654,19 @@ Exact_geometry::Corner Exact_geometry::corner(const Delta_complex& complex, Half
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::vector<std::pair<Halfedge_index, Exact_geometry::Corner>> Exact_geometry::corners_at(const Delta_complex& complex, Vertex_index v) const
+{
+  prepare(complex);
+  const Surface_lease surface = input_surface();
+  internal::Double_double_metric metric(*surface);
+  std::vector<std::pair<Halfedge_index, Corner>> result;
+  Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).for_each_corner_at(v, [&](Halfedge_index h, const Corner& c) {
+    result.emplace_back(h, c);
+  });
+  return result;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_geometry::Corner Exact_geometry::corner(const Delta_complex& complex, Halfedge_index h,
                                               internal::Input_surface& surface) const
 {

@@ -51,7 +51,7 @@ public:
     : triangulation_(triangulation), complex_(triangulation.connectivity()), geometry_(triangulation.exact_geometry()),
       correspondence_(geometry_.correspondence()), shapes_(geometry_), criteria_(criteria), is_segment_(std::move(is_segment)),
       visitor_(visitor), maximum_number_(maximum_number),
-      has_segments_(std::find(is_segment_.begin(), is_segment_.end(), true) != is_segment_.end()), cones_(geometry_, shapes_)
+      has_segments_(std::find(is_segment_.begin(), is_segment_.end(), true) != is_segment_.end()), cones_(geometry_, shapes_), sine_of_minimum_angle_(std::sin(criteria.minimum_angle / 180 * CGAL_PI))
   {}
 
   Refinement_report operator()()
@@ -122,7 +122,18 @@ private:
 
   // Lengths, in the unit of the input, and shapes.
   double length(Edge_index e) const { return lengths_[e.idx()]; }
-  void measure(Edge_index e) { lengths_[e.idx()] = CGAL::to_double(triangulation_.length(e)); }
+  // From the numbers that flips keep, if these are good to 30 bits.
+  void measure(Edge_index e)
+  {
+    const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+    const double square = triangulation_.traits().compute_squared_length_object()(triangulation_.edge_data(e));
+    double error = (std::numeric_limits<double>::infinity)();
+    for (Halfedge_index side : {h, g})
+      if (!complex_.is_border(side))
+        error = (std::min)(error, triangulation_.face_data(complex_.face(side)).error);
+    lengths_[e.idx()] = error <= 0x1p-30 * square ? std::ldexp(std::sqrt(square), triangulation_.unit_exponent())
+                                                  : CGAL::to_double(triangulation_.length(e));
+  }
   double length(Halfedge_index h) const { return length(complex_.edge(h)); }
   Plane_point apex(Halfedge_index h) const
   {
@@ -170,6 +181,13 @@ private:
   {
     return length(longest_side(f)) > criteria_.maximum_edge_length || circumradius(f) > criteria_.maximum_circumradius;
   }
+  // The sine of the smallest angle is the shortest side over the diameter of the circumcircle.
+  bool has_small_angle(Face_index f) const
+  {
+    const Halfedge_index h = complex_.halfedge(f);
+    const double shortest = (std::min)(length(h), (std::min)(length(complex_.next(h)), length(complex_.prev(h))));
+    return !(shortest > 2 * circumradius(f) * sine_of_minimum_angle_ * (1 + 1e-9));
+  }
   bool is_too_small(double angle) const { return angle < criteria_.minimum_angle / 180 * CGAL_PI; }
 
   // Whether f is to be refined.
@@ -178,6 +196,8 @@ private:
     if (is_too_large(f))
       return true;
     const Halfedge_index h = complex_.halfedge(f);
+    if (!has_small_angle(f))
+      return false;
     for (Halfedge_index corner : {h, complex_.next(h), complex_.prev(h)})
       if (is_too_small(angle(corner)) && !obstacle_at(corner) && !is_between_shells(complex_.next(corner)))
         return true;
@@ -234,14 +254,20 @@ private:
     for (Halfedge_index h : complex_.halfedges())
       if (complex_.is_border(h))
         is_on_border[complex_.source(h).idx()] = true;
-      else
-        sum[complex_.source(h).idx()] += angle(h);
+    for (Face_index f : complex_.faces()) {
+      const Halfedge_index ij = longest_side(f);
+      const Plane_point z = apex(ij);
+      const double at_i = std::atan2(z.imag(), z.real()), at_j = std::atan2(z.imag(), 1 - z.real());
+      sum[complex_.source(ij).idx()] += at_i;
+      sum[complex_.target(ij).idx()] += at_j;
+      sum[complex_.source(complex_.prev(ij)).idx()] += CGAL_PI - at_i - at_j;
+    }
     for (Vertex_index v : complex_.vertices()) {
       if (!complex_.halfedge(v).is_valid() || correspondence_.is_inserted(v))
         continue;
-      if (!is_on_border[v.idx()] && sum[v.idx()] < smallest_whole_cone && !has_segment(v))
+      if (!is_on_border[v.idx()] && sum[v.idx()] < smallest_whole_cone && !(has_segments_ && has_segment(v)))
         cones_.add(v, sum[v.idx()]);
-      if (has_small_corner(v))
+      if (has_segments_ && has_small_corner(v))
         small_corners_.emplace(v, true);
     }
   }
@@ -291,7 +317,7 @@ private:
           nearest = h;
       const double radius = (std::min)(length(nearest) / 3, cones_.radius_of_input_faces(v) / 2);
       const double t = radius / length(nearest);
-      const auto place = point_on_input(complex_, geometry_, nearest, {1 - t, t, 0}, [&](Halfedge_index x) { return apex(x); });
+      const auto place = point_on_input(complex_, geometry_, shapes_, nearest, {1 - t, t, 0}, [&](Halfedge_index x) { return apex(x); });
       if (!(t > 0) || !place)
         continue;
       const std::optional<Vertex_index> p = insert(*place);
@@ -329,7 +355,7 @@ private:
       leave_or_split(f, *e);
       return;
     }
-    const auto place = point_on_input(complex_, geometry_, center.halfedge, center.weights, [&](Halfedge_index g) { return apex(g); });
+    const auto place = point_on_input(complex_, geometry_, shapes_, center.halfedge, center.weights, [&](Halfedge_index g) { return apex(g); });
     if (!place)
       leave(f, Refinement_obstacle::UNREPRESENTABLE);
     else if (cones_.is_too_close(place->point))
@@ -487,6 +513,8 @@ private:
     for (Face_index f : complex_.faces()) {
       const Halfedge_index h = complex_.halfedge(f);
       bool is_below = is_too_large(f);
+      if (!is_below && !has_small_angle(f))
+        continue;
       std::optional<Refinement_obstacle> reason;
       for (Halfedge_index corner : {h, complex_.next(h), complex_.prev(h)})
         if (is_too_small(angle(corner))) {
@@ -520,6 +548,7 @@ private:
   std::priority_queue<Candidate> bad_faces_;
   std::vector<Edge_index> segments_, stack_, flipped_;
   Small_cones cones_;
+  const double sine_of_minimum_angle_;
   std::unordered_map<Vertex_index, bool> small_corners_;
   std::unordered_map<Face_index, std::pair<double, Refinement_obstacle>> left_;
 };

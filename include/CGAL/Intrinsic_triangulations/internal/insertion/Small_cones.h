@@ -30,7 +30,7 @@ class Small_cones
 {
 public:
   Small_cones(const Exact_geometry& geometry, const Input_shapes& shapes)
-    : input_(geometry.correspondence().input()), metric_(geometry.metric()), shapes_(shapes)
+    : input_(geometry.correspondence().input()), unit_exponent_(geometry.metric().unit_exponent()), shapes_(shapes)
   {}
 
   void add(Vertex_index v, double angle) { cones_.emplace(v, Cone{angle, 0}); }
@@ -51,8 +51,8 @@ public:
     const Halfedge_index first = input_.opposite(input_.halfedge(v));
     Halfedge_index h = first;
     do {
-      const double height = metric_.four_areas_double_double(input_, input_.face(h)).hi() / (2 * shapes_.length(input_.edge(input_.next(h))));
-      radius = (std::min)(radius, std::ldexp(height, metric_.unit_exponent()));
+      const double height = shapes_.four_areas(input_.face(h)) / (2 * shapes_.length(input_.edge(input_.next(h))));
+      radius = (std::min)(radius, std::ldexp(height, unit_exponent_));
       h = input_.next_around_source(h);
     } while (h != first);
     return radius;
@@ -76,7 +76,7 @@ public:
       const auto cone = cones_.find(input_.source(h));
       if (cone != cones_.end()) {
         const double distance = std::abs(w[1] + w[2] * shapes_.apex(h)) * shapes_.length(input_.edge(h));
-        if (std::ldexp(distance, metric_.unit_exponent()) < cone->second.radius)
+        if (std::ldexp(distance, unit_exponent_) < cone->second.radius)
           return true;
       }
       h = input_.next(h);
@@ -93,7 +93,7 @@ private:
   };
 
   const Delta_complex& input_;
-  const Input_metric& metric_;
+  const int unit_exponent_;
   const Input_shapes& shapes_;
   std::unordered_map<Vertex_index, Cone> cones_;
 };

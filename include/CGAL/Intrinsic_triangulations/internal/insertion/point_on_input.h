@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -47,21 +48,31 @@ inline std::array<double, 3> rounded_coordinates(const std::array<double, 3>& w)
 class Input_shapes
 {
 public:
-  explicit Input_shapes(const Exact_geometry& geometry) : input_(geometry.correspondence().input()), metric_(geometry.metric()) {}
+  explicit Input_shapes(const Exact_geometry& geometry) : input_(geometry.correspondence().input())
+  {
+    squared_lengths_.reserve(input_.number_of_edges());
+    for (Edge_index e : input_.edges())
+      squared_lengths_.push_back(geometry.metric().squared_length_double_double(input_, e).hi());
+    four_areas_.reserve(input_.number_of_faces());
+    for (Face_index f : input_.faces())
+      four_areas_.push_back(geometry.metric().four_areas_double_double(input_, f).hi());
+  }
 
-  double squared_length(Edge_index e) const { return metric_.squared_length_double_double(input_, e).hi(); }
+  // In the internal unit.
+  double squared_length(Edge_index e) const { return squared_lengths_[e.idx()]; }
   double length(Edge_index e) const { return std::sqrt(squared_length(e)); }
+  double four_areas(Face_index f) const { return four_areas_[f.idx()]; }
   // The third corner of the face of h, in the frame of h.
   Plane_point apex(Halfedge_index h) const
   {
     const double ij = squared_length(input_.edge(h)), jk = squared_length(input_.edge(input_.next(h))),
                  ki = squared_length(input_.edge(input_.prev(h)));
-    return {(ij + (ki - jk)) / (2 * ij), metric_.four_areas_double_double(input_, input_.face(h)).hi() / (2 * ij)};
+    return {(ij + (ki - jk)) / (2 * ij), four_areas(input_.face(h)) / (2 * ij)};
   }
 
 private:
   const Delta_complex& input_;
-  const Input_metric& metric_;
+  std::vector<double> squared_lengths_, four_areas_;
 };
 
 // The input face that contains a piece.
@@ -88,7 +99,7 @@ struct Point_to_insert
 // The point with given weights in the face of h, up to rounding: straight over the input from the corner with the largest weight.
 // \param apex gives the third corner of the face of a halfedge of the current triangulation, in the frame of that
 template <class Apex>
-std::optional<Point_to_insert> point_on_input(const Delta_complex& complex, const Exact_geometry& geometry, Halfedge_index h,
+std::optional<Point_to_insert> point_on_input(const Delta_complex& complex, const Exact_geometry& geometry, const Input_shapes& shapes, Halfedge_index h,
                                               std::array<double, 3> weights, const Apex& apex)
 {
   const Correspondence& correspondence = geometry.correspondence();
@@ -99,7 +110,6 @@ std::optional<Point_to_insert> point_on_input(const Delta_complex& complex, cons
   }
   const auto [source, vector, reference] = geometry.edge_beginning(complex, h);
   Plane_point to_point = vector * (weights[1] + weights[2] * apex(h)); // seen from the source of h
-  const Input_shapes shapes(geometry);
   const auto input_apex = [&](Halfedge_index g) { return shapes.apex(g); };
   const bool leaves_corner = !correspondence.is_inserted(complex.source(h));
   Halfedge_index base = reference;
