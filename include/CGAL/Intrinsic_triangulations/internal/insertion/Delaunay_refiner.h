@@ -378,7 +378,7 @@ private:
     double size = 0;
     for (Halfedge_index h : {point.halfedge, input.next(point.halfedge), input.prev(point.halfedge)})
       size = (std::max)(size, shapes_.length(input.edge(h)));
-    return circumradius(f) < std::ldexp(size, geometry_.metric().unit_exponent() - 40);
+    return circumradius(f) < std::ldexp(size, geometry_.metric().unit_exponent() - 46);
   }
 
   // A segment that a vertex at this point would encroach on: among those that bound the triangles with the point in their circumcircles.
