@@ -14,9 +14,10 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
-#include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/compare_points.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/enum.h>
