@@ -30,6 +30,7 @@ int main(int argc, char** argv)
     app.require_subcommand(1);
     idt::Selected_command selected;
     idt::add_triangulate_command(app, selected);
+    idt::add_refine_command(app, selected);
     idt::add_compare_command(app, selected);
     idt::add_parameterize_command(app, selected);
     idt::add_Laplacian_command(app, selected);

@@ -53,7 +53,8 @@ struct Row
   std::optional<std::uint64_t> simple;
   std::optional<std::uint64_t> longest;
   std::optional<std::uint64_t> crossings;
-  std::optional<double> seconds; // to build and to flip
+  std::optional<double> minimum_angle; // of the result, in degrees
+  std::optional<double> seconds;       // to build and to flip
   std::optional<std::vector<IT::Repair>> repairs;
   const Paper_row* paper = nullptr;
   // Of the Laplace-Beltrami operators before and after the flips.
@@ -95,6 +96,7 @@ Line line(const Row& row)
           table_cell(row.longest),
           table_cell(condition_ratio(row)),
           table_cell(row.crossings),
+          table_cell(row.minimum_angle),
           table_cell(row.seconds)};
 }
 
@@ -108,6 +110,7 @@ Line line(const Paper_row& row)
           std::to_string(row.longest),
           in_short(row.condition_ratio),
           table_cell(row.crossings),
+          "",
           ""};
 }
 
@@ -146,6 +149,7 @@ Json json_row(const Row& row)
           {"longest", json_value(row.longest)},
           {"condition_ratio", json_value(condition_ratio(row))},
           {"crossings", json_value(row.crossings)},
+          {"minimum_angle_degrees", json_value(row.minimum_angle)},
           {"seconds", json_value(row.seconds)},
           {"repair", to_json_value(row.repairs)},
           {"paper", json_value(row.paper)},
@@ -156,7 +160,7 @@ Json json_row(const Row& row)
 void write_table(std::ostream& os, const std::vector<Row>& rows)
 {
   std::vector<Line> lines = {{"model", "V", "flips", "simple", "longest", "cond ratio",
-                              "crossings", "time [s]"}};
+                              "crossings", "min angle", "time [s]"}};
   for (const Row& row : rows) {
     lines.push_back(line(row));
     if (row.paper != nullptr)
@@ -194,7 +198,7 @@ Exit_status run_table(const Table_options& options)
   check_output_paths({options.json_path}, options.inputs);
   Kernel_options kernel_options;
   kernel_options.wanted = Requested_results::nothing();
-  kernel_options.wanted.crossings = true;
+  kernel_options.wanted.crossings = kernel_options.wanted.shapes = true;
   kernel_options.wanted.weights = kernel_options.wanted.numbers =
     kernel_options.wanted.input_numbers = !options.without_condition;
   std::vector<Row> rows;
@@ -210,6 +214,8 @@ Exit_status run_table(const Table_options& options)
       row.longest = summary->longest;
       row.crossings = summary->crossings;
     }
+    if (result.outcome.shapes)
+      row.minimum_angle = result.outcome.shapes->minimum_angle;
     row.seconds =
       result.surface.build_seconds + result.outcome.build_seconds + result.outcome.flip_seconds;
     row.repairs = repairs(result.surface);
@@ -246,8 +252,9 @@ void add_table_command(CLI::App& app, Selected_command& selected)
   command.footer("V: vertices; simple: intrinsic edges that cross exactly one input edge; longest:\n"
                  "the largest number of segments in one intrinsic edge; cond ratio: condition number\n"
                  "of the intrinsic Laplacian over that of the extrinsic one, both for the inner\n"
-                 "vertices and without zero eigenvalues; crossings: in all; time: to build the\n"
-                 "triangulation and to flip. `-` stands for what is not known. Below a model of the\n"
+                 "vertices and without zero eigenvalues; crossings: in all; min angle: the smallest angle\n"
+                 "of the result, in degrees; time: to build the triangulation and to flip. `-` stands\n"
+                 "for what is not known. Below a model of the\n"
                  "paper (cathead, bunnyhead, beautiful_freak, hygeia, planck, bunny, camel, horse,\n"
                  "feline, with as many vertices as there) are its figures.\n");
   command.add_option("INPUT", options->inputs, "as for `idt triangulate`")->required();

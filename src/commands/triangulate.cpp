@@ -8,13 +8,10 @@
 #include "system/Interruption.h"
 #include "output/Output_file.h"
 #include "system/Progress.h"
-#include "system/Stopwatch.h"
 #include "system/child_process.h"
+#include "commands/Result_files.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
-#include "input/repair.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -38,18 +35,7 @@ struct Triangulate_options
   bool is_mollification_local = false;
   bool is_repaired = false;
   bool is_verified = false;
-  std::string stats_path;
-  std::string edges_path;
-  std::string Laplacian_path;
-  std::string mass_path;
-  std::string crossings_path;
-  std::string overlay_path;
-  std::string repair_map_path;
-
-  std::vector<std::string> output_paths() const
-  {
-    return {stats_path, edges_path, Laplacian_path, mass_path, crossings_path, overlay_path, repair_map_path};
-  }
+  Result_files files;
 };
 
 Kernel_options kernel_options(const Triangulate_options& options)
@@ -63,12 +49,9 @@ Kernel_options kernel_options(const Triangulate_options& options)
   result.maximum_number_of_flips = options.maximum_number_of_flips;
   if (options.are_ties_proven)
     result.tie_proof = CGAL::Intrinsic_triangulations::Tie_proof::PROVEN;
-  result.wanted.lengths = !options.edges_path.empty();
-  result.wanted.numbers = !options.edges_path.empty() || !options.Laplacian_path.empty() ||
-                          !options.mass_path.empty();
+  options.files.add_to(result.wanted);
   result.wanted.verification = options.is_verified;
-  result.wanted.tessellation = !options.stats_path.empty();
-  result.wanted.overlay = !options.crossings_path.empty() || !options.overlay_path.empty();
+  result.wanted.tessellation = !options.files.stats.empty();
   return result;
 }
 
@@ -76,59 +59,21 @@ void check(const Triangulate_options& options)
 {
   if (options.mollification && !(*options.mollification >= 0 && *options.mollification <= 1e6))
     throw Usage_error("--mollify: D is between 0 and 1e6");
-  const std::vector<std::string> outputs = options.output_paths();
+  const std::vector<std::string> outputs = options.files.paths();
   if (options.inputs.size() > 1 &&
       std::any_of(outputs.begin(), outputs.end(), [](const std::string& s) { return !s.empty(); }))
     throw Usage_error("--stats, --edges, --crossings, --overlay, --laplacian, --mass and --repair-map take one input: "
                       "several would go to the same file");
-  if (!options.overlay_path.empty()) {
-    const std::optional<Mesh_format> format = find_mesh_format(options.overlay_path);
-    if (!format || !holds_polygons(*format))
-      throw Usage_error("--overlay: " + options.overlay_path + " does not end in " + mesh_extensions(true) +
-                        (format ? ": the overlay has faces with more than three corners" : ""));
-  }
-  check_output_paths(outputs, options.inputs);
-}
-
-// \exception Invalid_surface_error if the overlay of the surface has no place in space
-void check_points(const Surface& surface)
-{
-  using CGAL::Intrinsic_triangulations::Invalid_surface_error;
-  if (!surface.has_points())
-    throw Invalid_surface_error(
-      Invalid_surface_error::Defect::UNREADABLE, 0, 1,
-      surface.path + ": --overlay needs a surface in space, and this one has edge lengths alone" +
-        (surface.mollification ? ", since --mollify has changed them" : ""));
-}
-
-void write_files(const Triangulate_options& options, Triangulation_result& result)
-{
-  const Stopwatch stopwatch;
-  write_file(options.repair_map_path,
-             [&](std::ostream& os) { write_repair_map(os, result.surface); });
-  write_file(options.edges_path, [&](std::ostream& os) { write_edges(os, result); });
-  write_file(options.Laplacian_path, [&](std::ostream& os) { write_Laplacian(os, result); });
-  write_file(options.mass_path, [&](std::ostream& os) { write_mass(os, result); });
-  if (result.outcome.subdivision) {
-    write_file(options.crossings_path, [&](std::ostream& os) { write_crossings(os, result); });
-    write_file(options.overlay_path, [&](std::ostream& os) {
-      write_overlay(os, result, *find_mesh_format(options.overlay_path));
-    });
-  }
-  if (result.options.wanted.numbers || result.outcome.subdivision)
-    result.write_seconds = stopwatch.seconds();
-  write_file(options.stats_path,
-             [&](std::ostream& os) { os << statistics(result).dump(2) << '\n'; });
+  options.files.check_paths(options.inputs);
 }
 
 Exit_status triangulate_file(const std::string& path, const Triangulate_options& options,
                              const Kernel_options& kernel, const Load_options& load, bool& is_first)
 {
   Surface surface = load_surface(path, load);
-  if (!options.overlay_path.empty())
-    check_points(surface);
+  options.files.check_surface(surface);
   Triangulation_result result = triangulate(std::move(surface), kernel);
-  write_files(options, result);
+  options.files.write(result);
   if (!is_first)
     std::cout << '\n';
   is_first = false;
@@ -219,7 +164,11 @@ Triangulation_result triangulate(Surface surface, const Kernel_options& options)
         was_interrupted = is_interrupted();
       return *was_interrupted || !is_interrupted();
     };
-    result.outcome = run({result.surface, options, show_flips, has_time_to_decide, show_overlay});
+    const auto show_points = [&](std::uint64_t points, std::uint64_t) {
+      progress.show_points(points);
+      return !is_interrupted();
+    };
+    result.outcome = run({result.surface, options, show_flips, has_time_to_decide, show_overlay, show_points});
   }
   result.counts = count_elements(result.outcome.connectivity);
   return result;
@@ -275,38 +224,7 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
   command.add_flag("--verify", options->is_verified,
                    "afterwards decide every interior edge once more, exactly and from the input "
                    "alone, whatever the number type; status 4 if one is not Delaunay");
-  command
-    .add_option("--stats", options->stats_path, "write what the report says as a JSON object")
-    ->type_name("F.json");
-  command
-    .add_option("--edges", options->edges_path,
-                "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,"
-                "original; no weight where it is infinite, beside a face of zero area")
-    ->type_name("F.csv");
-  command
-    .add_option("--laplacian", options->Laplacian_path,
-                "write the Laplace-Beltrami operator as a Matrix Market file: positive "
-                "semidefinite, entries -(cot + cot)/2, natural boundary conditions")
-    ->type_name("F.mtx");
-  command
-    .add_option("--mass", options->mass_path,
-                "write the lumped mass matrix: a third of the area around each vertex")
-    ->type_name("F.mtx");
-  command
-    .add_option("--crossings", options->crossings_path,
-                "write what each intrinsic edge crosses, in order, as CSV: source,target,edge,"
-                "position,input_source,input_target,t,u")
-    ->type_name("F.csv");
-  command
-    .add_option("--overlay", options->overlay_path,
-                "write the overlay of input and result as a mesh of polygons")
-    ->type_name("F.(ply|off|obj|vtp)");
-  command
-    .add_option("--repair-map", options->repair_map_path,
-                "write where the vertices and faces of the repaired surface come from, as CSV: "
-                "element,index,input")
-    ->type_name("F.csv")
-    ->needs(repair);
+  options->files.add_options(command, repair);
   command.callback(
     [options, &selected] { selected = [options] { return run_triangulate(*options); }; });
 }

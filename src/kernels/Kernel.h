@@ -14,6 +14,8 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
+#include <CGAL/Intrinsic_triangulations/Refinement_report.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
@@ -39,6 +41,7 @@ struct Requested_results
   bool exact_lengths = false;   // of the edges of the result, whatever made it
   bool wrong_decisions = false; // compares each test with the exact one
   bool overlay = false;         // of input and result, with the positions of the crossings
+  bool shapes = false;          // of the faces of the result
 
   static Requested_results nothing()
   {
@@ -49,8 +52,16 @@ struct Requested_results
   bool needs_input() const
   {
     return crossings || tessellation || verification || exact_lengths || wrong_decisions ||
-           overlay;
+           overlay || shapes;
   }
+};
+
+// What Delaunay refinement is to do once the flips are done.
+struct Refinement_options
+{
+  CGAL::Intrinsic_triangulations::Refinement_criteria criteria;
+  std::optional<std::uint64_t> maximum_number_of_points;
+  std::vector<bool> is_constrained; // for each input edge: whether no flip may remove it
 };
 
 struct Kernel_options
@@ -60,12 +71,15 @@ struct Kernel_options
   std::optional<std::uint64_t> maximum_number_of_flips;
   CGAL::Intrinsic_triangulations::Tie_proof tie_proof =
     CGAL::Intrinsic_triangulations::Tie_proof::PROBABLE_IF_COSTLY;
+  std::optional<Refinement_options> refinement; // with FILTERED alone
   Requested_results wanted;
 };
 
 // Is asked before each test, with the numbers of tests and flips so far; the flips end
 // when it answers `false`.
 using Continue_function = std::function<bool(std::uint64_t tests, std::uint64_t flips)>;
+// The same of refinement, which asks before each new vertex.
+using Continue_refining_function = std::function<bool(std::uint64_t points, std::uint64_t flips)>;
 
 struct Job
 {
@@ -77,6 +91,7 @@ struct Job
   std::function<bool()> go_on_deciding;
   // Is asked during the construction of the overlay, which is left out if it says no.
   CGAL::Intrinsic_triangulations::Progress_function overlay_progress;
+  Continue_refining_function refine_further = {};
 };
 
 // The smallest cotangent weight of an interior edge, and how many are negative.
@@ -102,6 +117,22 @@ struct Tessellation_summary
 {
   std::size_t ties = 0;
   std::size_t cells = 0;
+};
+
+// What refinement did.
+struct Refinement_summary
+{
+  CGAL::Intrinsic_triangulations::Refinement_report report;
+  std::vector<CGAL::Intrinsic_triangulations::Surface_point> points; // on the input, of the new vertices in order
+  double seconds = 0;
+};
+
+// The worst faces.
+struct Shape_summary
+{
+  double minimum_angle = 0;                    // in degrees
+  std::optional<double> minimum_refined_angle; // of the faces that refinement does not list, if there are any
+  double maximum_circumradius = 0;             // infinite beside a face of zero area
 };
 
 // The numbers that belong to a triangulation.
@@ -132,6 +163,8 @@ struct Outcome
   std::optional<Crossing_summary> crossing_summary;
   std::optional<CGAL::Intrinsic_triangulations::Common_subdivision> subdivision;
   std::optional<Tessellation_summary> tessellation;
+  std::optional<Refinement_summary> refinement;
+  std::optional<Shape_summary> shapes;
   std::optional<CGAL::Intrinsic_triangulations::Delaunay_verification> verification;
   std::optional<std::uint64_t> wrong_decisions;
   double build_seconds = 0;

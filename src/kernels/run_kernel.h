@@ -11,6 +11,8 @@
 #include "kernels/Kernel.h"
 #include "kernels/Number_collector.h"
 #include "kernels/find_overlay.h"
+#include "kernels/refine.h"
+#include "kernels/summarize_shapes.h"
 
 #include "system/Stopwatch.h"
 
@@ -24,7 +26,9 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
@@ -130,8 +134,8 @@ private:
 };
 
 // By a Whole_triangulation, or a Decision_counter.
-template <class Flippable>
-void flip(const Flippable& flippable, const Job& job, Outcome& outcome)
+template <class Flippable, class ConstraintMap = CGAL::Static_boolean_property_map<IT::Edge_index, false>>
+void flip(const Flippable& flippable, const Job& job, Outcome& outcome, const ConstraintMap& is_constrained = {})
 {
   using Traits = typename Flippable::Traits;
   auto& triangulation = flippable.triangulation();
@@ -150,8 +154,7 @@ void flip(const Flippable& flippable, const Job& job, Outcome& outcome)
         [&] { return job.go_further(visitor.tests(), visitor.flips()); });
   const Stopwatch stopwatch;
   try {
-    outcome.report = IT::internal::flip_all<CGAL::Sequential_tag>(
-      flippable, CGAL::Static_boolean_property_map<IT::Edge_index, false>(), visitor, budget);
+    outcome.report = IT::internal::flip_all<CGAL::Sequential_tag>(flippable, is_constrained, visitor, budget);
   } catch (const IT::Invalid_surface_error&) {
     throw;
   } catch (const IT::Error& error) {
@@ -165,6 +168,19 @@ void flip(const Flippable& flippable, const Job& job, Outcome& outcome)
   if constexpr (Traits::Uses_exact_geometry::value)
     if (job.go_further)
       triangulation.set_interruption(std::move(afterwards));
+}
+
+template <class Traits>
+void flip_and_refine(IT::Intrinsic_triangulation<Traits>& triangulation, const Job& job, Outcome& outcome)
+{
+  const IT::internal::Whole_triangulation<Traits> whole(triangulation);
+  if constexpr (Traits::Uses_exact_geometry::value)
+    if (job.options.refinement) {
+      flip(whole, job, outcome, Edge_flags{&job.options.refinement->is_constrained});
+      refine(triangulation, job, outcome);
+      return;
+    }
+  flip(whole, job, outcome);
 }
 
 template <class Triangulation>
@@ -213,6 +229,17 @@ inline void find_stages(const IT::Exact_geometry& geometry, Outcome& outcome)
   outcome.stages = counts;
 }
 
+template <class Triangulation>
+IT::Delaunay_verification verify(const Triangulation& triangulation, const Job& job)
+{
+  if constexpr (Triangulation::uses_exact_geometry)
+    if (job.options.refinement) {
+      const std::vector<bool> is_constrained = constrained_parts(triangulation, job.options.refinement->is_constrained);
+      return IT::verify_Delaunay(triangulation, CGAL::parameters::edge_is_constrained_map(Edge_flags{&is_constrained}));
+    }
+  return IT::verify_Delaunay(triangulation);
+}
+
 // What the input and the integers tell about the result.
 template <class Triangulation>
 void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome& outcome)
@@ -222,7 +249,8 @@ void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome
   try {
     const Stopwatch stopwatch;
     if constexpr (Triangulation::uses_exact_geometry)
-      find_stages(triangulation.exact_geometry(), outcome);
+      if (!job.options.refinement) // which does not count its tests
+        find_stages(triangulation.exact_geometry(), outcome);
     if (wanted.crossings) {
       find_crossings(triangulation, outcome);
       if (wanted.overlay)
@@ -230,13 +258,17 @@ void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome
       outcome.crossing_summary->seconds = stopwatch.seconds();
     }
     if (wanted.verification)
-      outcome.verification = IT::verify_Delaunay(triangulation);
+      outcome.verification = verify(triangulation, job);
     const bool is_Delaunay =
       outcome.verification ? outcome.verification->is_Delaunay()
                            : Triangulation::Traits::Has_exact_decisions::value &&
                                outcome.report.status == IT::Flip_status::DELAUNAY;
     if (wanted.tessellation && is_Delaunay)
       find_ties(triangulation, outcome);
+    if (wanted.shapes) {
+      using Faces = std::vector<IT::Unrefined_face>;
+      outcome.shapes = summarize_shapes(triangulation, outcome.refinement ? outcome.refinement->report.unrefined : Faces());
+    }
     if (wanted.exact_lengths) {
       outcome.exact_lengths.reserve(complex.number_of_edges());
       for (IT::Edge_index e : complex.edges())
@@ -291,7 +323,7 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
     flip(Decision_counter<Traits>(triangulation, wrong_decisions), job, outcome);
     outcome.wrong_decisions = wrong_decisions;
   } else {
-    flip(IT::internal::Whole_triangulation<Traits>(triangulation), job, outcome);
+    flip_and_refine(triangulation, job, outcome);
   }
 
   if (wanted.needs_input())

@@ -25,11 +25,53 @@ std::string first_of(const std::vector<IT::Edge_index>& edges, const IT::Delta_c
   return text;
 }
 
+// What stands before "Delaunay", which holds at each point of a refinement.
+std::string describe_refinement(const Outcome& outcome)
+{
+  if (!outcome.refinement)
+    return {};
+  const IT::Refinement_report& report = outcome.refinement->report;
+  switch (report.status) {
+  case IT::Refinement_status::REFINED:
+    return report.unrefined.empty() ? "refined, " : "refined but for " + counted(report.unrefined.size(), "face", "faces") + ", ";
+  case IT::Refinement_status::BUDGET_EXHAUSTED:
+    return "not refined: the budget of " + with_separators(report.insertions + report.segment_splits) + " new vertices is spent; ";
+  case IT::Refinement_status::CANCELLED:
+    return "not refined: cancelled; ";
+  }
+  return {};
+}
+
 } // namespace
+
+const char* name(IT::Refinement_obstacle reason)
+{
+  switch (reason) {
+  case IT::Refinement_obstacle::CONE:
+    return "cone";
+  case IT::Refinement_obstacle::SMALL_INPUT_ANGLE:
+    return "small input angle";
+  case IT::Refinement_obstacle::UNREPRESENTABLE:
+    return "unrepresentable";
+  case IT::Refinement_obstacle::BUDGET:
+    return "budget";
+  }
+  return "";
+}
+
+std::map<std::string, std::size_t> unrefined_faces(const Outcome& outcome)
+{
+  std::map<std::string, std::size_t> result;
+  if (outcome.refinement)
+    for (const IT::Unrefined_face& f : outcome.refinement->report.unrefined)
+      ++result[name(f.reason)];
+  return result;
+}
 
 Exit_status exit_status(const Outcome& outcome)
 {
   const bool is_done = outcome.report.status == IT::Flip_status::DELAUNAY &&
+                       (!outcome.refinement || outcome.refinement->report.status == IT::Refinement_status::REFINED) &&
                        outcome.failure.empty() &&
                        (!outcome.verification || outcome.verification->is_Delaunay());
   return is_done ? Exit_status::DONE : Exit_status::NOT_FINISHED;
@@ -41,6 +83,10 @@ const char* status_word(const Outcome& outcome)
     return "interrupted";
   switch (outcome.report.status) {
   case IT::Flip_status::DELAUNAY:
+    if (outcome.refinement && outcome.refinement->report.status == IT::Refinement_status::BUDGET_EXHAUSTED)
+      return "point budget";
+    if (outcome.refinement && outcome.refinement->report.status == IT::Refinement_status::CANCELLED && outcome.failure.empty())
+      return "interrupted";
     if (!outcome.failure.empty())
       return "incomplete";
     return outcome.verification && !outcome.verification->is_Delaunay() ? "not Delaunay" : "done";
@@ -92,7 +138,7 @@ std::string describe_status(const Triangulation_result& result)
     return "not Delaunay: " + describe_verification(outcome);
   switch (report.status) {
   case IT::Flip_status::DELAUNAY:
-    return outcome.verification ? "Delaunay, verified" : "Delaunay";
+    return describe_refinement(outcome) + (outcome.verification ? "Delaunay, verified" : "Delaunay");
   case IT::Flip_status::INCONSISTENT:
     // Either diagonal of a tie is right, whatever rounding makes of it.
     return std::string(outcome.verification ? "verified Delaunay, but only by luck: "

@@ -14,6 +14,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <array>
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -32,12 +35,18 @@ struct Triangulation_result
 // What the result means for the shell.
 Exit_status exit_status(const Outcome& outcome);
 
-// How it ended, for programs: `done`, `interrupted`, `flip budget`, `undecided`, `not flippable`,
+// How it ended, for programs: `done`, `interrupted`, `flip budget`, `point budget`, `undecided`, `not flippable`,
 // `inconsistent`, `not Delaunay`, or `incomplete` if something could not be found out.
 const char* status_word(const Outcome& outcome);
 
 // The same in words, with the first edge that is to blame.
 std::string describe_status(const Triangulation_result& result);
+
+// Why a face was left as it is, in words.
+const char* name(CGAL::Intrinsic_triangulations::Refinement_obstacle reason);
+
+// How many faces were left, by reason; reasons without a face are missing.
+std::map<std::string, std::size_t> unrefined_faces(const Outcome& outcome);
 
 // What the exact check found, in words. \pre it was made
 std::string describe_verification(const Outcome& outcome);
@@ -51,6 +60,13 @@ nlohmann::ordered_json statistics(const Triangulation_result& result);
 // The intrinsic edges as comma-separated values:
 // `source,target,length,cotan_weight,crossings,original`.
 void write_edges(std::ostream& os, const Triangulation_result& result);
+
+// Where a point of a surface lies in space. \pre the surface has points
+std::array<double, 3> place(const Surface& surface, const CGAL::Intrinsic_triangulations::Surface_point& point);
+
+// The vertices that refinement has inserted as comma-separated values:
+// `vertex,input_face,b0,b1,b2,x,y,z`, with barycentric coordinates in the order of the corners of the face.
+void write_points(std::ostream& os, const Triangulation_result& result);
 
 // Stiffness and lumped mass matrix of the result in the format Matrix Market.
 // \exception Invalid_surface_error if a weight is infinite, beside a face without area

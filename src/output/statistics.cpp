@@ -71,10 +71,51 @@ Json member(const std::optional<Summary>& summary, Member Summary::*member)
   return summary ? Json((*summary).*member) : Json(nullptr);
 }
 
+Json seconds(const Triangulation_result& result)
+{
+  const Outcome& outcome = result.outcome;
+  Json json = {{"read", result.surface.read_seconds},
+               {"build", result.surface.build_seconds + outcome.build_seconds},
+               {"flip", outcome.flip_seconds}};
+  if (result.options.refinement)
+    json["refine"] = member(outcome.refinement, &Refinement_summary::seconds);
+  json["overlay"] = member(outcome.crossing_summary, &Crossing_summary::seconds);
+  json["write"] = result.write_seconds;
+  return json;
+}
+
+Json refinement_statistics(const Triangulation_result& result)
+{
+  const Outcome& outcome = result.outcome;
+  const IT::Refinement_report report = outcome.refinement ? outcome.refinement->report : IT::Refinement_report();
+  Json json;
+  json["vertices"] = result.counts.vertices;
+  json["edges"] = result.counts.edges;
+  json["faces"] = result.counts.faces;
+  json["inserted"] = report.insertions + report.segment_splits;
+  json["segment_splits"] = report.segment_splits;
+  json["removed"] = 0;
+  json["flips"] = outcome.report.flips + report.flips;
+  json["minimum_angle_degrees"] = member(outcome.shapes, &Shape_summary::minimum_angle);
+  json["minimum_angle_degrees_of_refined_faces"] = outcome.shapes ? number(outcome.shapes->minimum_refined_angle) : Json(nullptr);
+  json["maximum_circumradius"] = outcome.shapes ? number(outcome.shapes->maximum_circumradius) : Json(nullptr);
+  json["unrefined"] = Json::object();
+  for (const auto& [reason, faces] : unrefined_faces(outcome))
+    json["unrefined"][reason] = faces;
+  json["verification"] = verification(outcome);
+  json["repair"] = to_json_value(repairs(result.surface));
+  json["status"] = status_word(outcome);
+  json["seconds"] = seconds(result);
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  return json;
+}
+
 } // namespace
 
 nlohmann::ordered_json statistics(const Triangulation_result& result)
 {
+  if (result.options.refinement)
+    return refinement_statistics(result);
   const Surface_counts& counts = result.counts;
   const Outcome& outcome = result.outcome;
   const std::optional<Crossing_summary>& crossings = outcome.crossing_summary;
@@ -109,12 +150,7 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   json["mollification"] = mollification(result.surface);
   json["repair"] = to_json_value(repairs(result.surface));
   json["status"] = status_word(outcome);
-  json["seconds"] = {
-    {"read", result.surface.read_seconds},
-    {"build", result.surface.build_seconds + outcome.build_seconds},
-    {"flip", outcome.flip_seconds},
-    {"overlay", member(crossings, &Crossing_summary::seconds)},
-    {"write", result.write_seconds}};
+  json["seconds"] = seconds(result);
   json["peak_memory_bytes"] = peak_memory_bytes();
   return json;
 }

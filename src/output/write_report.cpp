@@ -50,6 +50,23 @@ std::string weights_text(const Weight_summary& summary)
   return text;
 }
 
+void write_refinement(Report_writer& report, const Refinement_summary& summary)
+{
+  const std::uint64_t on_edges = summary.report.segment_splits;
+  report.line("new vertices", with_separators(summary.report.insertions + on_edges) + ", " + with_separators(on_edges) +
+                                " of them on edges that are not flipped");
+  report.line("later flips", with_separators(summary.report.flips));
+}
+
+std::string shapes_text(const Outcome& outcome)
+{
+  const Shape_summary& shapes = *outcome.shapes;
+  std::string text = "smallest angle " + in_short(shapes.minimum_angle) + " degrees";
+  if (shapes.minimum_refined_angle && !unrefined_faces(outcome).empty())
+    text += " (" + in_short(*shapes.minimum_refined_angle) + " without the faces left)";
+  return text + ", largest circumradius " + in_short(shapes.maximum_circumradius);
+}
+
 } // namespace
 
 void write_report(std::ostream& os, const Triangulation_result& result)
@@ -80,6 +97,12 @@ void write_report(std::ostream& os, const Triangulation_result& result)
   report.line("number type", number_type);
   report.line("flips", with_separators(outcome.report.flips) + " in " +
                          with_separators(outcome.report.tests) + " tests");
+  if (outcome.refinement)
+    write_refinement(report, *outcome.refinement);
+  if (outcome.shapes)
+    report.line("shapes", shapes_text(outcome));
+  for (const auto& [reason, faces] : unrefined_faces(outcome))
+    report.line("left", counted(faces, "face", "faces") + ": " + reason);
   if (outcome.stages)
     report.line("decided", stages_text(*outcome.stages));
   if (outcome.tessellation)
@@ -103,6 +126,8 @@ void write_report(std::ostream& os, const Triangulation_result& result)
   std::string times = "read " + seconds_text(surface.read_seconds) + ", build " +
                       seconds_text(surface.build_seconds + outcome.build_seconds) + ", flip " +
                       seconds_text(outcome.flip_seconds);
+  if (outcome.refinement)
+    times += ", refine " + seconds_text(outcome.refinement->seconds);
   if (outcome.crossing_summary)
     times += ", crossings " + seconds_text(outcome.crossing_summary->seconds);
   if (result.write_seconds > 0)

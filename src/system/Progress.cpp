@@ -35,6 +35,12 @@ Progress::~Progress()
     std::cerr << "\r\x1b[K" << std::flush;
 }
 
+void Progress::show_points(std::uint64_t points)
+{
+  if (is_shown_ && is_due(stopwatch_.seconds()))
+    write("refining, " + std::to_string(points) + " new vertices");
+}
+
 void Progress::show(const char* what, double fraction)
 {
   constexpr int width = 20;

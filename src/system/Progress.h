@@ -29,6 +29,8 @@ public:
     if (is_shown_ && tests >= next_look_)
       look(tests, flips);
   }
+  // The same of refinement, where a step takes long enough for a look at the clock.
+  void show_points(std::uint64_t points);
   // A bar. \param fraction what is done of it, from 0 to 1
   void show(const char* what, double fraction);
 

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/Result_files.h"
+
+#include "input/repair.h"
+#include "output/Output_file.h"
+#include "system/Stopwatch.h"
+
+#include <CGAL/Intrinsic_triangulations/errors.h>
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+
+namespace idt {
+
+void Result_files::add_options(CLI::App& command, CLI::Option* repair)
+{
+  command.add_option("--stats", stats, "write what the report says as a JSON object")->type_name("F.json");
+  command
+    .add_option("--edges", edges,
+                "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,"
+                "original; no weight where it is infinite, beside a face of zero area")
+    ->type_name("F.csv");
+  command
+    .add_option("--laplacian", Laplacian,
+                "write the Laplace-Beltrami operator as a Matrix Market file: positive "
+                "semidefinite, entries -(cot + cot)/2, natural boundary conditions")
+    ->type_name("F.mtx");
+  command
+    .add_option("--mass", mass,
+                "write the lumped mass matrix: a third of the area around each vertex")
+    ->type_name("F.mtx");
+  command
+    .add_option("--crossings", crossings,
+                "write what each intrinsic edge crosses, in order, as CSV: source,target,edge,"
+                "position,input_source,input_target,t,u")
+    ->type_name("F.csv");
+  command
+    .add_option("--overlay", overlay,
+                "write the overlay of input and result as a mesh of polygons")
+    ->type_name("F.(ply|off|obj|vtp)");
+  command
+    .add_option("--repair-map", repair_map,
+                "write where the vertices and faces of the repaired surface come from, as CSV: "
+                "element,index,input")
+    ->type_name("F.csv")
+    ->needs(repair);
+}
+
+void Result_files::check_paths(const std::vector<std::string>& inputs) const
+{
+  check_output_paths(paths(), inputs);
+  if (overlay.empty())
+    return;
+  const std::optional<Mesh_format> format = find_mesh_format(overlay);
+  if (!format || !holds_polygons(*format))
+    throw Usage_error("--overlay: " + overlay + " does not end in " + mesh_extensions(true) +
+                      (format ? ": the overlay has faces with more than three corners" : ""));
+}
+
+void Result_files::check_surface(const Surface& surface) const
+{
+  using CGAL::Intrinsic_triangulations::Invalid_surface_error;
+  if (!overlay.empty() && !surface.has_points())
+    throw Invalid_surface_error(
+      Invalid_surface_error::Defect::UNREADABLE, 0, 1,
+      surface.path + ": --overlay needs a surface in space, and this one has edge lengths alone" +
+        (surface.mollification ? ", since --mollify has changed them" : ""));
+}
+
+void Result_files::add_to(Requested_results& wanted) const
+{
+  wanted.lengths = !edges.empty();
+  wanted.numbers = !edges.empty() || !Laplacian.empty() || !mass.empty();
+  wanted.overlay = !crossings.empty() || !overlay.empty();
+}
+
+void Result_files::write(Triangulation_result& result) const
+{
+  const Stopwatch stopwatch;
+  write_file(repair_map, [&](std::ostream& os) { write_repair_map(os, result.surface); });
+  write_file(points, [&](std::ostream& os) { write_points(os, result); });
+  write_file(edges, [&](std::ostream& os) { write_edges(os, result); });
+  write_file(Laplacian, [&](std::ostream& os) { write_Laplacian(os, result); });
+  write_file(mass, [&](std::ostream& os) { write_mass(os, result); });
+  if (result.outcome.subdivision) {
+    write_file(crossings, [&](std::ostream& os) { write_crossings(os, result); });
+    write_file(overlay, [&](std::ostream& os) { write_overlay(os, result, *find_mesh_format(overlay)); });
+  }
+  if (result.options.wanted.numbers || result.outcome.subdivision || !points.empty())
+    result.write_seconds = stopwatch.seconds();
+  write_file(stats, [&](std::ostream& os) { os << statistics(result).dump(2) << '\n'; });
+}
+
+} // namespace idt

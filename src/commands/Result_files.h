@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The files that a subcommand writes of the triangulation that it made.
+
+#ifndef IDT_RESULT_FILES_H
+#define IDT_RESULT_FILES_H
+
+#include "output/Triangulation_result.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace idt {
+
+// Their paths as options of the command line; what has an empty path is not written.
+struct Result_files
+{
+  std::string stats, edges, Laplacian, mass, crossings, overlay, points, repair_map;
+
+  // Declares the options that all triangulations have. \param repair the option without which there is no repair map
+  void add_options(CLI::App& command, CLI::Option* repair);
+
+  std::vector<std::string> paths() const { return {stats, edges, Laplacian, mass, crossings, overlay, points, repair_map}; }
+
+  // \exception Usage_error if a file would replace another, or an input, or has no format for an overlay
+  void check_paths(const std::vector<std::string>& inputs) const;
+
+  // \exception Invalid_surface_error if the overlay of the surface has no place in space
+  void check_surface(const Surface& surface) const;
+
+  // What has to be found out for the files.
+  void add_to(Requested_results& wanted) const;
+
+  // \exception Output_error as write_file()
+  void write(Triangulation_result& result) const;
+};
+
+} // namespace idt
+
+#endif // IDT_RESULT_FILES_H

@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `idt refine`
+
+#include "commands/Result_files.h"
+#include "commands/command_line.h"
+#include "commands/commands.h"
+#include "commands/triangulate.h"
+#include "input/sharp_edges.h"
+#include "output/Output_file.h"
+
+#include <CGAL/Intrinsic_triangulations/errors.h>
+
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace idt {
+namespace {
+
+struct Refine_options
+{
+  std::string input;
+  Refinement_options refinement;
+  std::optional<double> constrained_angle;
+  bool is_repaired = false;
+  bool is_verified = false;
+  Result_files files;
+};
+
+void check(const Refine_options& options)
+{
+  // No comparison holds for NaN.
+  const auto& criteria = options.refinement.criteria;
+  if (!(criteria.minimum_angle >= 0 && criteria.minimum_angle <= 30))
+    throw Usage_error("--minimum-angle: A is between 0 and 30 degrees");
+  if (!(criteria.maximum_circumradius > 0))
+    throw Usage_error("--maximum-circumradius: R is larger than 0");
+  if (!(criteria.maximum_edge_length > 0))
+    throw Usage_error("--maximum-edge-length: L is larger than 0");
+  if (options.constrained_angle && !(*options.constrained_angle >= 0 && *options.constrained_angle <= 180))
+    throw Usage_error("--constrain-angle: D is between 0 and 180 degrees");
+  options.files.check_paths({options.input});
+}
+
+// \exception Invalid_surface_error if the surface has no dihedral angles
+void constrain_sharp_edges(const Surface& surface, double degrees, Refinement_options& refinement)
+{
+  using CGAL::Intrinsic_triangulations::Invalid_surface_error;
+  if (!surface.has_points())
+    throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, 0, 1,
+                                surface.path + ": --constrain-angle needs a surface in space, and this one has edge lengths alone");
+  refinement.is_constrained = sharp_edges(surface, degrees);
+}
+
+Exit_status refine_file(const std::string& path, const Refine_options& options)
+{
+  Surface surface = load_surface(path, {std::nullopt, options.is_repaired});
+  options.files.check_surface(surface);
+  Kernel_options kernel;
+  kernel.refinement = options.refinement;
+  if (options.constrained_angle)
+    constrain_sharp_edges(surface, *options.constrained_angle, *kernel.refinement);
+  options.files.add_to(kernel.wanted);
+  kernel.wanted.shapes = true;
+  kernel.wanted.verification = options.is_verified;
+  Triangulation_result result = triangulate(std::move(surface), kernel);
+  options.files.write(result);
+  write_report(std::cout, result);
+  flush_standard_output();
+  const Exit_status status = exit_status(result.outcome);
+  if (status != Exit_status::DONE)
+    std::cerr << "idt: " << path << ": " << describe_status(result) << std::endl;
+  return status;
+}
+
+Exit_status run_refine(const Refine_options& options)
+{
+  check(options);
+  return for_each_input({options.input}, [&](const std::string& path) { return refine_file(path, options); });
+}
+
+} // namespace
+
+void add_refine_command(CLI::App& app, Selected_command& selected)
+{
+  const auto options = std::make_shared<Refine_options>();
+  CLI::App& command = *app.add_subcommand("refine", "Insert vertices until no triangle is too thin or too large, by Delaunay refinement");
+  command.footer("No length of the surface changes: vertices are added to it, after its own, and the\n"
+                 "triangulation is intrinsic Delaunay but for constrained edges. Where the input leaves no\n"
+                 "choice, a face stays below the bound; --stats and the report count such faces by reason:\n"
+                 "cone, a vertex whose angles sum to little; small input angle, between edges that stay;\n"
+                 "unrepresentable, doubles are too coarse for the point; budget, there was no time or no\n"
+                 "point left. The status is 4 for the last of these alone.\n");
+  command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
+  command
+    .add_option("--minimum-angle", options->refinement.criteria.minimum_angle, "no angle is to be smaller, in degrees; at most 30")
+    ->type_name("A")
+    ->capture_default_str();
+  command
+    .add_option("--maximum-circumradius", options->refinement.criteria.maximum_circumradius,
+                "no circumradius is to be larger (default: unlimited)")
+    ->type_name("R");
+  command
+    .add_option("--maximum-edge-length", options->refinement.criteria.maximum_edge_length,
+                "no edge is to be longer (default: unlimited)")
+    ->type_name("L");
+  command
+    .add_option("--maximum-points", options->refinement.maximum_number_of_points,
+                "give up after that many new vertices (default: 1,000,000 and 10 for each vertex)")
+    ->type_name("N")
+    ->transform(whole_number());
+  command
+    .add_option("--constrain-angle", options->constrained_angle,
+                "keep the edges whose two faces have normals that differ by more than D degrees: they are split, and not flipped")
+    ->type_name("D");
+  CLI::Option* const repair = add_repair_option(command, options->is_repaired);
+  command.add_flag("--verify", options->is_verified,
+                   "afterwards decide every interior edge that is not constrained once more, exactly and from the input alone; "
+                   "status 4 if one is not Delaunay");
+  command
+    .add_option("--points", options->files.points,
+                "write where the new vertices lie as CSV: vertex,input_face,b0,b1,b2,x,y,z; the barycentric coordinates are exact once "
+                "they are divided by their sum, the place in space is rounded")
+    ->type_name("F.csv");
+  options->files.add_options(command, repair);
+  command.callback([options, &selected] { selected = [options] { return run_refine(*options); }; });
+}
+
+} // namespace idt

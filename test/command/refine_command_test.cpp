@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `idt refine`: what it writes, what it counts, and how it ends.
+
+#include "Command_test.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class Refine_command : public Command_test
+{
+protected:
+  Json stats() const { return Json::parse(content(folder_ / "s.json")); }
+
+  // The rows of a CSV file as numbers, without the header; an empty field is NaN.
+  std::vector<std::vector<double>> rows(const std::string& name) const
+  {
+    std::vector<std::vector<double>> result;
+    std::vector<std::string> text = lines(content(folder_ / name));
+    for (std::size_t i = 1; i < text.size(); ++i) {
+      std::vector<double> row;
+      std::istringstream in(text[i] + ',');
+      for (std::string field; std::getline(in, field, ',');)
+        row.push_back(field.empty() ? std::nan("") : std::stod(field));
+      result.push_back(row);
+    }
+    return result;
+  }
+
+  // A roof of two squares that meet at a ridge of 90 degrees, each cut into two triangles, above the unit square.
+  void write_roof(const std::string& name) const
+  {
+    write(name, "OFF\n6 4 0\n0 0 0\n0 1 0\n1 0 1\n1 1 1\n2 0 0\n2 1 0\n3 0 2 1\n3 1 2 3\n3 2 4 3\n3 3 4 5\n");
+  }
+};
+
+TEST_F(Refine_command, counts_what_it_inserts)
+{
+  ASSERT_EQ(idt("sample bad-torus -o t.off").status, 0);
+  const Command_run run = idt("refine t.off --verify --stats s.json --points p.csv --edges e.csv --laplacian L.mtx --mass M.mtx");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_TRUE(contains(run.out, "status          refined, Delaunay, verified"));
+  const Json json = stats();
+  for (const char* key : {"vertices", "inserted", "segment_splits", "removed", "flips", "minimum_angle_degrees", "maximum_circumradius",
+                          "unrefined", "status", "seconds"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  const std::size_t vertices = json["vertices"], inserted = json["inserted"];
+  std::istringstream off(content(folder_ / "t.off").substr(4));
+  std::size_t input_vertices = 0;
+  off >> input_vertices;
+  EXPECT_EQ(vertices, input_vertices + inserted);
+  EXPECT_GT(inserted, 0u);
+  EXPECT_EQ(json["segment_splits"], 0);
+  EXPECT_EQ(json["removed"], 0);
+  EXPECT_GE(json["minimum_angle_degrees"], 25 * (1 - 1e-12));
+  EXPECT_LT(json["minimum_angle_degrees"], 26);
+  EXPECT_EQ(json["unrefined"], Json::object());
+  EXPECT_EQ(json["status"], "done");
+  EXPECT_EQ(json["verification"]["not_delaunay"], 0);
+  EXPECT_EQ(json["verification"]["tests"], json["edges"]);
+  EXPECT_EQ(rows("p.csv").size(), inserted);
+  EXPECT_EQ(rows("e.csv").size(), json["edges"]);
+  for (const char* name : {"L.mtx", "M.mtx"}) {
+    const std::vector<std::string> text = lines(content(folder_ / name));
+    const auto sizes = std::find_if(text.begin(), text.end(), [](const std::string& line) { return line[0] != '%'; });
+    ASSERT_NE(sizes, text.end());
+    EXPECT_EQ(sizes->find(std::to_string(vertices) + " " + std::to_string(vertices) + " "), 0u) << name;
+  }
+}
+
+// The lengths of the edges between two vertices in one input face are those of the points.
+TEST_F(Refine_command, says_where_the_points_lie)
+{
+  write("plane.off", "OFF\n4 2 0\n0 0 1\n4 0 1\n4 3 1\n0 3 1\n3 0 1 2\n3 0 2 3\n");
+  ASSERT_EQ(idt("refine plane.off --maximum-edge-length 0.5 --points p.csv --edges e.csv --stats s.json").status, 0);
+  EXPECT_GT(stats()["segment_splits"], 20);
+  std::vector<std::array<double, 2>> places = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+  const std::array<std::array<std::size_t, 3>, 2> faces = {{{0, 1, 2}, {0, 2, 3}}};
+  for (const std::vector<double>& row : rows("p.csv")) {
+    ASSERT_EQ(row.size(), 8u);
+    EXPECT_EQ(row[0], places.size());
+    const auto& corners = faces[static_cast<std::size_t>(row[1])];
+    EXPECT_NEAR(row[2] + row[3] + row[4], 1, 1e-15);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      double x = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        x += row[2 + i] * places[corners[i]][axis];
+      EXPECT_NEAR(x, row[5 + axis], 1e-14);
+    }
+    EXPECT_EQ(row[7], 1);
+    places.push_back({row[5], row[6]});
+  }
+  for (const std::vector<double>& row : rows("e.csv")) {
+    const auto &a = places[static_cast<std::size_t>(row[0])], &b = places[static_cast<std::size_t>(row[1])];
+    EXPECT_NEAR(row[2], std::hypot(a[0] - b[0], a[1] - b[1]), 1e-13);
+    EXPECT_LE(row[2], 0.5);
+  }
+}
+
+TEST_F(Refine_command, keeps_sharp_edges)
+{
+  write_roof("roof.off");
+  // Along the ridge, from vertex 2 to vertex 3, its parts are edges of the result.
+  const auto length_of_ridge = [&](const std::string& options) {
+    EXPECT_EQ(idt("refine roof.off --maximum-edge-length 0.3 --verify --points p.csv --edges e.csv --stats s.json " + options).status, 0);
+    std::map<double, bool> on_ridge = {{2, true}, {3, true}};
+    for (const std::vector<double>& row : rows("p.csv"))
+      on_ridge[row[0]] = row[5] == 1 && row[7] == 1;
+    double sum = 0;
+    for (const std::vector<double>& row : rows("e.csv"))
+      if (on_ridge[row[0]] && on_ridge[row[1]])
+        sum += row[2];
+    return sum;
+  };
+  EXPECT_NEAR(length_of_ridge("--constrain-angle 80"), 1, 1e-14);
+  const Json constrained = stats();
+  EXPECT_LT(length_of_ridge("--constrain-angle 100"), 0.9);
+  EXPECT_LT(stats()["segment_splits"], constrained["segment_splits"]);
+}
+
+// The tip of a needle: a face below the bound, and listed. The smallest angle is that of all faces.
+TEST_F(Refine_command, tells_what_it_left)
+{
+  write("needle.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1.1 0.09 0\n1 0.17 0\n3 0 1 3\n3 1 2 3\n");
+  const Command_run run = idt("refine needle.off --stats s.json");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_TRUE(contains(run.out, "small input angle"));
+  const Json json = stats();
+  EXPECT_EQ(json["status"], "done");
+  ASSERT_EQ(json["unrefined"].size(), 1u);
+  EXPECT_GT(json["unrefined"]["small input angle"], 0);
+  EXPECT_NEAR(json["minimum_angle_degrees"], std::atan2(0.17, 1) * 180 / 3.14159265358979, 1e-9);
+  EXPECT_GE(json["minimum_angle_degrees_of_refined_faces"], 25 * (1 - 1e-12));
+}
+
+TEST_F(Refine_command, stops_at_the_budget)
+{
+  ASSERT_EQ(idt("sample bad-torus -o t.off").status, 0);
+  const Command_run run = idt("refine t.off --maximum-points 7 --verify --stats s.json --edges e.csv");
+  EXPECT_EQ(run.status, 4);
+  EXPECT_TRUE(contains(run.err, "budget of 7 new vertices"));
+  const Json json = stats();
+  EXPECT_EQ(json["inserted"], 7);
+  EXPECT_EQ(json["status"], "point budget");
+  EXPECT_GT(json["unrefined"]["budget"], 0);
+  EXPECT_LT(json["minimum_angle_degrees"], 25);
+  EXPECT_EQ(json["verification"]["not_delaunay"], 0);
+}
+
+TEST_F(Refine_command, refines_surfaces_that_have_lengths_alone)
+{
+  ASSERT_EQ(idt("sample one-vertex-torus -o t.gluing").status, 0);
+  ASSERT_EQ(idt("refine t.gluing --maximum-circumradius 0.1 --points p.csv --stats s.json").status, 0);
+  EXPECT_LE(stats()["maximum_circumradius"], 0.1);
+  ASSERT_FALSE(rows("p.csv").empty());
+  EXPECT_TRUE(std::isnan(rows("p.csv")[0][7]));
+  const Command_run run = idt("refine t.gluing --constrain-angle 30");
+  EXPECT_EQ(run.status, 3);
+  EXPECT_TRUE(contains(run.err, "--constrain-angle needs a surface in space"));
+}
+
+TEST_F(Refine_command, refuses_senseless_bounds)
+{
+  write_kite("kite.off");
+  for (const std::string& options : {"--minimum-angle 30.1", "--minimum-angle -1", "--minimum-angle nan", "--maximum-circumradius 0",
+                                     "--maximum-circumradius nan", "--maximum-edge-length -2", "--constrain-angle 181",
+                                     "--constrain-angle nan", "--maximum-points -1", "--points kite.off"}) {
+    const Command_run run = idt("refine kite.off " + options);
+    EXPECT_EQ(run.status, 2) << options;
+    EXPECT_NE(run.err, "") << options;
+  }
+}
+
+TEST_F(Refine_command, writes_the_overlay)
+{
+  ASSERT_EQ(idt("sample bumpy-dome -o d.off").status, 0);
+  ASSERT_EQ(idt("refine d.off --overlay o.off --crossings c.csv --stats s.json").status, 0);
+  std::istringstream off(content(folder_ / "o.off").substr(4));
+  std::size_t vertices = 0;
+  off >> vertices;
+  EXPECT_EQ(vertices, stats()["vertices"].get<std::size_t>() + rows("c.csv").size());
+}
+
+} // namespace
