@@ -103,6 +103,36 @@ def weight_histogram(surface, triangulation):
     return page
 
 
+def refinement(surface, triangulations, camera, radius):
+    """Edges and angles of a surface, of its iDT, and of the iDT after refinement.
+
+    `triangulations` has the last two, with the angles of each.
+    """
+    pairs, _ = surface.edges()
+    size = camera.size
+    page, all_axes = pyplot.subplots(2, 3, figsize=(9.6, 3.2 * size[1] / size[0] + 2.4), layout="constrained",
+                                     height_ratios=[3.2 * size[1] / size[0], 2.1])
+    corners = surface.points[surface.faces]
+    before, after = np.roll(corners, 1, axis=1) - corners, np.roll(corners, -1, axis=1) - corners
+    angles = np.degrees(np.arctan2(np.linalg.norm(np.cross(after, before), axis=2), (after * before).sum(axis=2)))
+    for column, (title, paths, values) in enumerate([
+            ("input", [surface.points[pair] for pair in pairs], angles.ravel()),
+            *((title, triangulation.paths, values)
+              for title, (triangulation, values) in zip(["iDT", "refined iDT"], triangulations))]):
+        all_axes[0, column].imshow(_draw(surface, [(paths, BLACK)], camera, radius))
+        all_axes[0, column].set_axis_off()
+        all_axes[0, column].set_title(f"{title}: {len(values) // 3:,} triangles")
+        axes = all_axes[1, column]
+        _, bins, bars = axes.hist(values, np.linspace(0, 180, 73), color="0.45")
+        for left, bar in zip(bins, bars):
+            if left < 25:
+                bar.set_facecolor(RED)
+        axes.axvline(25, color="0.2", linewidth=0.8, linestyle=":")
+        axes.set_xlabel(f"angle, from {values.min():.3g} to {values.max():.3g} degrees")
+    all_axes[1, 0].set_ylabel("number of angles")
+    return page
+
+
 def maps_to_the_plane(triangulation, maps):
     """Figure 8: the triangles in the plane, by the extrinsic and by the intrinsic operator.
 

@@ -5,6 +5,7 @@
 import csv
 import json
 import subprocess
+from collections import defaultdict
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -40,6 +41,7 @@ class Triangulation:
     original: np.ndarray  # whether it is an edge of the input
     weights: np.ndarray   # cot + cot
     paths: list           # its points on the surface, one after the other
+    lengths: np.ndarray   # of its edges
 
 
 @dataclass
@@ -91,6 +93,22 @@ def read_obj(path):
     return np.array(points), np.array(uv), faces
 
 
+def corners_in_overlay(path):
+    """The vertices of each intrinsic triangle, from the faces of the overlay in it."""
+    header, data = path.read_bytes().split(b"end_header\n", 1)
+    number = {word[1]: int(word[2]) for word in map(str.split, header.decode().splitlines()) if word[0] == "element"}
+    vertices = np.frombuffer(data, [("point", "<f8", 3), ("kind", "u1")], number["vertex"])
+    result = defaultdict(set)
+    at = vertices.nbytes
+    for _ in range(number["face"]):
+        corners = np.frombuffer(data, "<i4", data[at], at + 1)
+        at += 1 + corners.nbytes
+        intrinsic_face = int.from_bytes(data[at + 4:at + 8], "little")
+        at += 8
+        result[intrinsic_face].update(corners[vertices["kind"][corners] == 0].tolist())
+    return list(result.values())
+
+
 class Idt:
     """The command, working in a folder of its own."""
 
@@ -115,7 +133,20 @@ class Idt:
 
     def triangulate(self, surface):
         """Makes a surface Delaunay."""
-        self.run("triangulate", surface.path, "--edges", "edges.csv", "--crossings", "crossings.csv")
+        return self._triangulation("triangulate", surface)
+
+    def refine(self, surface):
+        """Makes a surface Delaunay, and refines it."""
+        return self._triangulation("refine", surface, "--points", "points.csv")
+
+    def _triangulation(self, command, surface, *options):
+        self.run(command, surface.path, "--edges", "edges.csv", "--crossings", "crossings.csv",
+                 "--overlay", "overlay.ply", *options)
+        points = surface.points
+        if options:
+            with open(self.folder / "points.csv") as file:
+                added = [[float(row[axis]) for axis in "xyz"] for row in csv.DictReader(file)]
+            points = np.array([*points, *added])
         with open(self.folder / "edges.csv") as file:
             rows = list(csv.DictReader(file))
         ends = np.array([[int(row["source"]), int(row["target"])] for row in rows])
@@ -129,8 +160,19 @@ class Idt:
             ends=np.sort(ends, axis=1),
             original=np.array([row["original"] == "1" for row in rows]),
             weights=np.array([float(row["cotan_weight"] or "nan") for row in rows]),
-            paths=[np.array([surface.points[i], *inner, surface.points[j]])
-                   for (i, j), inner in zip(ends, crossings)])
+            paths=[np.array([points[i], *inner, points[j]]) for (i, j), inner in zip(ends, crossings)],
+            lengths=np.array([float(row["length"]) for row in rows]))
+
+    def angles(self, triangulation):
+        """The angles of the triangles, in degrees, of the last run. No two edges join the same vertices."""
+        lengths = {tuple(pair): length for pair, length in zip(triangulation.ends.tolist(), triangulation.lengths)}
+        triangles = corners_in_overlay(self.folder / "overlay.ply")
+        if len(lengths) < len(triangulation.ends) or any(len(corners) != 3 for corners in triangles):
+            raise Files_error("there are angles of triangulations without loops and multiple edges alone")
+        a, b, c = np.array([[lengths[tuple(sorted((j, k)))], lengths[tuple(sorted((k, i)))], lengths[tuple(sorted((i, j)))]]
+                            for i, j, k in triangles]).T
+        cosines = [(y * y + z * z - x * x) / (2 * y * z) for x, y, z in ((a, b, c), (b, c, a), (c, a, b))]
+        return np.degrees(np.arccos(np.clip(cosines, -1, 1))).ravel()
 
     def compare_samples(self, *number_types):
         """Runs number types on all built-in surfaces, for some minutes."""

@@ -45,6 +45,7 @@ SAMPLES = {
     "maps": Subject(DOME),
     "interpolation": Subject(DOME, Camera((1, -1.2, 0.1), center=(0.6, -0.7, -0.15), height=0.95)),
     "circle-patterns": Subject(DOME, Camera((1, -1.2, 0.9))),
+    "refinement": Subject(DOME, Camera((1, -1.2, 0.9), size=(400, 360)), 0.0012),
     "kernels": None,  # all samples, and no view
 }
 
@@ -64,6 +65,7 @@ def table_1(folder):
                      Subject(model("hygeia"), Camera((0.3, 0.3, 1), up=(0, 1, 0)), 0.0006),
                      Subject(model("horse"), Camera((1, 0.3, 0.3)), 0.0003)],
         "weights": Subject(model("hygeia")),
+        "refinement": Subject(model("bunnyhead"), Camera((0.3, 0.3, 1), up=(0, 1, 0), size=(400, 360))),
         "maps": Subject(model("beautiful_freak")),
         "interpolation": Subject(model("bunnyhead"), Camera((0.3, 0.3, 1), up=(0, 1, 0))),
         "circle-patterns": Subject(upper_half_of_hygeia, Camera((0.3, 0.3, -1), up=(0, 1, 0))),
@@ -85,6 +87,15 @@ def draw_overlays(idt, subjects):
 def draw_weights(idt, subject):
     surface = subject.surface(idt)
     return figures.weight_histogram(surface, idt.triangulate(surface))
+
+
+def draw_refinement(idt, subject):
+    surface = subject.surface(idt)
+    triangulations = []
+    for make in (idt.triangulate, idt.refine):
+        triangulation = make(surface)
+        triangulations.append((triangulation, idt.angles(triangulation)))
+    return figures.refinement(surface, triangulations, subject.camera, subject.radius)
 
 
 def draw_maps(idt, subject):
@@ -113,10 +124,10 @@ def draw_kernels(idt, _):
         "filtered"))
 
 
-# The names of the pictures, in the order of the paper: figures 1, 2, 6, 7, 8, 9 and 10; and one more.
+# The names of the pictures, in the order of the paper: figures 1, 2, 6, 7, 8, 9 and 10; and two more.
 DRAW = {"edges": draw_edges, "thin-tube": draw_edges, "weights": draw_weights, "overlays": draw_overlays,
         "maps": draw_maps, "interpolation": draw_interpolation, "circle-patterns": draw_circle_patterns,
-        "kernels": draw_kernels}
+        "refinement": draw_refinement, "kernels": draw_kernels}
 LINE_DRAWINGS = ("weights", "maps", "kernels")  # these have few colors
 
 
