@@ -179,7 +179,7 @@ TEST_P(Refined_data, has_no_small_angle_without_a_reason)
       EXPECT_TRUE(read.is_at_cone(sharpest)) << f.idx() << ": " << angle << " degrees";
       break;
     case IT::Refinement_obstacle::UNREPRESENTABLE:
-      EXPECT_LT(read.circumradius(sharpest), std::ldexp(size, -30)) << f.idx() << ": " << angle << " degrees";
+      EXPECT_LT(read.circumradius(sharpest), std::ldexp(size, -46)) << f.idx() << ": " << angle << " degrees";
       break;
     case IT::Refinement_obstacle::BUDGET:
       ADD_FAILURE() << "the budget suffices";
