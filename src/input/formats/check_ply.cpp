@@ -191,7 +191,8 @@ void check_counts(const std::string& path, const Ply_header& header, const std::
 bool is_signed(const std::string& type) { return type[0] == 'i' || type == "char" || type == "short"; }
 
 // A list whose size is a 32-bit number may claim gigabytes, and one whose size has a sign less than
-// nothing: goes through the data once, and only then lets the reader allocate.
+// nothing; beyond the end of the file, the reader takes whatever is in memory for a size. Goes through the data
+// once, and only then lets the reader allocate.
 void check_binary_lists(const std::string& path, const Ply_header& header)
 {
   bool has_lists = false;
@@ -206,26 +207,28 @@ void check_binary_lists(const std::string& path, const Ply_header& header)
   for (const Ply_element& element : header.elements)
     for (std::size_t i = 0; i < element.count; ++i)
       for (const Ply_property& property : element.properties) {
+        const auto where = [&] { return "element " + element.name + " " + std::to_string(i) + ": "; };
+        const auto require = [&](std::size_t bytes) {
+          if (bytes > text.size() - position)
+            refuse(path, where() + "the file ends within " + property.name);
+        };
         std::size_t size = 1;
         if (!property.size_type.empty()) {
           const std::size_t bytes = ply_type_size(property.size_type);
-          if (text.size() < position + bytes)
-            return;
+          require(bytes);
           unsigned long long bits = 0;
           for (std::size_t b = 0; b < bytes; ++b)
             bits |= static_cast<unsigned long long>(static_cast<unsigned char>(text[position + b]))
                     << 8 * (header.format == "binary_big_endian" ? bytes - 1 - b : b);
           position += bytes;
-          const std::string where = "element " + element.name + " " + std::to_string(i) + ": the list " + property.name;
           if (is_signed(property.size_type) && (bits >> (8 * bytes - 1)) != 0)
-            refuse(path, where + " claims a negative number of entries");
+            refuse(path, where() + "the list " + property.name + " claims a negative number of entries");
           if (bits > text.size() - position)
-            refuse(path, where + " claims more entries than the file has");
+            refuse(path, where() + "the list " + property.name + " claims more entries than the file has");
           size = static_cast<std::size_t>(bits);
         }
+        require(size * ply_type_size(property.type));
         position += size * ply_type_size(property.type);
-        if (position > text.size())
-          return; // the reader will stop here too
       }
 }
 
