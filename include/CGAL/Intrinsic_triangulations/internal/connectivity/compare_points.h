@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 
 #include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
 
 #include <array>
 #include <cmath>
