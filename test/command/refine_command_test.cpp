@@ -175,10 +175,10 @@ TEST_F(Refine_command, refines_surfaces_that_have_lengths_alone)
 TEST_F(Refine_command, refuses_senseless_bounds)
 {
   write_kite("kite.off");
-  for (const std::string& options : {"--minimum-angle 30.1", "--minimum-angle -1", "--minimum-angle nan", "--maximum-circumradius 0",
-                                     "--maximum-circumradius nan", "--maximum-edge-length -2", "--constrain-angle 181",
-                                     "--constrain-angle nan", "--maximum-points -1", "--points kite.off"}) {
-    const Command_run run = idt("refine kite.off " + options);
+  for (const char* const options : {"--minimum-angle 30.1", "--minimum-angle -1", "--minimum-angle nan", "--maximum-circumradius 0",
+                                    "--maximum-circumradius nan", "--maximum-edge-length -2", "--constrain-angle 181",
+                                    "--constrain-angle nan", "--maximum-points -1", "--points kite.off"}) {
+    const Command_run run = idt(std::string("refine kite.off ") + options);
     EXPECT_EQ(run.status, 2) << options;
     EXPECT_NE(run.err, "") << options;
   }

@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 
 #include <CGAL/enum.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <array>
 #include <cmath>
