@@ -79,7 +79,7 @@ TEST_F(Table_command, has_a_row_for_each_input)
     keys.push_back(item.key());
   EXPECT_EQ(keys,
             (std::vector<std::string>{"model", "vertices", "flips", "simple", "longest",
-                                      "condition_ratio", "crossings", "seconds", "repair", "paper", "extrinsic",
+                                      "condition_ratio", "crossings", "minimum_angle_degrees", "seconds", "repair", "paper", "extrinsic",
                                       "intrinsic"}));
   EXPECT_EQ(json[0]["model"], "a");
   EXPECT_EQ(json[0]["vertices"], 4);
@@ -89,6 +89,7 @@ TEST_F(Table_command, has_a_row_for_each_input)
   EXPECT_EQ(json[0]["longest"], 2);
   EXPECT_EQ(json[0]["crossings"], 1);
   EXPECT_EQ(json[1]["longest"], 1);
+  EXPECT_NEAR(json[0]["minimum_angle_degrees"].get<double>(), 28.072486935852957, 1e-12); // 2 atan(1/4)
 }
 
 TEST_F(Table_command, has_condition_numbers_where_there_are_inner_vertices)
