@@ -75,7 +75,7 @@ public:
   ///
   /// `CGAL::Tag_false` for a model whose answers are final. With `CGAL::Tag_true`, `FT` is
   /// `double`, `Boolean` is `CGAL::Uncertain<bool>`, and the model has
-  /// `Construct_refined_data` and `Has_positive_area` as well.
+  /// `Construct_refined_data`, `Is_convex` and `Has_positive_area` as well.
   typedef unspecified_type Uses_exact_geometry;
 
   /// a point in space
@@ -120,6 +120,12 @@ public:
   π. A tie is Delaunay: only then does `flip_to_Delaunay()` end.
   */
   typedef unspecified_type Is_locally_Delaunay;
+
+  /*!
+  Provides `Boolean operator()(const Hinge_data& hinge) const`: whether the two faces form a strictly convex
+  quadrilateral, as far as the numbers tell. Required only if `Uses_exact_geometry` is `CGAL::Tag_true`.
+  */
+  typedef unspecified_type Is_convex;
 
   /*!
   Provides `Boolean operator()(const Hinge_data& hinge, Flipped_hinge_data& flipped) const`:
@@ -196,6 +202,7 @@ public:
   Construct_edge_data construct_edge_data_object() const;
   Construct_face_data construct_face_data_object() const;
   Is_locally_Delaunay is_locally_Delaunay_object() const;
+  Is_convex is_convex_object() const;
   Construct_flipped_hinge construct_flipped_hinge_object() const;
   Construct_refined_data construct_refined_data_object() const;
   Is_accurate is_accurate_object() const;

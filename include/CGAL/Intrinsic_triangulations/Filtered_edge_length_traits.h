@@ -197,6 +197,28 @@ public:
     }
   };
 
+  /// decides whether the two faces of a hinge form a strictly convex quadrilateral if the error bounds suffice.
+  struct Is_convex
+  {
+    // At the ends of ij the angles sum to less than π if x_k b + x_l a and y_k b + y_l a are positive: up to a
+    // positive factor, these are the sines of the sums. Their errors are bounded as in `Construct_flipped_hinge`.
+    /// decides, or returns an uncertain value.
+    Boolean operator()(const Hinge_data& h) const
+    {
+      const double a = h.ijk.value, b = h.jil.value, e = h.ijk.error, f = h.jil.error;
+      const double of_areas = 0.84 * (e * b + f * a + 1.4 * e * f);
+      const auto is_below_straight = [&](double at_k, double at_l) -> Boolean {
+        const double value = at_k * b + at_l * a;
+        const double bound = 1.01 * (0.78 * (std::abs(at_k) * f + std::abs(at_l) * e) + of_areas) + tiny;
+        if (!(std::abs(value) > bound))
+          return Boolean::indeterminate();
+        return value > 0;
+      };
+      return is_below_straight(twice_scalar_product(h.ki, h.ij, h.jk), twice_scalar_product(h.il, h.ij, h.lj)) &
+             is_below_straight(twice_scalar_product(h.jk, h.ij, h.ki), twice_scalar_product(h.lj, h.ij, h.il));
+    }
+  };
+
   /// computes the flipped hinge. The edge is not Delaunay by an exact decision, so
   /// the other diagonal exists.
   struct Construct_flipped_hinge
@@ -388,6 +410,7 @@ public:
   Construct_refined_data construct_refined_data_object() const { return {}; }
   Is_accurate is_accurate_object() const { return {}; }
   Is_locally_Delaunay is_locally_Delaunay_object() const { return {}; }
+  Is_convex is_convex_object() const { return {}; }
   Has_positive_area has_positive_area_object() const { return {}; }
   Construct_flipped_hinge construct_flipped_hinge_object() const { return {}; }
   Compute_squared_length compute_squared_length_object() const { return {}; }

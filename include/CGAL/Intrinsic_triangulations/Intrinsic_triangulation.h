@@ -301,15 +301,15 @@ public:
 
   /// \brief flips `e` if its two faces form a strictly convex quadrilateral.
   ///
-  /// Nothing changes unless the outcome is `FLIPPED`. O(1); with traits that use exact geometry,
-  /// whether the quadrilateral is convex is decided exactly, in time proportional to the number
-  /// of input edges that its sides cross.
+  /// No edge or face changes unless the outcome is `FLIPPED`. O(1). With traits that use exact geometry, whether
+  /// the quadrilateral is convex is decided exactly: where the error bounds do not suffice, in time proportional to the
+  /// number of input edges that its sides cross.
   /// \pre `connectivity().is_flippable(e)`
   /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
   Flip_outcome flip(Edge_index e)
   {
     if constexpr (uses_exact_geometry)
-      if (!exact_geometry().is_convex(connectivity_, e))
+      if (!is_convex(e))
         return Flip_outcome::NOT_CONVEX;
     return flip_not_Delaunay(e);
   }
@@ -378,6 +378,17 @@ public:
   }
   /// @}
 
+  /// \brief replaces the stored numbers of `f` by those that follow from the input, where these are better.
+  ///
+  /// After many flips their error bounds are so wide that filters decide little. For traits with exact geometry. Costs time
+  /// proportional to the number of input edges that the sides cross.
+  void refine(Face_index f)
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Halfedge_index h = connectivity_.halfedge(f);
+    refine(h, exact_geometry().corner(connectivity_, h));
+  }
+
   /// returns the datum that the traits keep for `e`, in the internal unit.
   const Edge_data& edge_data(Edge_index e) const { return edges_[e.idx()]; }
   /// returns the datum that the traits keep for `f`, in the internal unit.
@@ -445,6 +456,18 @@ private:
     faces_[connectivity_.face(around.ji).idx()] = flipped.jkl;
     internal::bound_corners_of_flipped(traits_, around, old, flipped, bounds_);
     return Flip_outcome::FLIPPED;
+  }
+
+  // The numbers of both faces are replaced by better ones where they leave it open: more flips beside them may follow.
+  bool is_convex(Edge_index e)
+  {
+    const auto by_filter = traits_.is_convex_object();
+    if (const Boolean answer = by_filter(hinge(e)); is_certain(answer))
+      return certainly(answer);
+    refine(connectivity_.face(connectivity_.halfedge(e)));
+    refine(connectivity_.face(connectivity_.opposite(connectivity_.halfedge(e))));
+    const Boolean answer = by_filter(hinge(e));
+    return is_certain(answer) ? certainly(answer) : exact_geometry().is_convex(connectivity_, e);
   }
 
   // Decides by the exact geometry, and replaces what was stored.
