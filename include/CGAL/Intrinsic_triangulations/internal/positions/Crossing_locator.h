@@ -92,28 +92,24 @@ class Crossing_locator
 {
 public:
   // \param surface the input, which remembers what it is asked
-  Crossing_locator(const Delta_complex& intrinsic, const Correspondence& correspondence, Input_surface& surface, const Overlay& overlay)
-    : intrinsic_(intrinsic), correspondence_(correspondence), input_(correspondence.input()), surface_(surface), overlay_(overlay),
+  Crossing_locator(const Delta_complex& intrinsic, const Correspondence& correspondence, Input_surface& surface)
+    : intrinsic_(intrinsic), correspondence_(correspondence), input_(correspondence.input()), surface_(surface),
       in_space_(input_, Space_frame(input_, surface.metric().points())),
-      in_plane_(input_, Plane_frame(input_, surface.metric().points())), crossed_(input_)
+      in_plane_(input_, Plane_frame(input_, surface.metric().points()))
   {}
 
-  // Calls `visit(x, on_intrinsic_edge, on_input_edge)` for each crossing of e in order.
+  // Where e crosses these edges, in order; valid until the next call.
   // \pre e crosses input edges
-  template <class Visit>
-  void operator()(Edge_index e, const Visit& visit)
+  const std::vector<Position_on_edges>& operator()(Edge_index e, const Crossed_edges& crossed)
   {
-    find_crossed_edges(overlay_, input_, e, crossed_);
     bool is_good = !surface_.metric().points().empty() && !has_inserted_end(e) &&
-                   (is_flat() ? locate_crossings(in_plane_, crossed_, positions_)
-                              : locate_crossings(in_space_, crossed_, positions_));
+                   (is_flat(crossed) ? locate_crossings(in_plane_, crossed, positions_)
+                                     : locate_crossings(in_space_, crossed, positions_));
     if (!is_good)
-      locate_in_stages(e);
-    for (std::size_t i = 0; i < positions_.size(); ++i) {
-      const Overlay::Vertex x = *(overlay_.intrinsic_crossings(e).begin() + std::ptrdiff_t(i));
-      visit(x, in_unit_interval(positions_[i].on_intrinsic_edge),
-            in_unit_interval(positions_[i].on_input_edge));
-    }
+      locate_in_stages(e, crossed);
+    for (Position_on_edges& position : positions_)
+      position = {in_unit_interval(position.on_intrinsic_edge), in_unit_interval(position.on_input_edge)};
+    return positions_;
   }
 
 private:
@@ -125,36 +121,36 @@ private:
 
   static double in_unit_interval(double x) { return (std::min)(1., (std::max)(0., x)); }
 
-  bool is_flat()
+  bool is_flat(const Crossed_edges& crossed)
   {
-    for (Halfedge_index h : crossed_)
+    for (Halfedge_index h : crossed)
       if (!surface_.is_flat(h))
         return false;
     return true;
   }
 
   // By numbers that know their errors, with more and more digits.
-  void locate_in_stages(Edge_index e)
+  void locate_in_stages(Edge_index e, const Crossed_edges& crossed)
   {
     Double_double_metric metric(surface_);
-    bool is_good = locate(e, metric);
+    bool is_good = locate(e, crossed, metric);
     for (long precision : {128l, 512l, 2048l})
       if (!is_good) {
         Mpfr_metric precise_metric(surface_, {precision});
-        is_good = locate(e, precise_metric);
+        is_good = locate(e, crossed, precise_metric);
       }
   }
 
   template <class Metric>
-  bool locate(Edge_index e, Metric& metric)
+  bool locate(Edge_index e, const Crossed_edges& crossed, Metric& metric)
   {
     using Frame = Metric_frame<Metric>;
     Strip<Frame> strip(input_, Frame(input_, metric));
-    Unfolding<Metric>(intrinsic_, correspondence_, metric).lay_out(strip, intrinsic_.halfedge(e), crossed_);
+    Unfolding<Metric>(intrinsic_, correspondence_, metric).lay_out(strip, intrinsic_.halfedge(e), crossed);
     bool is_good = true;
     positions_.clear();
     strip.for_each_crossing([&](const auto& areas, const auto& left, const auto& right) {
-      const bool starts_left = is_in_own_direction(crossed_[positions_.size()]);
+      const bool starts_left = is_in_own_direction(crossed[positions_.size()]);
       check_sides(e, areas.left.sign(), areas.right.sign());
       const auto whole = areas.left + areas.right;
       if (!is_certain(whole.sign()) || get_certain(whole.sign()) == ZERO) {
@@ -198,10 +194,8 @@ private:
   const Correspondence& correspondence_;
   const Delta_complex& input_;
   Input_surface& surface_;
-  const Overlay& overlay_;
   Strip<Space_frame> in_space_;
   Strip<Plane_frame> in_plane_;
-  Crossed_edges crossed_;
   std::vector<Position_on_edges> positions_;
 };
 

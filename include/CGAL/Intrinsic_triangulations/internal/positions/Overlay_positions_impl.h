@@ -21,17 +21,22 @@ void Overlay_positions::find_crossings(const Delta_complex& intrinsic, const Exa
                                        std::size_t first, std::size_t last, const internal::Loop_progress& progress)
 {
   const Exact_geometry::Surface_lease surface = geometry.input_surface();
-  internal::Crossing_locator locate(intrinsic, geometry.correspondence(), *surface, overlay);
+  const Delta_complex& input = geometry.correspondence().input();
+  internal::Crossing_locator locate(intrinsic, geometry.correspondence(), *surface);
+  internal::Crossed_edges crossed(input);
   for (std::size_t i = first; i < last; ++i) {
     progress.at(i);
     const Edge_index e{size_type(i)};
     if (overlay.intrinsic_crossings(e).empty())
       continue;
+    internal::find_crossed_edges(overlay, input, e, crossed);
     double before = 0;
-    locate(e, [&](Overlay::Vertex x, double on_intrinsic_edge, double on_input_edge) {
-      on_intrinsic_edge_[index(x)] = before = (std::max)(before, on_intrinsic_edge);
-      on_input_edge_[index(x)] = on_input_edge;
-    });
+    auto x = overlay.intrinsic_crossings(e).begin();
+    for (const internal::Position_on_edges& position : locate(e, crossed)) {
+      on_intrinsic_edge_[index(*x)] = before = (std::max)(before, position.on_intrinsic_edge);
+      on_input_edge_[index(*x)] = position.on_input_edge;
+      ++x;
+    }
   }
 }
 
