@@ -1,0 +1,610 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Paths and closed curves along intrinsic edges, shortened by flips until they are geodesics.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_NETWORK_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_NETWORK_H
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Wedge.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <queue>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief how a path of a `Geodesic_path_network` stands.
+enum class Geodesic_status {
+  GEODESIC,       ///< locally shortest: at each inner vertex that is not fixed, the angles on both sides are at least π
+  CONTRACTIBLE,   ///< a closed curve that was shrunk to a point
+  BLOCKED,        ///< it can only be shortened over an edge of the network, or over edges that cannot be flipped
+  NOT_IMPROVABLE, ///< a loop of one edge that is no geodesic, for which no shorter path of edges was found
+  UNFINISHED      ///< the budget did not suffice, or the visitor cancelled the run
+};
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief the result of `Geodesic_path_network::shorten()`.
+struct Geodesic_report
+{
+  /// the worst status of all paths, in the order of the enumeration; contractible ones are none the worse for it
+  Geodesic_status status = Geodesic_status::GEODESIC;
+  std::uint64_t flips = 0; ///< the number of flips
+  std::uint64_t steps = 0; ///< how often a part of a path was replaced by a shorter one
+  std::uint64_t tests = 0; ///< the number of edges that were looked at
+};
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+///
+/// \brief paths and closed curves along the edges of an intrinsic triangulation, which flips make shorter until they are
+/// locally shortest.
+///
+/// Where the angle on one side of an inner vertex is less than π, edges in between are flipped until the way round the
+/// vertex is shorter. Whether it is less is decided exactly, and an angle of exactly π is straight; so a path
+/// that is called a geodesic is one. Paths may use the same edges, in any direction. They move independently of each other, but edges of the
+/// network are never flipped: a path that can only be shortened across another, which does not move away, is blocked.
+/// Paths stay on their side of constrained edges and of the border: an angle with such an edge inside counts as straight.
+///
+/// The triangulation is flipped, but stays a triangulation of the same surface; while a network lives, nobody else should flip it.
+///
+/// \tparam Traits traits with exact geometry, such as `Filtered_edge_length_traits`
+///
+/// Source: N. Sharp, K. Crane, "You can find geodesic paths in triangle meshes by just flipping edges" (2020). The exact
+/// decisions, the proof of termination (doc/termination.md) and the treatment of loops are ours.
+template <class Traits>
+class Geodesic_path_network
+{
+  static_assert(Traits::Uses_exact_geometry::value, "geodesics need traits that use exact geometry");
+
+public:
+  /// the triangulation
+  using Triangulation = Intrinsic_triangulation<Traits>;
+
+  /// \brief constructs a network without paths.
+  /// \param triangulation is flipped by `shorten()` and has to live as long as the network
+  /// \param is_constrained says of an edge whether paths must not cross it; nothing is constrained without it
+  explicit Geodesic_path_network(Triangulation& triangulation, std::function<bool(Edge_index)> is_constrained = {})
+    : triangulation_(triangulation), geometry_(triangulation), is_constrained_(std::move(is_constrained)),
+      number_of_uses_(complex().number_of_edges(), 0), is_fixed_(complex().number_of_vertices(), false)
+  {}
+  /// \cond SKIP_IN_MANUAL
+  Geodesic_path_network(const Geodesic_path_network&) = delete;
+  Geodesic_path_network& operator=(const Geodesic_path_network&) = delete;
+  /// \endcond
+
+  /// \brief adds a path with fixed ends.
+  /// \param halfedges a range of halfedges, each of which begins where the one before ends
+  /// \return the number of the path: 0, 1, 2, ...
+  /// \exception Invalid_point_error if there is no such halfedge, or one begins elsewhere
+  template <class HalfedgeRange>
+  std::size_t add_path(const HalfedgeRange& halfedges)
+  {
+    return add(std::vector<Halfedge_index>(std::begin(halfedges), std::end(halfedges)), false);
+  }
+  /// \brief adds a closed curve.
+  ///
+  /// \param halfedges as for `add_path()`; the first begins where the last ends
+  /// \return the number of the path
+  /// \exception Invalid_point_error as `add_path()`, or if the curve is not closed
+  template <class HalfedgeRange>
+  std::size_t add_closed_path(const HalfedgeRange& halfedges)
+  {
+    return add(std::vector<Halfedge_index>(std::begin(halfedges), std::end(halfedges)), true);
+  }
+
+  /// fixes a vertex: paths that pass through it go on to do so.
+  void fix(Vertex_index v) { is_fixed_[v.idx()] = true; }
+
+  /// \brief shortens all paths until they are locally shortest.
+  ///
+  /// \tparam NamedParameters a sequence of named parameters
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{is told of each flip and can cancel; pass `std::ref()` to keep its state}
+  ///     \cgalParamType{a model of `IntrinsicFlipVisitor`}
+  ///     \cgalParamDefault{`Default_flip_visitor`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_number}
+  ///     \cgalParamDescription{the number of flips after which the algorithm gives up}
+  ///     \cgalParamType{`std::uint64_t`}
+  ///     \cgalParamDefault{unlimited: the algorithm ends}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
+  /// \return what happened. Triangulation and paths are valid whatever the status, and no path is longer than before.
+  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+  /// \exception Cancelled_error if the visitor cancels within an exact decision; paths are valid then as well
+  template <class NamedParameters = parameters::Default_named_parameters>
+  Geodesic_report shorten(const NamedParameters& np = parameters::default_values())
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    auto given = choose_parameter(get_parameter(np, internal_np::visitor), Default_flip_visitor());
+    auto& visitor = internal::unwrapped(given);
+    budget_ = choose_parameter(get_parameter(np, internal_np::maximum_number), (std::numeric_limits<std::uint64_t>::max)());
+    report_ = {};
+    is_stopped_ = false;
+    go_further_ = [&] { return visitor.go_further(report_.tests, report_.flips); };
+    after_flip_ = [&](Edge_index e) { visitor.after_flip(e); };
+    const internal::Interruption_scope<Triangulation> scope(triangulation_, go_further_);
+    for (Path& path : paths_)
+      path.status = Geodesic_status::GEODESIC;
+    Queue queue;
+    for (std::size_t p = 0; p < paths_.size(); ++p)
+      push_path(p, queue);
+    settle(queue);
+    for (Path& path : paths_) {
+      if (is_stopped_ && path.status != Geodesic_status::CONTRACTIBLE)
+        path.status = Geodesic_status::UNFINISHED;
+      if (path.status != Geodesic_status::CONTRACTIBLE)
+        report_.status = (std::max)(report_.status, path.status);
+    }
+    return report_;
+  }
+
+  /// \name Paths
+  /// @{
+
+  /// returns the number of paths.
+  std::size_t number_of_paths() const { return paths_.size(); }
+  /// returns whether path `p` is a closed curve.
+  bool is_closed(std::size_t p) const { return paths_[p].is_closed; }
+  /// returns how the last `shorten()` left path `p`.
+  Geodesic_status status(std::size_t p) const { return paths_[p].status; }
+  /// \brief returns the vertex to which a contractible curve was shrunk.
+  /// \pre `status(p)` is `CONTRACTIBLE`
+  Vertex_index contraction(std::size_t p) const { return paths_[p].contraction; }
+
+  /// returns the halfedges of path `p` in the current triangulation: none if it was shrunk to a point.
+  std::vector<Halfedge_index> halfedges(std::size_t p) const
+  {
+    std::vector<Halfedge_index> result;
+    for (Segment_index s = paths_[p].first; s != none;) {
+      result.push_back(segments_[s].halfedge);
+      s = segments_[s].next;
+      if (s == paths_[p].first)
+        break;
+    }
+    return result;
+  }
+  /// returns the length of path `p`, within one unit in the last place for each of its edges.
+  double length(std::size_t p) const
+  {
+    double sum = 0;
+    for (Halfedge_index h : halfedges(p))
+      sum += triangulation_.length(complex().edge(h));
+    return sum;
+  }
+  /// \brief decides whether path `p` is locally shortest: whether at each inner vertex that is not fixed, the angle on either side
+  /// is at least π, or contains the border or a constrained edge. A curve that was shrunk to a point is.
+  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+  bool is_geodesic(std::size_t p)
+  {
+    const std::vector<Halfedge_index> sides = halfedges(p);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      if (i + 1 == sides.size() && !is_closed(p))
+        break;
+      const Halfedge_index a = sides[i], b = sides[(i + 1) % sides.size()];
+      if (is_fixed_[complex().target(a).idx()])
+        continue;
+      if (complex().opposite(a) == b)
+        return false;
+      for (const internal::Wedge& wedge : {left_wedge(a, b), left_wedge(complex().opposite(b), complex().opposite(a))})
+        if (!is_fenced(wedge) && geometry_.compare_with_pi(wedge) == SMALLER)
+          return false;
+    }
+    return true;
+  }
+  /// decides whether all paths are locally shortest.
+  bool is_geodesic()
+  {
+    for (std::size_t p = 0; p < paths_.size(); ++p)
+      if (!is_geodesic(p))
+        return false;
+    return true;
+  }
+  /// @}
+
+private:
+  using Segment_index = std::uint32_t;
+  static constexpr Segment_index none = (std::numeric_limits<Segment_index>::max)();
+
+  struct Segment
+  {
+    Halfedge_index halfedge;
+    Segment_index prev, next; // around and around in a closed path
+    std::uint32_t path;
+    bool is_alive;
+  };
+  struct Path
+  {
+    Segment_index first; // none after it was shrunk to a point
+    bool is_closed;
+    Geodesic_status status = Geodesic_status::GEODESIC;
+    Vertex_index contraction;
+  };
+  // What may be shortened between two segments; or a loop, which both of them are.
+  struct Bend
+  {
+    double angle;
+    Segment_index before, after;
+    bool is_on_left;
+    friend bool operator<(const Bend& a, const Bend& b) { return a.angle > b.angle; } // the sharpest comes first
+  };
+  using Queue = std::priority_queue<Bend>;
+
+  const Delta_complex& complex() const { return triangulation_.connectivity(); }
+
+  // To the left of the way from a to b.
+  internal::Wedge left_wedge(Halfedge_index a, Halfedge_index b) const { return {b, complex().opposite(a)}; }
+
+  bool is_constrained(Edge_index e) const { return is_constrained_ && is_constrained_(e); }
+
+  // Whether a constrained edge lies inside of the wedge.
+  bool is_fenced(const internal::Wedge& wedge) const
+  {
+    if (!is_constrained_)
+      return false;
+    for (Halfedge_index h = wedge.first; h != wedge.last && !complex().is_border(h);) {
+      h = complex().next_around_source(h);
+      if (h != wedge.last && is_constrained(complex().edge(h)))
+        return true;
+    }
+    return false;
+  }
+
+  std::size_t add(const std::vector<Halfedge_index>& halfedges, bool is_closed)
+  {
+    for (std::size_t i = 0; i < halfedges.size(); ++i) {
+      if (!(halfedges[i].idx() < complex().number_of_halfedges()))
+        throw Invalid_point_error("there is no halfedge " + std::to_string(halfedges[i].idx()));
+      const bool is_last = i + 1 == halfedges.size();
+      if (is_last && !is_closed)
+        break;
+      const Halfedge_index following = halfedges[is_last ? 0 : i + 1];
+      if (following.idx() < complex().number_of_halfedges() &&
+          complex().source(following) != complex().target(halfedges[i]))
+        throw Invalid_point_error("halfedge " + std::to_string(following.idx()) + " does not begin at vertex " +
+                                  std::to_string(complex().target(halfedges[i]).idx()) + ", where halfedge " +
+                                  std::to_string(halfedges[i].idx()) + " before it ends");
+    }
+    if (is_closed && halfedges.empty())
+      throw Invalid_point_error("a closed curve without edges");
+    paths_.push_back({none, is_closed, Geodesic_status::GEODESIC, Vertex_index()});
+    link(std::uint32_t(paths_.size() - 1), none, none, halfedges);
+    return paths_.size() - 1;
+  }
+
+  // Links new segments between two others; in a closed path without others, to a circle.
+  // \return the first and the last of them
+  // \pre there are some, or others
+  std::pair<Segment_index, Segment_index> link(std::uint32_t p, Segment_index before, Segment_index after,
+                                               const std::vector<Halfedge_index>& halfedges)
+  {
+    Segment_index first = none, last = before;
+    for (Halfedge_index h : halfedges) {
+      const Segment_index s = Segment_index(segments_.size());
+      segments_.push_back({h, last, none, p, true});
+      ++number_of_uses_[complex().edge(h).idx()];
+      if (last != none)
+        segments_[last].next = s;
+      if (first == none)
+        first = s;
+      last = s;
+    }
+    Path& path = paths_[p];
+    if (path.is_closed && before == none) {
+      segments_[first].prev = last;
+      segments_[last].next = first;
+    } else {
+      if (last != none)
+        segments_[last].next = after;
+      if (after != none)
+        segments_[after].prev = last;
+    }
+    if (before == none)
+      path.first = first != none ? first : after;
+    return {first, last};
+  }
+
+  void remove(Segment_index s)
+  {
+    segments_[s].is_alive = false;
+    --number_of_uses_[complex().edge(segments_[s].halfedge).idx()];
+  }
+
+  void revive(Segment_index s)
+  {
+    segments_[s].is_alive = true;
+    ++number_of_uses_[complex().edge(segments_[s].halfedge).idx()];
+  }
+
+  // Replaces two consecutive segments, or a loop if they are the same.
+  void replace(Segment_index a, Segment_index b, const std::vector<Halfedge_index>& halfedges, Queue& queue)
+  {
+    const std::uint32_t p = segments_[a].path;
+    Path& path = paths_[p];
+    Segment_index before = segments_[a].prev, after = segments_[b].next;
+    const Vertex_index start = complex().source(segments_[a].halfedge);
+    remove(a);
+    if (a != b)
+      remove(b);
+    if (path.is_closed && (before == a || before == b)) // nothing is left
+      before = after = none;
+    if (path.is_closed)
+      path.first = before;
+    if (path.is_closed && before == none && halfedges.empty()) {
+      path.status = Geodesic_status::CONTRACTIBLE;
+      path.contraction = start;
+      return;
+    }
+    const auto [first, last] = link(p, before, after, halfedges);
+    if (halfedges.empty()) {
+      push(before, queue);
+      return;
+    }
+    push(segments_[first].prev, queue);
+    for (Segment_index s = first; s != none; s = segments_[s].next) {
+      push(s, queue);
+      if (s == last)
+        break;
+    }
+  }
+
+  void push_path(std::size_t p, Queue& queue)
+  {
+    const Segment_index first = paths_[p].first;
+    for (Segment_index s = first; s != none;) {
+      push(s, queue);
+      s = segments_[s].next;
+      if (s == first)
+        break;
+    }
+  }
+
+  // Puts both sides of the vertex after a segment on the queue where the path bends there.
+  void push(Segment_index a, Queue& queue)
+  {
+    if (a == none || segments_[a].next == none)
+      return;
+    const Segment_index b = segments_[a].next;
+    const Halfedge_index g = segments_[a].halfedge, h = segments_[b].halfedge;
+    if (is_fixed_[complex().target(g).idx()])
+      return;
+    if (g == complex().opposite(h)) {
+      queue.push({0, a, b, true});
+      return;
+    }
+    for (bool is_on_left : {true, false}) {
+      const internal::Wedge wedge =
+        is_on_left ? left_wedge(g, h) : left_wedge(complex().opposite(h), complex().opposite(g));
+      double angle = 0;
+      if (!is_fenced(wedge) && geometry_.compare_with_pi(wedge, &angle) == SMALLER)
+        queue.push({angle, a, b, is_on_left});
+    }
+  }
+
+  bool goes_on()
+  {
+    ++report_.tests;
+    if (!is_stopped_)
+      is_stopped_ = report_.flips >= budget_ || !go_further_();
+    return !is_stopped_;
+  }
+
+  internal::Wedge_outcome shorten_wedge(const internal::Wedge& wedge)
+  {
+    return geometry_.shorten(
+      wedge, [&](Edge_index e) { return number_of_uses_[e.idx()] == 0 && !is_constrained(e); },
+      [&] { return goes_on(); },
+      [&](Edge_index e) {
+        ++report_.flips;
+        if (journal_)
+          journal_->push_back(e);
+        after_flip_(e);
+      });
+  }
+
+  // The outer side of a wedge, from the end of its last halfedge to that of the first; or the other way.
+  std::vector<Halfedge_index> outer_side(const internal::Wedge& wedge, bool is_backward) const
+  {
+    std::vector<Halfedge_index> result;
+    for (Halfedge_index h = wedge.first; h != wedge.last; h = complex().next_around_source(h))
+      result.push_back(complex().next(h));
+    if (is_backward) {
+      std::reverse(result.begin(), result.end());
+      for (Halfedge_index& h : result)
+        h = complex().opposite(h);
+    }
+    return result;
+  }
+
+  bool is_current(const Bend& bend) const
+  {
+    return segments_[bend.before].is_alive && segments_[bend.after].is_alive && segments_[bend.before].next == bend.after;
+  }
+
+  // Works off a queue. What is blocked is tried again as long as something else moves.
+  void settle(Queue& queue)
+  {
+    std::vector<Bend> blocked;
+    for (;;) {
+      const std::uint64_t steps = report_.steps;
+      while (!queue.empty()) {
+        const Bend bend = queue.top();
+        queue.pop();
+        if (is_current(bend) && !straighten(bend, queue))
+          blocked.push_back(bend);
+        if (is_stopped_)
+          return;
+      }
+      if (report_.steps == steps || blocked.empty())
+        break;
+      for (const Bend& bend : blocked)
+        queue.push(bend);
+      blocked.clear();
+    }
+    for (const Bend& bend : blocked)
+      if (is_current(bend)) {
+        Geodesic_status& status = paths_[segments_[bend.before].path].status;
+        const bool is_loop = bend.before == bend.after;
+        status = (std::max)(status, is_loop ? Geodesic_status::NOT_IMPROVABLE : Geodesic_status::BLOCKED);
+      }
+  }
+
+  // Returns whether the path was shortened there.
+  bool straighten(const Bend& bend, Queue& queue)
+  {
+    if (bend.before == bend.after)
+      return straighten_loop(bend.before, bend.is_on_left, queue);
+    const Halfedge_index a = segments_[bend.before].halfedge, b = segments_[bend.after].halfedge;
+    std::vector<Halfedge_index> way;
+    if (complex().opposite(a) != b) {
+      const internal::Wedge wedge =
+        bend.is_on_left ? left_wedge(a, b) : left_wedge(complex().opposite(b), complex().opposite(a));
+      if (shorten_wedge(wedge) != internal::Wedge_outcome::SHORTENED)
+        return false;
+      way = outer_side(wedge, bend.is_on_left);
+    }
+    ++report_.steps;
+    replace(bend.before, bend.after, way, queue);
+    return true;
+  }
+
+  // A loop of one edge bends at its vertex, but a step there would move both of its ends at once. If the triangle on that side is glued to
+  // itself, the loop goes round a single vertex. Otherwise it is led round the third corner of the triangle, which makes it
+  // longer, then taken off its vertex and shortened as any path; all that is undone unless the result is certainly shorter.
+  bool straighten_loop(Segment_index s, bool is_on_left, Queue& queue)
+  {
+    const std::uint32_t p = segments_[s].path;
+    const Halfedge_index loop = segments_[s].halfedge;
+    const Halfedge_index g = is_on_left ? loop : complex().opposite(loop);
+    const Halfedge_index x = complex().opposite(complex().prev(g)), y = complex().opposite(complex().next(g));
+    if (x == complex().next(g)) {
+      remove(s);
+      paths_[p].first = none;
+      paths_[p].status = Geodesic_status::CONTRACTIBLE;
+      paths_[p].contraction = complex().target(x);
+      ++report_.steps;
+      return true;
+    }
+    const internal::Wedge wedge = left_wedge(y, x);
+    if (is_fenced(wedge))
+      return false;
+    const internal::Bounded_double_double length_before = precise_length(p);
+    const std::uint64_t steps_before = report_.steps;
+    std::vector<Edge_index> flips;
+    journal_ = &flips;
+    bool is_shorter = false;
+    try {
+      is_shorter = leads_round(s, wedge, is_on_left) &&
+                   (paths_[p].first == none || certainly((precise_length(p) - length_before).sign() == NEGATIVE));
+    } catch (...) {
+      undo(s, loop, flips);
+      throw;
+    }
+    if (is_shorter) {
+      journal_ = nullptr;
+      ++report_.steps;
+      push_path(p, queue);
+    } else {
+      undo(s, loop, flips);
+      report_.steps = steps_before;
+    }
+    return is_shorter;
+  }
+
+  // Replaces a loop by the outer side of a wedge, and shortens the path as far as it goes without leading a loop round a corner.
+  // \return whether that was done
+  bool leads_round(Segment_index s, const internal::Wedge& wedge, bool is_on_left)
+  {
+    remove(s);
+    const internal::Wedge_outcome outcome = shorten_wedge(wedge);
+    revive(s);
+    if (outcome != internal::Wedge_outcome::SHORTENED)
+      return false;
+    Queue queue;
+    replace(s, s, outer_side(wedge, is_on_left), queue);
+    while (!queue.empty() && !is_stopped_) {
+      const Bend bend = queue.top();
+      queue.pop();
+      if (is_current(bend) && bend.before != bend.after)
+        straighten(bend, queue);
+    }
+    return !is_stopped_;
+  }
+
+  // Makes of a path the loop again that it was before these flips.
+  void undo(Segment_index s, Halfedge_index loop, const std::vector<Edge_index>& flips)
+  {
+    journal_ = nullptr;
+    const std::uint32_t p = segments_[s].path;
+    if (paths_[p].first != s)
+      for (Segment_index i = paths_[p].first; segments_[i].is_alive; i = segments_[i].next)
+        remove(i);
+    // A flip and one back turn an edge round.
+    auto go_further = triangulation_.set_interruption({});
+    bool is_turned = false;
+    for (std::size_t i = flips.size(); i-- > 0;) {
+      triangulation_.flip(flips[i]);
+      is_turned = is_turned != (flips[i] == complex().edge(loop));
+    }
+    triangulation_.set_interruption(std::move(go_further));
+    if (!segments_[s].is_alive)
+      revive(s);
+    segments_[s] = {is_turned ? complex().opposite(loop) : loop, s, s, p, true};
+    paths_[p].first = s;
+  }
+
+  // In double-doubles: loops beside a band that is nearly a cylinder have nearly the same length. In the unit of the metric.
+  internal::Bounded_double_double precise_length(std::size_t p) const
+  {
+    internal::Bounded_double_double sum;
+    for (Halfedge_index h : halfedges(p)) {
+      const Halfedge_index side = complex().is_border(h) ? complex().opposite(h) : h;
+      sum = sum + sqrt(triangulation_.exact_geometry().corner(complex(), side).s_opposite);
+    }
+    return sum;
+  }
+
+  Triangulation& triangulation_;
+  internal::Wedge_geometry<Traits> geometry_;
+  std::function<bool(Edge_index)> is_constrained_;
+  std::vector<std::uint32_t> number_of_uses_; // of each edge
+  std::vector<bool> is_fixed_;                // each vertex
+  std::vector<Segment> segments_;             // those of before as well
+  std::vector<Path> paths_;
+
+  // of the run:
+  Geodesic_report report_;
+  std::uint64_t budget_ = 0;
+  bool is_stopped_ = false;
+  std::function<bool()> go_further_;
+  std::function<void(Edge_index)> after_flip_;
+  std::vector<Edge_index>* journal_ = nullptr; // of flips that may have to be undone
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_NETWORK_H

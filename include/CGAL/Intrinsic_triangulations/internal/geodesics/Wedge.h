@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The angle between two halfedges around a vertex, and the way round it by flips.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_WEDGE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_WEDGE_H
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Angle_sum.h>
+
+#include <CGAL/enum.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// The corners from one halfedge counterclockwise around its source to another.
+struct Wedge
+{
+  Halfedge_index first, last;
+};
+
+enum class Wedge_outcome {
+  SHORTENED, // the outer side is shorter than the two halfedges
+  BLOCKED,   // an edge inside must not be flipped, or cannot be
+  STOPPED    // the visitor or the budget ended it
+};
+
+template <class Traits>
+class Wedge_geometry
+{
+public:
+  using Triangulation = Intrinsic_triangulation<Traits>;
+
+  explicit Wedge_geometry(Triangulation& triangulation) : triangulation_(triangulation) {}
+
+  // Compares the angle with π: LARGER where the border lies between. `angle` is set to an estimate if it is below π.
+  Comparison_result compare_with_pi(const Wedge& wedge, double* angle = nullptr)
+  {
+    corners_.clear();
+    for (Halfedge_index h = wedge.first; h != wedge.last; h = complex().next_around_source(h)) {
+      if (complex().is_border(h))
+        return LARGER;
+      corners_.push_back({complex().next(h), {}});
+    }
+    return compare_corners_with_pi(angle);
+  }
+
+  // Compares the sum of the angles at the target of h on both sides of it with π. \pre h is not on the border
+  Comparison_result compare_end_with_pi(Halfedge_index h)
+  {
+    corners_ = {{complex().prev(h), {}}, {complex().next(complex().opposite(h)), {}}};
+    return compare_corners_with_pi(nullptr);
+  }
+
+  // Flips edges inside of the wedge until its outer side is straight or turns towards the vertex everywhere. With an angle
+  // below π that side is shorter then than the two halfedges.
+  // \param may_flip says for an edge whether it may be flipped
+  // \param goes_on is called before each attempt; if it returns `false`, the work ends
+  // \param after_flip is called after each flip
+  template <class May_flip, class Go_on, class After_flip>
+  Wedge_outcome shorten(const Wedge& wedge, const May_flip& may_flip, const Go_on& goes_on, const After_flip& after_flip)
+  {
+    // Where edges are loops at this very vertex, a flip can bring new edges into the wedge.
+    std::size_t rest = 64;
+    for (Halfedge_index h = wedge.first; h != wedge.last; h = complex().next_around_source(h))
+      rest += 4;
+    bool is_blocked = false;
+    for (Halfedge_index h = complex().next_around_source(wedge.first); h != wedge.last;) {
+      const Edge_index e = complex().edge(h);
+      if (!may_flip(e))
+        return Wedge_outcome::BLOCKED;
+      if (!goes_on())
+        return Wedge_outcome::STOPPED;
+      Halfedge_index before = clockwise(h);
+      if (before == wedge.first) // it is tested again unless it is a side
+        before = Halfedge_index();
+      const bool is_flippable = complex().is_flippable(e);
+      if (is_flippable && triangulation_.flip(e) == Triangulation::Flip_outcome::FLIPPED) {
+        after_flip(e);
+        if (rest-- == 0)
+          return Wedge_outcome::BLOCKED;
+        // The edge before may have been this one, from its other end.
+        h = before.is_valid() && complex().edge(before) != e ? before : complex().next_around_source(wedge.first);
+        continue;
+      }
+      h = complex().next_around_source(h);
+    }
+    for (Halfedge_index h = complex().next_around_source(wedge.first); h != wedge.last; h = complex().next_around_source(h))
+      is_blocked = is_blocked || compare_end_with_pi(h) == SMALLER;
+    return is_blocked ? Wedge_outcome::BLOCKED : Wedge_outcome::SHORTENED;
+  }
+
+private:
+  const Delta_complex& complex() const { return triangulation_.connectivity(); }
+
+  Halfedge_index clockwise(Halfedge_index h) const { return complex().next(complex().opposite(h)); }
+
+  // By stored numbers, by better ones, or exactly.
+  Comparison_result compare_corners_with_pi(double* angle)
+  {
+    Bounded_angle sum = estimate();
+    if (!sum.is_below_pi() && !sum.is_above_pi()) {
+      for (const Estimated_corner& corner : corners_)
+        if (!(corner.angle.error < 0x1p-44))
+          triangulation_.refine(complex().face(corner.opposite));
+      sum = estimate();
+    }
+    if (angle)
+      *angle = sum.value;
+    return sum.is_below_pi()   ? SMALLER
+           : sum.is_above_pi() ? LARGER
+                               : compare_angle_sum_with_pi(complex(), triangulation_.exact_geometry(), corners_);
+  }
+
+  Bounded_angle estimate()
+  {
+    const auto squared = [&](Halfedge_index side) { return triangulation_.edge_data(complex().edge(side)); };
+    Bounded_angle sum;
+    for (Estimated_corner& corner : corners_) {
+      const Halfedge_index h = corner.opposite;
+      const auto face = triangulation_.face_data(complex().face(h));
+      corner.angle = bounded_angle(
+        twice_scalar_product(squared(complex().next(h)), squared(complex().prev(h)), squared(h)), face.value, face.error);
+      sum += corner.angle;
+    }
+    return sum;
+  }
+
+  Triangulation& triangulation_;
+  std::vector<Estimated_corner> corners_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_WEDGE_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// A straight line on a surface from a point in a direction: the exponential map.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRACE_GEODESIC_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRACE_GEODESIC_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/config.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief a point of the input, and a direction in its face.
+struct Surface_direction
+{
+  Surface_point point; ///< where a line begins
+  /// by how much the barycentric coordinates of the target and of the third corner grow in this direction, in any unit; that of
+  /// the source falls by their sum
+  std::array<double, 2> displacement;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief where a traced line ends.
+enum class Trace_status {
+  AT_LENGTH, ///< inside of a face, or on an edge, after the length that was asked for
+  AT_BORDER, ///< on a border edge
+  AT_VERTEX  ///< exactly in a vertex, where it is not determined how to go on
+};
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief a straight line on the input.
+struct Traced_geodesic
+{
+  Trace_status status = Trace_status::AT_LENGTH; ///< where it ends
+  Vertex_index vertex;                           ///< the vertex where it ends, or the null descriptor
+  double length = 0;                             ///< its length, in the unit of the input
+  /// where it begins, where it enters each face, and where it ends: each point but the last in the face that the line enters there
+  std::vector<Surface_point> points;
+};
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+Traced_geodesic trace(const Exact_geometry& geometry, const Surface_direction& start, double length);
+Surface_direction direction_at_vertex(const Exact_geometry& geometry, Halfedge_index h, double angle);
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief follows a straight line over the input faces.
+///
+/// Which edge the line crosses next, and whether it meets a vertex, is decided exactly for the point and the direction as they are
+/// given. Only positions and lengths are rounded.
+///
+/// \param triangulation a triangulation that keeps its input; flips change nothing
+/// \param start a point of the input and a direction. On an edge or at a vertex, the direction must not leave the face
+/// \param length how far to go, in the unit of the input
+/// \return the line
+/// \exception Invalid_point_error if `start` or `length` is not finite, the point is none of the surface, or the direction
+///   is zero or leaves the face at once
+/// \exception Undecided_error, Cancelled_error as `sign_of_cotangents()` of `Exact_geometry`
+///
+/// O(number of points) arithmetic operations, after the preparation of the exact geometry; tests too close for double-doubles lay
+/// out the whole line once more.
+template <class Traits>
+Traced_geodesic trace_geodesic(const Intrinsic_triangulation<Traits>& triangulation, const Surface_direction& start,
+                               double length)
+{
+  return internal::trace(triangulation.exact_geometry(), start, length);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief returns a direction at the source of an input halfedge.
+///
+/// \param triangulation a triangulation that keeps its input
+/// \param h an input halfedge, whose direction is the angle 0
+/// \param angle the angle in radians, counterclockwise from `h`, on the surface: the whole circle is the sum of the angles
+///   of the faces at the vertex. Rounded by a few units in the last place
+/// \exception Invalid_point_error if the angle is not finite, there is no such halfedge, or the angle leads beyond the border
+template <class Traits>
+Surface_direction direction_at_vertex(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_index h, double angle)
+{
+  return internal::direction_at_vertex(triangulation.exact_geometry(), h, angle);
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/trace_geodesic_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRACE_GEODESIC_H

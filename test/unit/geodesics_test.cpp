@@ -1,0 +1,556 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Geodesics: convexity by the filter, paths and closed curves that are shortened, and lines that are traced.
+
+#include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_path.h>
+#include <CGAL/Intrinsic_triangulations/insert_vertex.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+using Network = IT::Geodesic_path_network<IT::Filtered_edge_length_traits>;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Status = IT::Geodesic_status;
+
+namespace {
+
+const double pi = std::acos(-1.);
+
+Triangulation triangulation_of(const IT::Indexed_triangles& surface)
+{
+  return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
+}
+
+// Squares of side 1 with a diagonal each; the third coordinate by a function of the other two.
+IT::Indexed_triangles grid(
+  std::uint32_t columns, std::uint32_t rows,
+  const std::function<double(double, double)>& height = [](double, double) { return 0.; })
+{
+  IT::Indexed_triangles result;
+  for (std::uint32_t y = 0; y <= rows; ++y)
+    for (std::uint32_t x = 0; x <= columns; ++x)
+      result.points.push_back({double(x), double(y), height(x, y)});
+  for (std::uint32_t y = 0; y < rows; ++y)
+    for (std::uint32_t x = 0; x < columns; ++x) {
+      const std::uint32_t v = y * (columns + 1) + x, w = v + columns + 1;
+      result.triangles.push_back({v, v + 1, w + 1});
+      result.triangles.push_back({v, w + 1, w});
+    }
+  return result;
+}
+
+// A disk of concentric rings round an apex.
+IT::Indexed_triangles cone(std::uint32_t columns, std::uint32_t rings, double height)
+{
+  IT::Indexed_triangles result;
+  result.points.push_back({0, 0, height});
+  for (std::uint32_t r = 1; r <= rings; ++r)
+    for (std::uint32_t c = 0; c < columns; ++c) {
+      const double angle = 2 * pi * (c + 0.5 * (r % 2)) / columns, radius = double(r) / rings;
+      result.points.push_back({radius * std::cos(angle), radius * std::sin(angle), height * (1 - radius)});
+    }
+  const auto vertex = [&](std::uint32_t r, std::uint32_t c) { return 1 + (r - 1) * columns + c % columns; };
+  for (std::uint32_t c = 0; c < columns; ++c)
+    result.triangles.push_back({0, vertex(1, c), vertex(1, c + 1)});
+  for (std::uint32_t r = 1; r < rings; ++r)
+    for (std::uint32_t c = 0; c < columns; ++c) {
+      const std::uint32_t shift = r % 2; // the next ring is turned back or on
+      const std::uint32_t a = vertex(r, c), b = vertex(r, c + 1), p = vertex(r + 1, c + shift),
+                          q = vertex(r + 1, c + shift + 1);
+      result.triangles.push_back({a, p, b});
+      result.triangles.push_back({b, p, q});
+    }
+  return result;
+}
+
+IT::Halfedge_index halfedge_between(const IT::Delta_complex& complex, std::uint32_t from, std::uint32_t to)
+{
+  for (IT::Halfedge_index h : complex.halfedges())
+    if (complex.source(h).idx() == from && complex.target(h).idx() == to)
+      return h;
+  ADD_FAILURE() << "no edge from " << from << " to " << to;
+  return IT::Halfedge_index();
+}
+
+std::vector<IT::Halfedge_index> cycle(const IT::Delta_complex& complex, const std::vector<std::uint32_t>& vertices)
+{
+  std::vector<IT::Halfedge_index> result;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    result.push_back(halfedge_between(complex, vertices[i], vertices[(i + 1) % vertices.size()]));
+  return result;
+}
+
+} // namespace
+
+TEST(Convexity, TheFilterAgreesWithTheUnfolding)
+{
+  Triangulation t = triangulation_of(IT::random_diagonal_grid(12, 12));
+  std::mt19937 random(5);
+  int flipped = 0, refused = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const IT::Edge_index e(random() % t.connectivity().number_of_edges());
+    if (!t.connectivity().is_flippable(e))
+      continue;
+    const bool is_convex = t.exact_geometry().is_convex(t.connectivity(), e);
+    const bool was_flipped = t.flip(e) == Triangulation::Flip_outcome::FLIPPED;
+    ASSERT_EQ(was_flipped, is_convex) << "step " << i;
+    ++(was_flipped ? flipped : refused);
+  }
+  EXPECT_GT(flipped, 100);
+  EXPECT_GT(refused, 100);
+  for (IT::Face_index f : t.connectivity().faces())
+    EXPECT_EQ(t.exact_geometry().sign_of_area(t.connectivity(), f), CGAL::POSITIVE);
+}
+
+TEST(GeodesicPath, AcrossAPlaneIsTheStraightLine)
+{
+  Triangulation t = triangulation_of(grid(9, 7));
+  for (std::uint32_t target : {79u, 78u, 39u, 9u, 70u, 0u}) {
+    Triangulation copy = t;
+    Network network(copy);
+    network.add_path(IT::shortest_edge_path(copy, IT::Vertex_index(0), IT::Vertex_index(target)));
+    EXPECT_EQ(network.shorten().status, Status::GEODESIC);
+    EXPECT_TRUE(network.is_geodesic());
+    EXPECT_NEAR(network.length(0), std::hypot(target % 10, target / 10), 1e-14);
+    const std::vector<IT::Surface_point> points = IT::geodesic_points(copy, network.halfedges(0));
+    const auto& input = copy.exact_geometry().correspondence().input();
+    for (const IT::Surface_point& p : points) {
+      const auto x = IT::point_in_space(input, grid(9, 7).points, p);
+      EXPECT_NEAR(x[0] * (target / 10), x[1] * (target % 10), 1e-13);
+    }
+  }
+}
+
+TEST(GeodesicPath, AnglesOfExactlyPiAreStraight)
+{
+  // Along the sides of squares every angle on a path is π: nothing is to be done.
+  Triangulation t = triangulation_of(grid(9, 1, [](double, double y) { return y; }));
+  std::vector<IT::Halfedge_index> side;
+  for (std::uint32_t x = 0; x < 9; ++x)
+    side.push_back(halfedge_between(t.connectivity(), x, x + 1));
+  Network network(t);
+  network.add_path(side);
+  EXPECT_TRUE(network.is_geodesic());
+  const IT::Geodesic_report report = network.shorten();
+  EXPECT_EQ(report.status, Status::GEODESIC);
+  EXPECT_EQ(report.flips, 0u);
+  EXPECT_EQ(network.halfedges(0), side);
+}
+
+TEST(GeodesicPath, HalfAUlpIsNotStraight)
+{
+  // The inner vertex is 2^-60 off the line: no double and no double-double tolerance would see a bend of this size in
+  // coordinates of size 1, but exact arithmetic does.
+  IT::Indexed_triangles surface;
+  surface.points = {{-1, 0, 0}, {1, 0, 0}, {0, std::ldexp(1, -60), 0}, {0, 1, 0}, {0, -1, 0}};
+  surface.triangles = {{0, 2, 3}, {2, 1, 3}, {0, 4, 2}, {2, 4, 1}};
+  Triangulation t = triangulation_of(surface);
+  Network network(t);
+  network.add_path(std::vector<IT::Halfedge_index>{halfedge_between(t.connectivity(), 0, 2),
+                                                   halfedge_between(t.connectivity(), 2, 1)});
+  EXPECT_FALSE(network.is_geodesic());
+  EXPECT_EQ(network.shorten().status, Status::GEODESIC);
+  EXPECT_TRUE(network.is_geodesic());
+  EXPECT_EQ(network.halfedges(0).size(), 1u);
+}
+
+TEST(GeodesicPath, AllPairsOfASphereAreProvenGeodesic)
+{
+  const Triangulation t = triangulation_of(IT::bumpy_sphere(12, 9));
+  const std::uint32_t n = t.connectivity().number_of_vertices();
+  for (std::uint32_t s = 0; s < n; s += 7)
+    for (std::uint32_t target = 0; target < n; target += 5) {
+      Triangulation copy = t;
+      Network network(copy);
+      network.add_path(IT::shortest_edge_path(copy, IT::Vertex_index(s), IT::Vertex_index(target)));
+      const double before = network.length(0);
+      ASSERT_EQ(network.shorten().status, Status::GEODESIC);
+      ASSERT_TRUE(network.is_geodesic());
+      ASSERT_LE(network.length(0), before * (1 + 1e-15));
+      // The points on the input are as far from each other as the path is long.
+      const auto points = IT::geodesic_points(copy, network.halfedges(0));
+      double sum = 0;
+      std::array<double, 3> last{};
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto x = IT::point_in_space(copy.exact_geometry().correspondence().input(), IT::bumpy_sphere(12, 9).points, points[i]);
+        if (i > 0)
+          sum += std::hypot(x[0] - last[0], x[1] - last[1], x[2] - last[2]);
+        last = x;
+      }
+      ASSERT_NEAR(sum, network.length(0), 1e-13);
+    }
+}
+
+TEST(GeodesicPath, OneCallOnAMesh)
+{
+  Mesh mesh;
+  const IT::Indexed_triangles surface = grid(4, 4);
+  for (const auto& [x, y, z] : surface.points)
+    mesh.add_vertex({x, y, z});
+  for (const auto& [i, j, k] : surface.triangles)
+    mesh.add_face(Mesh::Vertex_index(i), Mesh::Vertex_index(j), Mesh::Vertex_index(k));
+  const IT::Geodesic_path path = IT::geodesic_path(mesh, Mesh::Vertex_index(0), Mesh::Vertex_index(19));
+  EXPECT_TRUE(path.is_geodesic);
+  EXPECT_NEAR(path.length, 5, 1e-14);
+  EXPECT_GT(path.initial_length, 5.2);
+  ASSERT_EQ(path.points.size(), path.positions.size());
+  EXPECT_EQ(path.positions.front(), (std::array<double, 3>{0, 0, 0}));
+  EXPECT_EQ(path.positions.back(), (std::array<double, 3>{4, 3, 0}));
+  EXPECT_THROW(IT::geodesic_path(mesh, Mesh::Vertex_index(0), Mesh::Vertex_index(99)), IT::Invalid_point_error);
+}
+
+TEST(GeodesicLoop, RoundAnApexIsContractible)
+{
+  for (std::uint32_t rings : {2u, 3u, 8u, 50u})
+    for (double height : {0., 0.1, 1., 3.}) {
+      Triangulation t = triangulation_of(cone(9, rings, height));
+      std::vector<std::uint32_t> ring;
+      for (std::uint32_t c = 0; c < 9; ++c)
+        ring.push_back(1 + (rings - 2) * 9 + c);
+      Network network(t);
+      network.add_closed_path(cycle(t.connectivity(), ring));
+      EXPECT_EQ(network.shorten().status, Status::GEODESIC);
+      EXPECT_EQ(network.status(0), Status::CONTRACTIBLE) << rings << " rings, height " << height;
+      EXPECT_TRUE(network.halfedges(0).empty());
+      EXPECT_TRUE(network.contraction(0).is_valid());
+      EXPECT_EQ(network.length(0), 0);
+    }
+}
+
+TEST(GeodesicLoop, RoundATorus)
+{
+  const std::uint32_t columns = 24, rows = 12;
+  const Triangulation torus = triangulation_of(IT::torus(columns, rows));
+  // Round the axis and round the tube, from each tenth vertex on, and both at once.
+  int closed = 0;
+  for (std::uint32_t start = 0; start < columns * rows; start += 10)
+    for (const auto& [along_row, along_column] : {std::array<std::uint32_t, 2>{1, 0}, {0, 1}, {1, 1}}) {
+      Triangulation t = torus;
+      std::vector<IT::Halfedge_index> loop;
+      const std::uint32_t number = along_row == 0 ? rows : columns;
+      for (std::uint32_t i = 0; i < number; ++i) {
+        const auto vertex = [&, x = along_row, y = along_column](std::uint32_t k) {
+          return (start / columns + k * y) % rows * columns + (start % columns + k * x) % columns;
+        };
+        const auto part = IT::shortest_edge_path(t, IT::Vertex_index(vertex(i)), IT::Vertex_index(vertex(i + 1)));
+        loop.insert(loop.end(), part.begin(), part.end());
+      }
+      Network network(t);
+      network.add_closed_path(loop);
+      const double before = network.length(0);
+      const IT::Geodesic_report report = network.shorten();
+      EXPECT_EQ(report.status, Status::GEODESIC) << start << ' ' << along_row << along_column;
+      EXPECT_TRUE(network.is_geodesic());
+      EXPECT_LE(network.length(0), before * (1 + 1e-15));
+      EXPECT_GT(network.length(0), along_row == 0 ? 2.4 : 3.6); // the polygons of tube and hole
+      closed += network.halfedges(0).empty() ? 0 : 1;
+    }
+  EXPECT_EQ(closed, 3 * 29);
+}
+
+TEST(GeodesicLoop, RoundATubeOneIsNeverLonger)
+{
+  // In its Delaunay triangulation, edges go round the tube from a vertex to itself.
+  Triangulation tube = triangulation_of(IT::helical_tube(30));
+  IT::flip_to_Delaunay(tube);
+  int loops = 0;
+  for (IT::Edge_index e : tube.connectivity().edges()) {
+    if (!tube.connectivity().is_loop(e))
+      continue;
+    ++loops;
+    Triangulation t = tube;
+    Network network(t);
+    network.add_closed_path(std::vector<IT::Halfedge_index>{t.connectivity().halfedge(e)});
+    const double before = network.length(0);
+    const IT::Geodesic_report report = network.shorten();
+    EXPECT_LE(network.length(0), before) << e.idx();
+    EXPECT_TRUE(t.connectivity().is_valid());
+    EXPECT_EQ(network.is_geodesic(), report.status == Status::GEODESIC) << e.idx();
+    if (network.status(0) == Status::NOT_IMPROVABLE) {
+      EXPECT_EQ(network.length(0), before);
+    }
+  }
+  EXPECT_GT(loops, 20);
+}
+
+TEST(GeodesicNetwork, PathsShareEdges)
+{
+  const Triangulation sphere = triangulation_of(IT::bumpy_sphere(14, 11));
+  Triangulation t = sphere;
+  Network network(t);
+  std::vector<double> alone;
+  for (std::uint32_t target = 5; target < 60; target += 6) {
+    network.add_path(IT::shortest_edge_path(t, IT::Vertex_index(0), IT::Vertex_index(target)));
+    network.add_path(network.halfedges(network.number_of_paths() - 1));
+  }
+  EXPECT_EQ(network.shorten().status, Status::GEODESIC);
+  EXPECT_TRUE(network.is_geodesic());
+  for (std::size_t p = 0; p < network.number_of_paths(); p += 2)
+    EXPECT_EQ(network.halfedges(p), network.halfedges(p + 1));
+}
+
+TEST(GeodesicNetwork, FixedVerticesConstrainedEdgesAndBudgets)
+{
+  const Triangulation plane = triangulation_of(grid(6, 6));
+  const auto corner_path = [](const Triangulation& t) {
+    std::vector<IT::Halfedge_index> path;
+    for (std::uint32_t x = 0; x < 6; ++x)
+      path.push_back(halfedge_between(t.connectivity(), x, x + 1));
+    for (std::uint32_t y = 0; y < 6; ++y)
+      path.push_back(halfedge_between(t.connectivity(), y * 7 + 6, y * 7 + 13));
+    return path;
+  };
+  {
+    Triangulation t = plane;
+    Network network(t);
+    network.add_path(corner_path(t));
+    network.fix(IT::Vertex_index(6));
+    EXPECT_EQ(network.shorten().status, Status::GEODESIC);
+    EXPECT_EQ(network.length(0), 12);
+  }
+  { // a wall from (3, 1) to (5, 1) is passed at its ends
+    Triangulation t = plane;
+    const IT::Edge_index a = t.connectivity().edge(halfedge_between(t.connectivity(), 10, 11)),
+                         b = t.connectivity().edge(halfedge_between(t.connectivity(), 11, 12));
+    Network network(t, [&](IT::Edge_index e) { return e == a || e == b; });
+    network.add_path(corner_path(t));
+    EXPECT_EQ(network.shorten().status, Status::GEODESIC);
+    EXPECT_TRUE(network.is_geodesic());
+    EXPECT_NEAR(network.length(0), std::hypot(5, 1) + std::hypot(1, 5), 1e-14);
+  }
+  { // a budget, and then the rest
+    Triangulation t = plane;
+    Network network(t);
+    network.add_path(corner_path(t));
+    const IT::Geodesic_report report = network.shorten(CGAL::parameters::maximum_number(std::uint64_t(3)));
+    EXPECT_EQ(report.status, Status::UNFINISHED);
+    EXPECT_EQ(report.flips, 3u);
+    EXPECT_LE(network.length(0), 12);
+    EXPECT_EQ(network.shorten().status, Status::GEODESIC);
+    EXPECT_NEAR(network.length(0), std::sqrt(72), 1e-14);
+  }
+  { // another path in the way
+    Triangulation t = plane;
+    Network network(t);
+    network.add_path(std::vector<IT::Halfedge_index>{halfedge_between(t.connectivity(), 6, 13),
+                                                     halfedge_between(t.connectivity(), 13, 12)});
+    network.add_path(std::vector<IT::Halfedge_index>{halfedge_between(t.connectivity(), 5, 13)});
+    EXPECT_EQ(network.shorten().status, Status::BLOCKED);
+    EXPECT_FALSE(network.is_geodesic());
+    EXPECT_EQ(network.status(1), Status::GEODESIC);
+  }
+}
+
+TEST(GeodesicPath, IsMarkedInTheOverlay)
+{
+  Triangulation t = triangulation_of(IT::bumpy_sphere(12, 9));
+  Network network(t);
+  network.add_path(IT::shortest_edge_path(t, IT::Vertex_index(3), IT::Vertex_index(70)));
+  network.shorten();
+  const std::vector<IT::Halfedge_index> path = network.halfedges(0);
+  const std::vector<IT::Surface_point> points = IT::geodesic_points(t, path);
+  const IT::Common_subdivision subdivision(t);
+  const IT::Overlay& overlay = subdivision.overlay();
+  const std::vector<IT::Overlay::Segment> segments = IT::geodesic_segments(overlay, t.connectivity(), path);
+  ASSERT_EQ(segments.size() + 1, points.size());
+  const auto& input = subdivision.input();
+  const auto surface = IT::bumpy_sphere(12, 9);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    // Both ends, in either order, are those of the path.
+    const auto h = overlay.halfedge(segments[i]);
+    const auto a = subdivision.point(overlay.source(h), surface.points),
+               b = subdivision.point(overlay.target(h), surface.points);
+    const auto p = IT::point_in_space(input, surface.points, points[i]),
+               q = IT::point_in_space(input, surface.points, points[i + 1]);
+    const auto distance = [](const auto& x, const auto& y) { return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]); };
+    EXPECT_LT((std::min)((std::max)(distance(a, p), distance(b, q)), (std::max)(distance(a, q), distance(b, p))), 1e-14);
+  }
+}
+
+TEST(GeodesicPath, BetweenInsertedVertices)
+{
+  // Inside of faces and on edges of a folded sheet; paths over it are straight in the unfolding.
+  const auto surface = grid(6, 4, [](double, double y) { return 0.75 * y; });
+  Triangulation t = triangulation_of(surface);
+  const std::size_t n = surface.points.size();
+  const auto input_of = [&] { return t.exact_geometry().correspondence().input(); };
+  for (std::size_t i = 0; i < 12; ++i) {
+    const bool is_on_edge = i < 3; // far from each other, so that these edges were not flipped
+    const IT::Halfedge_index h = input_of().halfedge(IT::Face_index(17 * i % surface.triangles.size()));
+    IT::insert_vertex(t, {h, {0.25, is_on_edge ? 0.75 : 0.5, is_on_edge ? 0 : 0.25}});
+  }
+  ASSERT_EQ(t.connectivity().number_of_vertices(), n + 12);
+  const IT::Delta_complex input = input_of();
+  int tried = 0;
+  for (std::size_t s = n; s < t.connectivity().number_of_vertices(); ++s)
+    for (std::size_t target : {std::size_t(0), s + 1}) {
+      if (target >= t.connectivity().number_of_vertices())
+        continue;
+      Triangulation copy = t;
+      Network network(copy);
+      network.add_path(IT::shortest_edge_path(copy, IT::Vertex_index(s), IT::Vertex_index(target)));
+      ASSERT_EQ(network.shorten().status, Status::GEODESIC);
+      const auto points = IT::geodesic_points(copy, network.halfedges(0));
+      const auto at = [&](std::size_t i) { return IT::point_in_space(input, surface.points, points[i]); };
+      const auto distance = [](const auto& x, const auto& y) { return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]); };
+      EXPECT_NEAR(network.length(0), distance(at(0), at(points.size() - 1)), 1e-13);
+      double sum = 0;
+      for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        sum += distance(at(i), at(i + 1));
+        const auto& c = points[i].coordinates;
+        EXPECT_NEAR(c[0] + c[1] + c[2], 1, 1e-15);
+      }
+      EXPECT_NEAR(sum, network.length(0), 1e-13);
+      ++tried;
+    }
+  EXPECT_GT(tried, 12);
+}
+
+TEST(GeodesicNetwork, WrongPathsAreNamed)
+{
+  Triangulation t = triangulation_of(grid(3, 3));
+  Network network(t);
+  const auto h = halfedge_between(t.connectivity(), 0, 1), g = halfedge_between(t.connectivity(), 2, 3);
+  EXPECT_THROW(network.add_path(std::vector<IT::Halfedge_index>{h, g}), IT::Invalid_point_error);
+  EXPECT_THROW(network.add_path(std::vector<IT::Halfedge_index>{IT::Halfedge_index(9999)}), IT::Invalid_point_error);
+  EXPECT_THROW(network.add_closed_path(std::vector<IT::Halfedge_index>{h}), IT::Invalid_point_error);
+  EXPECT_THROW(network.add_closed_path(std::vector<IT::Halfedge_index>{}), IT::Invalid_point_error);
+  EXPECT_EQ(network.number_of_paths(), 0u);
+  network.add_path(std::vector<IT::Halfedge_index>{});
+  network.add_path(std::vector<IT::Halfedge_index>{h, t.connectivity().opposite(h)}); // out and back
+  EXPECT_EQ(network.shorten().status, Status::GEODESIC);
+  EXPECT_TRUE(network.halfedges(1).empty());
+}
+
+TEST(TracedLine, OnAPlane)
+{
+  const IT::Indexed_triangles surface = grid(40, 30);
+  const Triangulation t = triangulation_of(surface);
+  const auto& input = t.exact_geometry().correspondence().input();
+  std::mt19937 random(3);
+  for (int i = 0; i < 300; ++i) {
+    IT::Halfedge_index h(random() % t.connectivity().number_of_halfedges());
+    if (input.is_border(h))
+      h = input.opposite(h);
+    const double a = random() % 1000, b = random() % 1000, c = random() % 1000;
+    const IT::Surface_direction start{{h, {a + 1, b + 1, c + 1}}, {a - 500, b - 500}};
+    const IT::Traced_geodesic line = IT::trace_geodesic(t, start, 7);
+    const auto from = IT::point_in_space(input, surface.points, line.points.front()),
+               to = IT::point_in_space(input, surface.points, line.points.back());
+    const double dx = to[0] - from[0], dy = to[1] - from[1];
+    EXPECT_NEAR(std::hypot(dx, dy), line.length, 1e-13);
+    if (line.status == IT::Trace_status::AT_LENGTH)
+      EXPECT_EQ(line.length, 7);
+    else
+      EXPECT_LT((std::min)({to[0], 40 - to[0], to[1], 30 - to[1]}), 1e-13);
+    for (const IT::Surface_point& p : line.points) {
+      const auto x = IT::point_in_space(input, surface.points, p);
+      EXPECT_NEAR((x[0] - from[0]) * dy, (x[1] - from[1]) * dx, 1e-12);
+    }
+  }
+}
+
+TEST(TracedLine, ExactlyThroughAVertex)
+{
+  const Triangulation t = triangulation_of(grid(8, 8, [](double, double y) { return 0.75 * y; }));
+  const IT::Halfedge_index h = halfedge_between(t.connectivity(), 0, 1);
+  // From (0, 0) to (2, 1): in the first face, that is 1 times the first side and 1 times the diagonal.
+  const IT::Traced_geodesic line = IT::trace_geodesic(t, {{h, {1, 0, 0}}, {1, 1}}, 100);
+  EXPECT_EQ(line.status, IT::Trace_status::AT_VERTEX);
+  EXPECT_EQ(line.vertex.idx(), 11u);
+  EXPECT_NEAR(line.length, std::sqrt(4 + 1.5625), 1e-15);
+  // A little beside it, the line goes on to the border.
+  const IT::Traced_geodesic beside = IT::trace_geodesic(t, {{h, {1, 0, 0}}, {1, 1 + 0x1p-50}}, 100);
+  EXPECT_EQ(beside.status, IT::Trace_status::AT_BORDER);
+  // Along an edge.
+  const IT::Traced_geodesic along = IT::trace_geodesic(t, {{h, {1, 0, 0}}, {1, 0}}, 0.5);
+  EXPECT_EQ(along.status, IT::Trace_status::AT_LENGTH);
+  EXPECT_EQ(along.points.back().coordinates, (std::array<double, 3>{0.5, 0.5, 0}));
+}
+
+TEST(TracedLine, ClosesOnATetrahedron)
+{
+  // All four faces of a disphenoid are congruent: each line that is parallel to a lattice vector closes up.
+  IT::Indexed_triangles surface;
+  surface.points = {{1, 2, 3}, {1, -2, -3}, {-1, 2, -3}, {-1, -2, 3}};
+  surface.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+  const Triangulation t = triangulation_of(surface);
+  const auto& input = t.exact_geometry().correspondence().input();
+  // Twice a sum of sides is a period of the unfolding.
+  const IT::Halfedge_index h(0);
+  const double a = 501, b = 2;
+  const auto x = [&](IT::Halfedge_index g) {
+    return std::array<double, 3>{
+      surface.points[input.target(g).idx()][0] - surface.points[input.source(g).idx()][0],
+      surface.points[input.target(g).idx()][1] - surface.points[input.source(g).idx()][1],
+      surface.points[input.target(g).idx()][2] - surface.points[input.source(g).idx()][2]};
+  };
+  const auto u = x(h), v = x(input.opposite(input.prev(h)));
+  const double length =
+    2 * std::hypot(a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2]);
+  const IT::Traced_geodesic line = IT::trace_geodesic(t, {{h, {0.3, 0.45, 0.25}}, {a, b}}, length);
+  ASSERT_EQ(line.status, IT::Trace_status::AT_LENGTH);
+  EXPECT_GT(line.points.size(), 1000u);
+  const auto from = IT::point_in_space(input, surface.points, line.points.front()),
+             to = IT::point_in_space(input, surface.points, line.points.back());
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(from[i], to[i], 1e-12);
+}
+
+TEST(TracedLine, DirectionsAtVertices)
+{
+  const Triangulation t = triangulation_of(grid(4, 4));
+  const IT::Halfedge_index h = halfedge_between(t.connectivity(), 12, 13);
+  const auto& input = t.exact_geometry().correspondence().input();
+  for (double angle : {0.1, 1., 2., 3., 4., 5., 6., -1., 7.}) {
+    const IT::Traced_geodesic line = IT::trace_geodesic(t, IT::direction_at_vertex(t, h, angle), 1.75);
+    const auto x = IT::point_in_space(input, grid(4, 4).points, line.points.back());
+    EXPECT_NEAR(x[0], 2 + 1.75 * std::cos(angle), 1e-14);
+    EXPECT_NEAR(x[1], 2 + 1.75 * std::sin(angle), 1e-14);
+  }
+  const IT::Halfedge_index at_border = halfedge_between(t.connectivity(), 0, 1);
+  EXPECT_NO_THROW(IT::direction_at_vertex(t, at_border, 1.5));
+  EXPECT_THROW(IT::direction_at_vertex(t, at_border, 1.6), IT::Invalid_point_error);
+  EXPECT_THROW(IT::direction_at_vertex(t, at_border, std::nan("")), IT::Invalid_point_error);
+}
+
+TEST(TracedLine, WrongStartsAreNamed)
+{
+  const Triangulation t = triangulation_of(grid(2, 2));
+  const IT::Halfedge_index h = halfedge_between(t.connectivity(), 0, 1);
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(IT::trace_geodesic(t, {{h, {1, 1, 1}}, {0, 0}}, 1), IT::Invalid_point_error);
+  EXPECT_THROW(IT::trace_geodesic(t, {{h, {1, 1, 0}}, {1, -1}}, 1), IT::Invalid_point_error);
+  EXPECT_THROW(IT::trace_geodesic(t, {{h, {1, 1, -1}}, {1, 1}}, 1), IT::Invalid_point_error);
+  EXPECT_THROW(IT::trace_geodesic(t, {{h, {0, 0, 0}}, {1, 1}}, 1), IT::Invalid_point_error);
+  EXPECT_THROW(IT::trace_geodesic(t, {{h, {1, 1, 1}}, {1, inf}}, 1), IT::Invalid_point_error);
+  EXPECT_THROW(IT::trace_geodesic(t, {{h, {1, 1, 1}}, {1, 1}}, inf), IT::Invalid_point_error);
+  EXPECT_THROW(IT::trace_geodesic(t, {{h, {1, 1, 1}}, {1, 1}}, -1), IT::Invalid_point_error);
+  EXPECT_THROW(IT::trace_geodesic(t, {{t.connectivity().opposite(h), {1, 1, 1}}, {1, 1}}, 1), IT::Invalid_point_error);
+  EXPECT_THROW(IT::trace_geodesic(t, {{IT::Halfedge_index(), {1, 1, 1}}, {1, 1}}, 1), IT::Invalid_point_error);
+  EXPECT_EQ(IT::trace_geodesic(t, {{h, {1, 1, 1}}, {1, 1}}, 0).length, 0);
+}
