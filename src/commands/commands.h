@@ -24,6 +24,7 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected);
 void add_refine_command(CLI::App& app, Selected_command& selected);
 void add_compare_command(CLI::App& app, Selected_command& selected);
 void add_parameterize_command(CLI::App& app, Selected_command& selected);
+void add_geodesic_command(CLI::App& app, Selected_command& selected);
 void add_Laplacian_command(CLI::App& app, Selected_command& selected);
 void add_table_command(CLI::App& app, Selected_command& selected);
 void add_sample_command(CLI::App& app, Selected_command& selected);

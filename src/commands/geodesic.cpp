@@ -1,0 +1,341 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `idt geodesic`
+
+#include "commands/command_line.h"
+#include "commands/commands.h"
+#include "input/Surface.h"
+#include "input/mesh_file.h"
+#include "output/Output_file.h"
+#include "system/Interruption.h"
+#include "system/Stopwatch.h"
+#include "system/text.h"
+
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_points.h>
+#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
+#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace idt {
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Json = nlohmann::ordered_json;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+
+struct Geodesic_options
+{
+  std::string input;
+  std::uint64_t from = 0;
+  std::optional<std::uint64_t> to;
+  std::vector<std::uint64_t> via;
+  bool is_closed = false;
+  std::optional<double> direction, length;
+  std::string output_path, stats_path;
+  bool is_repaired = false;
+};
+
+struct Curve
+{
+  std::vector<IT::Surface_point> points;
+  std::optional<double> initial_length; // of paths
+  double length = 0;
+  IT::Geodesic_report report;
+  bool is_geodesic = true;
+  std::string status;
+  std::optional<IT::Vertex_index> vertex; // where it was shrunk to, or ends
+};
+
+std::string extension(const std::string& path)
+{
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string::npos ? std::string() : path.substr(dot);
+}
+
+void check(const Geodesic_options& options)
+{
+  if (options.direction.has_value() != options.length.has_value())
+    throw Usage_error("--direction and --length belong together");
+  if (options.direction && (options.to || !options.via.empty() || options.is_closed))
+    throw Usage_error("a line in a direction has no --to, --via or --closed");
+  if (!options.direction && !options.to && !options.is_closed)
+    throw Usage_error("a path needs --to, a closed one --via or --to with --closed, and a line --direction and --length");
+  if (options.is_closed && options.via.size() + (options.to ? 1 : 0) < 2)
+    throw Usage_error("--closed needs two of --via and --to beside --from: the curve begins as the one through these vertices");
+  if (options.direction && (!std::isfinite(*options.direction) || !std::isfinite(*options.length) || *options.length < 0))
+    throw Usage_error("--direction and --length have to be finite, and the length not negative");
+  const std::string type = extension(options.output_path);
+  if (!options.output_path.empty() && type != ".obj" && type != ".csv" && type != ".ply")
+    throw Usage_error(options.output_path + ": a curve is written as a file whose name ends in .obj, .csv or .ply");
+  check_output_paths({options.output_path, options.stats_path}, {options.input});
+}
+
+struct Visitor
+{
+  bool go_further(std::uint64_t, std::uint64_t) { return !is_interrupted(); }
+  void after_flip(IT::Edge_index) {}
+};
+
+std::string name(IT::Geodesic_status status)
+{
+  switch (status) {
+  case IT::Geodesic_status::GEODESIC:
+    return "geodesic";
+  case IT::Geodesic_status::CONTRACTIBLE:
+    return "contractible";
+  case IT::Geodesic_status::BLOCKED:
+    return "blocked";
+  case IT::Geodesic_status::NOT_IMPROVABLE:
+    return "not_improvable";
+  case IT::Geodesic_status::UNFINISHED:
+    break;
+  }
+  return "unfinished";
+}
+
+IT::Vertex_index vertex(const Triangulation& triangulation, std::uint64_t number)
+{
+  const std::uint64_t n = triangulation.connectivity().number_of_vertices();
+  if (number >= n)
+    throw Usage_error("there is no vertex " + std::to_string(number) + ": the surface has " + std::to_string(n));
+  return IT::Vertex_index(IT::Vertex_index::size_type(number));
+}
+
+Curve find_path(const Geodesic_options& options, Triangulation& triangulation)
+{
+  std::vector<IT::Vertex_index> stops{vertex(triangulation, options.from)};
+  for (std::uint64_t v : options.via)
+    stops.push_back(vertex(triangulation, v));
+  if (options.to)
+    stops.push_back(vertex(triangulation, *options.to));
+  if (options.is_closed)
+    stops.push_back(stops.front());
+  std::vector<IT::Halfedge_index> start;
+  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+    const auto part = IT::shortest_edge_path(triangulation, stops[i], stops[i + 1]);
+    start.insert(start.end(), part.begin(), part.end());
+  }
+  IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(triangulation);
+  const std::size_t p = options.is_closed ? network.add_closed_path(start) : network.add_path(start);
+  if (!options.is_closed)
+    for (std::uint64_t v : options.via)
+      network.fix(vertex(triangulation, v));
+  Curve curve;
+  curve.initial_length = network.length(p);
+  curve.report = network.shorten(CGAL::parameters::visitor(Visitor()));
+  if (network.status(p) == IT::Geodesic_status::UNFINISHED)
+    throw IT::Cancelled_error(options.input + ": the search for the path was cancelled");
+  curve.length = network.length(p);
+  curve.is_geodesic = network.is_geodesic(p);
+  curve.status = name(network.status(p));
+  curve.points = IT::geodesic_points(triangulation, network.halfedges(p));
+  if (network.status(p) == IT::Geodesic_status::CONTRACTIBLE)
+    curve.vertex = network.contraction(p);
+  return curve;
+}
+
+// At an inner vertex the direction 0 leads to the neighbour with the smallest number; at the border, along the
+// first side of the fan.
+IT::Halfedge_index reference(const IT::Delta_complex& complex, IT::Vertex_index v)
+{
+  const IT::Halfedge_index first = complex.halfedge(v);
+  if (!first.is_valid())
+    throw IT::Invalid_point_error("vertex " + std::to_string(v.idx()) + " belongs to no face");
+  IT::Halfedge_index best = first, h = first;
+  if (!complex.is_border(first))
+    do {
+      if (complex.source(h) < complex.source(best))
+        best = h;
+      h = complex.next_around_target(h);
+    } while (h != first);
+  return complex.opposite(best);
+}
+
+Curve trace(const Geodesic_options& options, const Triangulation& triangulation)
+{
+  const IT::Halfedge_index h = reference(triangulation.connectivity(), vertex(triangulation, options.from));
+  IT::Traced_geodesic line =
+    IT::trace_geodesic(triangulation, IT::direction_at_vertex(triangulation, h, *options.direction), *options.length);
+  Curve curve;
+  curve.length = line.length;
+  curve.points = std::move(line.points);
+  switch (line.status) {
+  case IT::Trace_status::AT_LENGTH:
+    curve.status = "at_length";
+    break;
+  case IT::Trace_status::AT_BORDER:
+    curve.status = "at_border";
+    break;
+  case IT::Trace_status::AT_VERTEX:
+    curve.status = "at_vertex";
+    curve.vertex = line.vertex;
+    break;
+  }
+  return curve;
+}
+
+using Points = std::vector<std::array<double, 3>>;
+
+void write_coordinates(std::ostream& os, const std::array<double, 3>& p, char separator)
+{
+  os << in_full(p[0]) << separator << in_full(p[1]) << separator << in_full(p[2]);
+}
+
+void write_obj(std::ostream& os, const Points& points)
+{
+  for (const auto& p : points) {
+    os << "v ";
+    write_coordinates(os, p, ' ');
+    os << '\n';
+  }
+  if (points.size() < 2)
+    return;
+  os << 'l';
+  for (std::size_t i = 1; i <= points.size(); ++i)
+    os << ' ' << i;
+  os << '\n';
+}
+
+void write_ply(std::ostream& os, const Points& points)
+{
+  const std::size_t edges = points.empty() ? 0 : points.size() - 1;
+  os << "ply\nformat ascii 1.0\nelement vertex " << points.size()
+     << "\nproperty double x\nproperty double y\nproperty double z\nelement edge " << edges
+     << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+  for (const auto& p : points) {
+    write_coordinates(os, p, ' ');
+    os << '\n';
+  }
+  for (std::size_t i = 0; i < edges; ++i)
+    os << i << ' ' << i + 1 << '\n';
+}
+
+// The barycentric coordinates belong to the vertices that are named beside them.
+void write_csv(std::ostream& os, const IT::Delta_complex& input, const Curve& curve, const Points& points)
+{
+  os << "face,vertex_0,vertex_1,vertex_2,coordinate_0,coordinate_1,coordinate_2" << (points.empty() ? "\n" : ",x,y,z\n");
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    const IT::Surface_point& p = curve.points[i];
+    const IT::Halfedge_index h = p.halfedge;
+    os << input.face(h).idx() << ',' << input.source(h).idx() << ',' << input.target(h).idx() << ','
+       << input.target(input.next(h)).idx() << ',';
+    write_coordinates(os, p.coordinates, ',');
+    if (!points.empty()) {
+      os << ',';
+      write_coordinates(os, points[i], ',');
+    }
+    os << '\n';
+  }
+}
+
+Json json_value(const Geodesic_options& options, const Curve& curve, double seconds)
+{
+  Json json;
+  json["input"] = options.input;
+  json["status"] = curve.status;
+  json["is_geodesic"] = curve.is_geodesic;
+  json["length"] = curve.length;
+  json["initial_length"] = curve.initial_length ? Json(*curve.initial_length) : Json(nullptr);
+  json["flips"] = curve.report.flips;
+  json["segments"] = curve.points.empty() ? 0 : curve.points.size() - 1;
+  json["vertex"] = curve.vertex ? Json(curve.vertex->idx()) : Json(nullptr);
+  json["seconds"] = seconds;
+  return json;
+}
+
+void write_report(std::ostream& os, const Geodesic_options& options, const Curve& curve, double seconds)
+{
+  os << options.input << "\n  status    " << curve.status;
+  if (curve.vertex)
+    os << ", vertex " << curve.vertex->idx();
+  os << (curve.is_geodesic ? "" : "; not locally shortest") << "\n  length    " << in_full(curve.length);
+  if (curve.initial_length)
+    os << " (along edges: " << in_short(*curve.initial_length) << ')';
+  os << "\n  segments  " << with_separators(curve.points.empty() ? 0 : curve.points.size() - 1) << "\n  flips     "
+     << with_separators(curve.report.flips) << "\n  time      " << seconds_text(seconds) << '\n';
+}
+
+Exit_status run_geodesic(const Geodesic_options& options)
+{
+  check(options);
+  return for_each_input({options.input}, [&](const std::string& path) {
+    const Surface surface = load_surface(path, {std::nullopt, options.is_repaired});
+    const std::string type = extension(options.output_path);
+    if (!surface.has_points() && (type == ".obj" || type == ".ply"))
+      throw Usage_error(options.output_path + ": " + path + " has lengths alone, no points: write a .csv file");
+    const Stopwatch stopwatch;
+    Triangulation triangulation = surface.has_points()
+                                    ? Triangulation(surface.connectivity, surface.points)
+                                    : Triangulation::from_lengths(surface.connectivity, surface.lengths);
+    const Curve curve = options.direction ? trace(options, triangulation) : find_path(options, triangulation);
+    const double seconds = stopwatch.seconds();
+    Points points;
+    if (surface.has_points())
+      for (const IT::Surface_point& p : curve.points)
+        points.push_back(IT::point_in_space(surface.connectivity, surface.points, p));
+    write_file(options.output_path, [&](std::ostream& os) {
+      if (type == ".obj")
+        write_obj(os, points);
+      else if (type == ".ply")
+        write_ply(os, points);
+      else
+        write_csv(os, surface.connectivity, curve, points);
+    });
+    write_file(options.stats_path, [&](std::ostream& os) {
+      // A file name need not be valid UTF-8.
+      os << json_value(options, curve, seconds).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    });
+    write_report(std::cout, options, curve, seconds);
+    flush_standard_output();
+    return curve.is_geodesic ? Exit_status::DONE : Exit_status::NOT_FINISHED;
+  });
+}
+
+} // namespace
+
+void add_geodesic_command(CLI::App& app, Selected_command& selected)
+{
+  const auto options = std::make_shared<Geodesic_options>();
+  CLI::App& command = *app.add_subcommand("geodesic", "Find straight lines on a surface");
+  command.footer("A path or a closed curve begins along edges and is shortened by flips until it is proven to be\n"
+                 "locally shortest. A line is followed over the faces, with exact decisions. Vertices are counted from\n"
+                 "zero. The exit status is 4 if a curve could not be made locally shortest.\n");
+  command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
+  command.add_option("--from", options->from, "the vertex where it begins")->transform(whole_number())->required();
+  command.add_option("--to", options->to, "the vertex where a path ends")->transform(whole_number());
+  command
+    .add_option("--via", options->via,
+                "a vertex in between; can be repeated. A path goes on to pass through it, a closed curve only begins so")
+    ->transform(whole_number())
+    ->expected(1)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_flag("--closed", options->is_closed, "a closed curve: from the last vertex back to the first");
+  command.add_option("--direction", options->direction,
+                     "a line instead: in this direction, an angle on the surface in radians, counterclockwise from the "
+                     "neighbour with the smallest number, or from the border");
+  command.add_option("--length", options->length, "how long the line is");
+  command
+    .add_option("-o,--output", options->output_path,
+                "write the curve: as a polyline, or its points with input face and barycentric coordinates (CSV)")
+    ->type_name("F.(obj|csv|ply)");
+  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")->type_name("F.json");
+  add_repair_option(command, options->is_repaired);
+  command.callback([options, &selected] { selected = [options] { return run_geodesic(*options); }; });
+}
+
+} // namespace idt

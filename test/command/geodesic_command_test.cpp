@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `idt geodesic`
+
+#include "Command_test.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using nlohmann::json;
+
+class Geodesic_command : public Command_test
+{
+protected:
+  // Squares of side 1 with a diagonal each, 4 by 4, vertex 5 y + x.
+  void write_sheet(const std::string& name) const
+  {
+    std::ostringstream text;
+    text << "OFF\n25 32 0\n";
+    for (int v = 0; v < 25; ++v)
+      text << v % 5 << ' ' << v / 5 << " 0\n";
+    for (int y = 0; y < 4; ++y)
+      for (int x = 0; x < 4; ++x) {
+        const int v = 5 * y + x;
+        text << "3 " << v << ' ' << v + 1 << ' ' << v + 6 << "\n3 " << v << ' ' << v + 6 << ' ' << v + 5 << '\n';
+      }
+    write(name, text.str());
+  }
+};
+
+TEST_F(Geodesic_command, writes_a_path)
+{
+  write_sheet("sheet.off");
+  const Command_run run = idt("geodesic sheet.off --from 0 --to 19 -o path.obj --stats s.json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json stats = json::parse(content(folder_ / "s.json"));
+  EXPECT_EQ(stats.at("status"), "geodesic");
+  EXPECT_TRUE(stats.at("is_geodesic").get<bool>());
+  EXPECT_NEAR(stats.at("length").get<double>(), 5, 1e-14);
+  EXPECT_NEAR(stats.at("initial_length").get<double>(), 3 * std::sqrt(2.) + 1, 1e-14);
+  const std::vector<std::string> text = lines(content(folder_ / "path.obj"));
+  ASSERT_EQ(text.size(), stats.at("segments").get<std::size_t>() + 2);
+  EXPECT_EQ(text.front(), "v 0 0 0");
+  EXPECT_EQ(text.at(text.size() - 2), "v 4 3 0");
+  EXPECT_EQ(text.back().substr(0, 6), "l 1 2 ");
+
+  // The same points with their faces: barycentric coordinates give the points.
+  ASSERT_EQ(idt("geodesic sheet.off --from 0 --to 19 -o path.csv").status, 0);
+  const std::vector<std::string> table = lines(content(folder_ / "path.csv"));
+  EXPECT_EQ(table.size(), text.size());
+  for (std::size_t i = 1; i < table.size(); ++i) {
+    std::string line = table[i];
+    for (char& c : line)
+      if (c == ',')
+        c = ' ';
+    std::istringstream row(line);
+    int face, v[3];
+    double b[3], x, y, z;
+    row >> face >> v[0] >> v[1] >> v[2] >> b[0] >> b[1] >> b[2] >> x >> y >> z;
+    ASSERT_FALSE(row.fail()) << table[i];
+    EXPECT_NEAR(b[0] * (v[0] % 5) + b[1] * (v[1] % 5) + b[2] * (v[2] % 5), x, 1e-14);
+    EXPECT_NEAR(b[0] * (v[0] / 5) + b[1] * (v[1] / 5) + b[2] * (v[2] / 5), y, 1e-14);
+    EXPECT_NEAR(3 * x, 4 * y, 1e-13);
+  }
+}
+
+TEST_F(Geodesic_command, passes_through_vertices_and_shrinks_loops)
+{
+  write_sheet("sheet.off");
+  ASSERT_EQ(idt("geodesic sheet.off --from 0 --via 4 --to 24 --stats s.json -o p.ply").status, 0);
+  EXPECT_NEAR(json::parse(content(folder_ / "s.json")).at("length").get<double>(), 8, 1e-14);
+  EXPECT_TRUE(contains(content(folder_ / "p.ply"), "element edge 8"));
+  ASSERT_EQ(idt("geodesic sheet.off --from 0 --via 4 --to 24 --closed --stats s.json -o p.obj").status, 0);
+  EXPECT_EQ(json::parse(content(folder_ / "s.json")).at("status"), "contractible");
+}
+
+TEST_F(Geodesic_command, follows_a_line)
+{
+  write_sheet("sheet.off");
+  ASSERT_EQ(idt("geodesic sheet.off --from 0 --direction 0.4 --length 3 --stats s.json -o line.obj").status, 0);
+  EXPECT_EQ(json::parse(content(folder_ / "s.json")).at("status"), "at_length");
+  const std::vector<std::string> text = lines(content(folder_ / "line.obj"));
+  std::istringstream end(text.at(text.size() - 2).substr(2));
+  double x, y;
+  end >> x >> y;
+  EXPECT_NEAR(x, 3 * std::cos(0.4), 1e-14);
+  EXPECT_NEAR(y, 3 * std::sin(0.4), 1e-14);
+  ASSERT_EQ(idt("geodesic sheet.off --from 0 --direction 0.4 --length 300 --stats s.json").status, 0);
+  EXPECT_EQ(json::parse(content(folder_ / "s.json")).at("status"), "at_border");
+  EXPECT_NEAR(json::parse(content(folder_ / "s.json")).at("length").get<double>(), 4 / std::cos(0.4), 1e-14);
+}
+
+TEST_F(Geodesic_command, refuses_what_makes_no_sense)
+{
+  write_sheet("sheet.off");
+  for (const char* options :
+       {"--from 0", "--from 0 --to 25", "--from 99 --to 1", "--from 0 --to 1 --direction 1 --length 1", "--from 0 --direction 1",
+        "--from 0 --length 1", "--from 0 --direction nan --length 1", "--from 0 --direction 1 --length -1",
+        "--from 0 --to 1 --closed", "--from 0 --to 1 -o path.txt", "--from 0 --to 1 -o sheet.off", "--to 1", "--from -1 --to 1"})
+    EXPECT_EQ(idt(std::string("geodesic sheet.off ") + options).status, 2) << options;
+  EXPECT_EQ(idt("geodesic missing.off --from 0 --to 1").status, 3);
+  // The whole fan at a corner of the sheet is π/2.
+  EXPECT_EQ(idt("geodesic sheet.off --from 0 --direction 1.6 --length 1").status, 4);
+}
+
+} // namespace
