@@ -27,7 +27,9 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -84,6 +86,46 @@ IT::Indexed_triangles cone(std::uint32_t columns, std::uint32_t rings, double he
       result.triangles.push_back({a, p, b});
       result.triangles.push_back({b, p, q});
     }
+  return result;
+}
+
+// The surface of a plate of unit cubes, three deep, with holes in a row: of genus `holes`. All its angles are right or straight ones.
+IT::Indexed_triangles plate(int holes)
+{
+  using Point = std::array<int, 3>;
+  const auto is_full = [&](const Point& p) {
+    const auto& [x, y, z] = p;
+    return x >= 0 && x < 2 * holes + 1 && y >= 0 && y < 3 && z == 0 && !(y == 1 && x % 2 == 1);
+  };
+  IT::Indexed_triangles result;
+  std::map<Point, std::uint32_t> numbers;
+  const auto vertex = [&](const Point& p) {
+    const auto [it, is_new] = numbers.insert({p, std::uint32_t(numbers.size())});
+    if (is_new)
+      result.points.push_back({double(p[0]), double(p[1]), double(p[2])});
+    return it->second;
+  };
+  for (int x = 0; x < 2 * holes + 1; ++x)
+    for (int y = 0; y < 3; ++y)
+      for (int axis = 0; axis < 3; ++axis)
+        for (int side : {0, 1}) {
+          Point beside{x, y, 0};
+          beside[axis] += 2 * side - 1;
+          if (!is_full({x, y, 0}) || is_full(beside))
+            continue;
+          std::array<Point, 4> corners;
+          for (int i = 0; i < 4; ++i) {
+            corners[i] = {x, y, 0};
+            corners[i][axis] += side;
+            corners[i][(axis + 1) % 3] += i == 1 || i == 2 ? 1 : 0;
+            corners[i][(axis + 2) % 3] += i >= 2 ? 1 : 0;
+          }
+          if (side == 0)
+            std::swap(corners[1], corners[3]);
+          const std::uint32_t a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]), d = vertex(corners[3]);
+          result.triangles.push_back({a, b, c});
+          result.triangles.push_back({a, c, d});
+        }
   return result;
 }
 
@@ -205,6 +247,25 @@ TEST(GeodesicPath, AllPairsOfASphereAreProvenGeodesic)
     }
 }
 
+TEST(GeodesicPath, AllPairsWhereAnglesAreStraightOrRight)
+{
+  const std::vector<IT::Indexed_triangles> surfaces{plate(1), plate(2), IT::prism()};
+  for (const IT::Indexed_triangles& surface : surfaces) {
+    const Triangulation t = triangulation_of(surface);
+    const std::uint32_t n = std::min<std::uint32_t>(t.connectivity().number_of_vertices(), 48);
+    for (std::uint32_t s = 0; s < n; ++s)
+      for (std::uint32_t target = 0; target < s; ++target) {
+        Triangulation copy = t;
+        Network network(copy);
+        network.add_path(IT::shortest_edge_path(copy, IT::Vertex_index(s), IT::Vertex_index(target)));
+        ASSERT_EQ(network.shorten().status, Status::GEODESIC) << s << " to " << target;
+        ASSERT_TRUE(network.is_geodesic());
+        const auto &p = surface.points[s], &q = surface.points[target];
+        ASSERT_GE(network.length(0), std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) * (1 - 1e-15));
+      }
+  }
+}
+
 TEST(GeodesicPath, OneCallOnAMesh)
 {
   Mesh mesh;
@@ -295,6 +356,131 @@ TEST(GeodesicLoop, RoundATubeOneIsNeverLonger)
     }
   }
   EXPECT_GT(loops, 20);
+}
+
+TEST(GeodesicLoop, RoundHolesAndArms)
+{
+  for (int holes : {1, 2, 3}) {
+    const IT::Indexed_triangles surface = plate(holes);
+    const Triangulation t = triangulation_of(surface);
+    ASSERT_EQ(int(t.connectivity().number_of_vertices()) - int(t.connectivity().number_of_edges()) +
+                int(t.connectivity().number_of_faces()),
+              2 - 2 * holes);
+    const auto loop_through = [&](Triangulation& copy, const std::vector<std::array<double, 3>>& stops) {
+      std::vector<IT::Halfedge_index> loop;
+      for (std::size_t i = 0; i < stops.size(); ++i) {
+        const auto vertex = [&](std::size_t k) {
+          return IT::Vertex_index(std::find(surface.points.begin(), surface.points.end(), stops[k % stops.size()]) - surface.points.begin());
+        };
+        for (IT::Halfedge_index h : IT::shortest_edge_path(copy, vertex(i), vertex(i + 1)))
+          loop.push_back(h);
+      }
+      return loop;
+    };
+    for (int i = 0; i < holes; ++i) {
+      const double x = 2 * i;
+      // Round a hole on the rim of its part of the plate; round an arm; round the whole plate between two holes.
+      const std::vector<std::vector<std::array<double, 3>>> curves{
+        {{x, 0, 1}, {x + 3, 0, 1}, {x + 3, 3, 1}, {x, 3, 1}},
+        {{x + 1, 0, 0}, {x + 1, 1, 0}, {x + 2, 1, 1}, {x + 2, 0, 1}},
+        {{x + 2, 0, 0}, {x + 2, 3, 0}, {x + 2, 3, 1}, {x + 2, 0, 1}}};
+      for (std::size_t k = 0; k < (i + 1 < holes ? 3 : 2); ++k) {
+        Triangulation copy = t;
+        Network network(copy);
+        network.add_closed_path(loop_through(copy, curves[k]));
+        const double before = network.length(0);
+        EXPECT_EQ(network.shorten().status, Status::GEODESIC);
+        EXPECT_TRUE(network.is_geodesic());
+        EXPECT_FALSE(network.halfedges(0).empty()) << holes << " holes, curve " << k;
+        EXPECT_LE(network.length(0), before);
+        EXPECT_GE(network.length(0), k == 2 ? 8 - 1e-14 : 4 - 1e-14); // no shorter one goes round there
+        EXPECT_LE(network.length(0), k == 0 ? 8 : k == 1 ? 4 + 1e-14
+                                                         : 8 + 1e-14);
+      }
+    }
+  }
+}
+
+TEST(GeodesicLoop, StaysWhereAnotherPathIsInTheWay)
+{
+  // Loops round the tube of a torus that bend at their vertex, all of whose other edges are used.
+  const std::uint32_t columns = 24, rows = 12;
+  const Triangulation torus = triangulation_of(IT::torus(columns, rows));
+  int rejected = 0;
+  for (std::uint32_t start = 0; start < columns * rows; ++start) {
+    Triangulation t = torus;
+    const IT::Delta_complex& complex = t.connectivity();
+    std::vector<std::uint32_t> ring;
+    for (std::uint32_t i = 0; i < rows; ++i)
+      ring.push_back((start / columns + i) % rows * columns + start % columns);
+    std::vector<IT::Halfedge_index> loop;
+    {
+      Network fixed(t);
+      fixed.add_closed_path(cycle(complex, ring));
+      fixed.fix(IT::Vertex_index(start));
+      ASSERT_EQ(fixed.shorten().status, Status::GEODESIC);
+      loop = fixed.halfedges(0);
+    }
+    Network network(t);
+    network.add_closed_path(loop);
+    if (loop.size() != 1 || network.is_geodesic())
+      continue;
+    for (IT::Edge_index e : complex.edges()) {
+      const IT::Halfedge_index h = complex.halfedge(e);
+      if (e != complex.edge(loop[0]) && (complex.source(h).idx() == start || complex.target(h).idx() == start))
+        network.add_path(std::vector<IT::Halfedge_index>{h});
+    }
+    const double before = network.length(0);
+    EXPECT_EQ(network.shorten().status, Status::NOT_IMPROVABLE);
+    EXPECT_EQ(network.halfedges(0), loop);
+    EXPECT_EQ(network.length(0), before);
+    EXPECT_FALSE(network.is_geodesic(0));
+    EXPECT_TRUE(complex.is_valid());
+    ++rejected;
+  }
+  EXPECT_GT(rejected, 3);
+}
+
+TEST(GeodesicLoop, IsPutBackIfTheWayRoundIsLonger)
+{
+  // A ring with a loop of length 1 inside. The triangle beside it has its third corner far away, and between the two
+  // sides of that triangle there is a vertex so near that the way over it is long.
+  const double c = 1, a = 2, gap = 0.1, angle = 14 * pi / 180;
+  const double d = std::sqrt(a * a + gap * gap - 2 * a * gap * std::cos(angle));
+  const IT::Delta_complex ring = IT::make_Delta_complex_from_gluing(
+    3, std::vector<std::array<std::uint32_t, 2>>{{1, 5}, {2, 6}, {3, 8}});
+  std::vector<double> lengths(ring.number_of_edges());
+  const double sides[] = {c, a, a, gap, d, a, a, d, gap};
+  IT::Halfedge_index h;
+  for (std::uint32_t s = 0; s < 9; ++s) {
+    h = s % 3 == 0 ? ring.halfedge(IT::Face_index(s / 3)) : ring.next(h);
+    lengths[ring.edge(h).idx()] = sides[s];
+  }
+  ASSERT_EQ(ring.number_of_vertices(), 3u);
+  const std::vector<IT::Halfedge_index> loop{ring.halfedge(IT::Face_index(0))};
+  const IT::Vertex_index corner = ring.target(ring.next(loop[0]));
+  for (bool is_corner_fixed : {false, true}) {
+    Triangulation t = Triangulation::from_lengths(ring, lengths);
+    Network network(t);
+    network.add_closed_path(loop);
+    EXPECT_FALSE(network.is_geodesic());
+    if (is_corner_fixed)
+      network.fix(corner); // it keeps the curve from being taken off the corner again, round which it is led
+    const IT::Geodesic_report report = network.shorten();
+    EXPECT_TRUE(t.connectivity().is_valid());
+    if (is_corner_fixed) {
+      EXPECT_EQ(report.status, Status::NOT_IMPROVABLE);
+      EXPECT_EQ(report.steps, 0u);
+      EXPECT_EQ(network.halfedges(0), loop);
+      EXPECT_EQ(network.length(0), c);
+      for (IT::Edge_index e : ring.edges())
+        EXPECT_NEAR(t.length(e), lengths[e.idx()], 1e-15);
+    } else {
+      EXPECT_EQ(report.status, Status::GEODESIC);
+      EXPECT_NEAR(network.length(0), c - 2 * gap * std::cos(std::acos(c / (2 * a)) + angle), 1e-14);
+      EXPECT_LT(network.length(0), c);
+    }
+  }
 }
 
 TEST(GeodesicNetwork, PathsShareEdges)
