@@ -284,6 +284,51 @@ TEST(GeodesicPath, OneCallOnAMesh)
   EXPECT_THROW(IT::geodesic_path(mesh, Mesh::Vertex_index(0), Mesh::Vertex_index(99)), IT::Invalid_point_error);
 }
 
+TEST(GeodesicPath, OneCallBetweenAnyPoints)
+{
+  // Every kind of point with every other: on a folded sheet, a path is as long as the straight line of the unfolding.
+  Mesh mesh;
+  const IT::Indexed_triangles surface = grid(4, 3, [](double, double y) { return y > 2 ? 0.75 * (y - 2) : 0; });
+  for (const auto& [x, y, z] : surface.points)
+    mesh.add_vertex({x, y, z});
+  for (const auto& [i, j, k] : surface.triangles)
+    mesh.add_face(Mesh::Vertex_index(i), Mesh::Vertex_index(j), Mesh::Vertex_index(k));
+  const IT::Delta_complex input = IT::make_Delta_complex(mesh);
+  std::vector<IT::Surface_point> points;
+  for (IT::Face_index f : {IT::Face_index(0), IT::Face_index(1), IT::Face_index(11), IT::Face_index(22)})
+    for (const auto& coordinates :
+         {std::array<double, 3>{0, 0, 7}, {0, 3, 0}, {1, 0, 0}, {0.5, 0.5, 0}, {0.25, 0, 0.75}, {0, 1, 2}, {1, 2, 4}, {0.25, 0.5, 1}, {4, 2, 1}})
+      points.push_back({input.halfedge(f), coordinates});
+  const auto flat = [&](IT::Surface_point p) {
+    const double sum = p.coordinates[0] + p.coordinates[1] + p.coordinates[2];
+    for (double& c : p.coordinates)
+      c /= sum;
+    const auto x = IT::point_in_space(input, surface.points, p);
+    return std::array<double, 2>{x[0], x[1] > 2 ? 2 + 1.25 * (x[1] - 2) : x[1]};
+  };
+  for (const IT::Surface_point& s : points)
+    for (const IT::Surface_point& target : points) {
+      const IT::Geodesic_path path = IT::geodesic_path(mesh, s, target);
+      ASSERT_TRUE(path.is_geodesic);
+      const auto a = flat(s), b = flat(target);
+      ASSERT_NEAR(path.length, std::hypot(a[0] - b[0], a[1] - b[1]), 1e-14);
+      ASSERT_GE(path.initial_length, path.length * (1 - 1e-15));
+      if (path.length == 0)
+        continue;
+      const auto first = flat(path.points.front()), last = flat(path.points.back());
+      ASSERT_NEAR(std::hypot(first[0] - a[0], first[1] - a[1]), 0, 1e-15);
+      ASSERT_NEAR(std::hypot(last[0] - b[0], last[1] - b[1]), 0, 1e-15);
+    }
+  const IT::Surface_point good = points[6];
+  const IT::Halfedge_index h = good.halfedge;
+  const double nan = std::nan("");
+  for (const IT::Surface_point& bad : std::vector<IT::Surface_point>{
+         {h, {0, 0, 0}}, {h, {1, -1, 0}}, {h, {1, nan, 0}}, {h, {nan, nan, nan}}, {IT::Halfedge_index(), {1, 1, 1}}, {IT::Halfedge_index(), {1, 0, 0}}, {IT::Halfedge_index(9999), {1, 0, 0}}}) {
+    EXPECT_THROW(IT::geodesic_path(mesh, good, bad), IT::Invalid_point_error);
+    EXPECT_THROW(IT::geodesic_path(mesh, bad, good), IT::Invalid_point_error);
+  }
+}
+
 TEST(GeodesicLoop, RoundAnApexIsContractible)
 {
   for (std::uint32_t rings : {2u, 3u, 8u, 50u})

@@ -3,23 +3,25 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A locally shortest path between two vertices of a mesh, in one call.
+// A locally shortest path between two vertices or any two points of a mesh, in one call.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_H
 
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_points.h>
+#include <CGAL/Intrinsic_triangulations/insert_vertex.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/compare_points.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/property_map.h>
 
 #include <array>
 #include <cstddef>
-#include <iterator>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -52,6 +54,73 @@ Vertex_index index_of_vertex(const TriangleMesh& mesh, typename boost::graph_tra
   return Vertex_index(index); // one too many is refused by shortest_edge_path()
 }
 
+// A point on an edge relative to the same halfedge, from whichever face it was given.
+inline Surface_point seen_from_one_side(const Delta_complex& input, const Surface_point& point)
+{
+  if (point.dimension() != 1)
+    return point;
+  Halfedge_index along = input.halfedge(input.edge(side_of(input, point)));
+  if (input.is_border(along))
+    along = input.opposite(along);
+  const auto [a, b] = coordinates_on_edge(input, point, along);
+  return {along, {a, b, 0}};
+}
+
+// The vertex at a point of the input, inserted if there is none. No edge is flipped for it: so another point can be
+// inserted on any input edge after it.
+template <class Traits>
+Vertex_index vertex_at_point(Intrinsic_triangulation<Traits>& triangulation, const Surface_point& point)
+{
+  const Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+  const Delta_complex& input = correspondence.input();
+  const Halfedge_index h = point.halfedge;
+  if (h.is_valid() && h.idx() < input.number_of_halfedges() && !input.is_border(h)) {
+    const auto& [a, b, c] = point.coordinates;
+    if (a > 0 && b == 0 && c == 0)
+      return input.source(h);
+    if (a == 0 && b > 0 && c == 0)
+      return input.target(h);
+    if (a == 0 && b == 0 && c > 0)
+      return input.target(input.next(h));
+  }
+  check_new_vertex(input, point);
+  const Surface_point p = seen_from_one_side(input, point);
+  for (auto v = input.number_of_vertices(); v < triangulation.connectivity().number_of_vertices(); ++v) {
+    const Surface_point q = seen_from_one_side(input, correspondence.location(Vertex_index(v)));
+    if (input.face(p.halfedge) == input.face(q.halfedge) && are_same_points(input, p, q))
+      return Vertex_index(v);
+  }
+  return insert_vertex(triangulation, p,
+                       parameters::edge_is_constrained_map(Static_boolean_property_map<Edge_index, true>()));
+}
+
+// From a triangulation of the mesh that has both vertices.
+template <class TriangleMesh, class Traits, class NamedParameters>
+Geodesic_path shortened_edge_path(const TriangleMesh& mesh, Intrinsic_triangulation<Traits>& triangulation, Vertex_index source,
+                                  Vertex_index target, const NamedParameters& np)
+{
+  const auto start = shortest_edge_path(triangulation, source, target);
+  Geodesic_path_network<Traits> network(triangulation);
+  const std::size_t p = network.add_path(start);
+  Geodesic_path result;
+  result.initial_length = network.length(p);
+  result.report = network.shorten(np);
+  result.length = network.length(p);
+  result.is_geodesic = network.is_geodesic(p);
+  result.points = geodesic_points(triangulation, network.halfedges(p));
+  const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                      get_const_property_map(vertex_point, mesh));
+  std::vector<std::array<double, 3>> points;
+  points.reserve(num_vertices(mesh));
+  for (auto v : vertices(mesh)) {
+    const auto& p_v = get(point_map, v);
+    points.push_back({CGAL::to_double(p_v.x()), CGAL::to_double(p_v.y()), CGAL::to_double(p_v.z())});
+  }
+  for (const Surface_point& q : result.points)
+    result.positions.push_back(point_in_space(triangulation.exact_geometry().correspondence().input(), points, q));
+  return result;
+}
+
 } // namespace internal
 /// \endcond
 
@@ -75,28 +144,32 @@ Geodesic_path geodesic_path(const TriangleMesh& mesh, typename boost::graph_trai
                             const NamedParameters& np = parameters::default_values())
 {
   auto triangulation = intrinsic_triangulation(mesh, np);
-  using Traits = typename decltype(triangulation)::Traits;
-  const auto start = shortest_edge_path(triangulation, internal::index_of_vertex(mesh, source),
-                                        internal::index_of_vertex(mesh, target));
-  Geodesic_path_network<Traits> network(triangulation);
-  const std::size_t p = network.add_path(start);
-  Geodesic_path result;
-  result.initial_length = network.length(p);
-  result.report = network.shorten(np);
-  result.length = network.length(p);
-  result.is_geodesic = network.is_geodesic(p);
-  result.points = geodesic_points(triangulation, network.halfedges(p));
-  const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                      get_const_property_map(vertex_point, mesh));
-  std::vector<std::array<double, 3>> points;
-  points.reserve(num_vertices(mesh));
-  for (auto v : vertices(mesh)) {
-    const auto& p_v = get(point_map, v);
-    points.push_back({CGAL::to_double(p_v.x()), CGAL::to_double(p_v.y()), CGAL::to_double(p_v.z())});
-  }
-  for (const Surface_point& q : result.points)
-    result.positions.push_back(point_in_space(triangulation.exact_geometry().correspondence().input(), points, q));
-  return result;
+  return internal::shortened_edge_path(mesh, triangulation, internal::index_of_vertex(mesh, source),
+                                       internal::index_of_vertex(mesh, target), np);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief finds a locally shortest path between two points of a mesh, which may be vertices or lie on edges or inside of faces.
+///
+/// Points that are no vertices are inserted as vertices, without any rounding; then this is `geodesic_path()` between vertices.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param mesh the mesh. Its i-th edge and its i-th vertex have the number i in `source` and `target`
+/// \param source, target the ends of the path, in faces of `make_Delta_complex(mesh)`
+/// \param np as for vertices
+///
+/// \return the path; one without points if both ends are the same
+/// \exception Invalid_surface_error as `intrinsic_triangulation()`
+/// \exception Invalid_point_error if a point is none of the mesh, or no path along edges joins the two
+/// \exception Undecided_error, Cancelled_error as the function `shorten` of `Geodesic_path_network`
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+Geodesic_path geodesic_path(const TriangleMesh& mesh, const Surface_point& source, const Surface_point& target,
+                            const NamedParameters& np = parameters::default_values())
+{
+  auto triangulation = intrinsic_triangulation(mesh, np);
+  const Vertex_index s = internal::vertex_at_point(triangulation, source);
+  const Vertex_index t = internal::vertex_at_point(triangulation, target);
+  return internal::shortened_edge_path(mesh, triangulation, s, t, np);
 }
 
 } // namespace Intrinsic_triangulations
