@@ -12,7 +12,7 @@ from idt_files import read_obj
 from pages import page_of_images
 from scene import polygons, render, textured, tubes
 
-WHITE, BLACK, RED = (1, 1, 1), (0, 0, 0), (0.85, 0.05, 0.05)
+WHITE, GREY, BLACK, RED = (1, 1, 1), (0.3, 0.36, 0.45), (0, 0, 0), (0.85, 0.05, 0.05)
 KEPT = (WHITE, "in both")
 GONE = (BLACK, "in the input alone")
 NEW = (RED, "in the intrinsic Delaunay triangulation (iDT) alone")
@@ -131,6 +131,23 @@ def refinement(surface, triangulations, camera, radius):
         axes.set_xlabel(f"angle, from {values.min():.3g} to {values.max():.3g} degrees")
     all_axes[1, 0].set_ylabel("number of angles")
     return page
+
+
+def geodesics(panels):
+    """Straight lines on surfaces.
+
+    `panels` are tuples of surface, camera, radius, and lines with their reports.
+    """
+    images, titles = [], []
+    for surface, camera, radius, lines in panels:
+        pairs, _ = surface.edges()
+        size = radius * np.linalg.norm(np.ptp(surface.points, axis=0))
+        images.append(render([polygons(surface.points, surface.faces),
+                              tubes([surface.points[pair] for pair in pairs], GREY, size / 4),
+                              tubes([points for points, _ in lines], RED, size)], camera))
+        before, after = (sum(report[key] for _, report in lines) for key in ("initial_length", "length"))
+        titles.append(f"{surface.name}: length {after:.3f}, along edges {before:.3f}")
+    return page_of_images(images, titles, columns=2)
 
 
 def maps_to_the_plane(triangulation, maps):

@@ -174,6 +174,13 @@ class Idt:
         cosines = [(y * y + z * z - x * x) / (2 * y * z) for x, y, z in ((a, b, c), (b, c, a), (c, a, b))]
         return np.degrees(np.arccos(np.clip(cosines, -1, 1))).ravel()
 
+    def geodesic(self, surface, *options):
+        """The points of a straight line on a surface, and the report about it."""
+        self.run("geodesic", surface.path, *options, "-o", "line.csv", "--stats", "line.json")
+        with open(self.folder / "line.csv") as file:
+            points = np.array([[float(row[axis]) for axis in "xyz"] for row in csv.DictReader(file)])
+        return points, json.loads((self.folder / "line.json").read_text())
+
     def compare_samples(self, *number_types):
         """Runs number types on all built-in surfaces, for some minutes."""
         paths = [self.run("sample", name, "-o", name).strip() for name in self.run("sample", "--list").split()]

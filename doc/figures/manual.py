@@ -5,6 +5,8 @@
 from dataclasses import dataclass
 from typing import Callable
 
+import numpy as np
+
 import figures
 import kernels
 import surfaces
@@ -46,6 +48,8 @@ SAMPLES = {
     "interpolation": Subject(DOME, Camera((1, -1.2, 0.1), center=(0.6, -0.7, -0.15), height=0.95)),
     "circle-patterns": Subject(DOME, Camera((1, -1.2, 0.9))),
     "refinement": Subject(DOME, Camera((1, -1.2, 0.9), size=(400, 360)), 0.0012),
+    "geodesics": [Subject(sample("torus"), Camera((1, -1.2, 1.6)), 0.003),
+                  Subject(sample("bumpy-sphere"), Camera((1, -1, 0.7)), 0.0022)],
     "kernels": None,  # all samples, and no view
 }
 
@@ -98,6 +102,27 @@ def draw_refinement(idt, subject):
     return figures.refinement(surface, triangulations, subject.camera, subject.radius)
 
 
+def draw_geodesics(idt, subjects):
+    """A closed curve that winds once along a torus and three times round it; and a star of paths."""
+    torus, star = subjects
+    surface = torus.surface(idt)
+    columns, rows = 60, 30
+    through = [(6 * i) % rows * columns + (4 * i) % columns for i in range(15)]
+    loop = idt.geodesic(surface, "--closed", "--from", through[0], *(word for v in through[1:] for word in ("--via", v)))
+    panels = [(surface, torus.camera, torus.radius, [loop])]
+    surface = star.surface(idt)
+    forward = np.array(star.camera.direction)
+    right = np.cross(star.camera.up, forward)
+    upward = np.cross(forward, right)
+    right, upward = (axis / np.linalg.norm(axis) for axis in (right, upward))
+    nearest = np.argmax(surface.points @ forward)
+    outline = {int(np.argmax(surface.points @ (np.cos(t) * right + np.sin(t) * upward)))
+               for t in np.linspace(0, 2 * np.pi, 36, endpoint=False)}
+    paths = [idt.geodesic(surface, "--from", nearest, "--to", v) for v in sorted(outline)]
+    panels.append((surface, star.camera, star.radius, paths))
+    return figures.geodesics(panels)
+
+
 def draw_maps(idt, subject):
     surface = subject.surface(idt)
     maps = [(title, *(idt.parameterize(surface, f"{boundary}-{operator}", "--boundary", boundary,
@@ -124,10 +149,10 @@ def draw_kernels(idt, _):
         "filtered"))
 
 
-# The names of the pictures, in the order of the paper: figures 1, 2, 6, 7, 8, 9 and 10; and two more.
+# The names of the pictures, in the order of the paper: figures 1, 2, 6, 7, 8, 9 and 10; and three more.
 DRAW = {"edges": draw_edges, "thin-tube": draw_edges, "weights": draw_weights, "overlays": draw_overlays,
         "maps": draw_maps, "interpolation": draw_interpolation, "circle-patterns": draw_circle_patterns,
-        "refinement": draw_refinement, "kernels": draw_kernels}
+        "refinement": draw_refinement, "geodesics": draw_geodesics, "kernels": draw_kernels}
 LINE_DRAWINGS = ("weights", "maps", "kernels")  # these have few colors
 
 
