@@ -489,19 +489,20 @@ TEST(GeodesicLoop, StaysWhereAnotherPathIsInTheWay)
 TEST(GeodesicLoop, IsPutBackIfTheWayRoundIsLonger)
 {
   // A ring with a loop of length 1 inside. The triangle beside it has its third corner far away, and between the two
-  // sides of that triangle there is a vertex so near that the way over it is long.
-  const double c = 1, a = 2, gap = 0.1, angle = 14 * pi / 180;
-  const double d = std::sqrt(a * a + gap * gap - 2 * a * gap * std::cos(angle));
+  // sides of that triangle there is a vertex so near that the way over it is long. Two more vertices are flipped away.
+  const double c = 1, a = 2, gap = 0.1, r = 1.5, angle = 14 * pi / 180;
+  const auto opposite = [](double x, double y, double between) { return std::sqrt(x * x + y * y - 2 * x * y * std::cos(between)); };
+  const double m = opposite(a, r, angle / 2), n = opposite(gap, r, angle / 2);
   const IT::Delta_complex ring = IT::make_Delta_complex_from_gluing(
-    3, std::vector<std::array<std::uint32_t, 2>>{{1, 5}, {2, 6}, {3, 8}});
+    5, std::vector<std::array<std::uint32_t, 2>>{{1, 5}, {3, 8}, {6, 11}, {9, 14}, {12, 2}});
   std::vector<double> lengths(ring.number_of_edges());
-  const double sides[] = {c, a, a, gap, d, a, a, d, gap};
+  const double sides[] = {c, a, a, r, m, a, gap, n, r, r, n, gap, a, m, r};
   IT::Halfedge_index h;
-  for (std::uint32_t s = 0; s < 9; ++s) {
+  for (std::uint32_t s = 0; s < 15; ++s) {
     h = s % 3 == 0 ? ring.halfedge(IT::Face_index(s / 3)) : ring.next(h);
     lengths[ring.edge(h).idx()] = sides[s];
   }
-  ASSERT_EQ(ring.number_of_vertices(), 3u);
+  ASSERT_EQ(ring.number_of_vertices(), 5u);
   const std::vector<IT::Halfedge_index> loop{ring.halfedge(IT::Face_index(0))};
   const IT::Vertex_index corner = ring.target(ring.next(loop[0]));
   for (bool is_corner_fixed : {false, true}) {
@@ -516,6 +517,7 @@ TEST(GeodesicLoop, IsPutBackIfTheWayRoundIsLonger)
     if (is_corner_fixed) {
       EXPECT_EQ(report.status, Status::NOT_IMPROVABLE);
       EXPECT_EQ(report.steps, 0u);
+      EXPECT_EQ(report.flips, 2u);
       EXPECT_EQ(network.halfedges(0), loop);
       EXPECT_EQ(network.length(0), c);
       for (IT::Edge_index e : ring.edges())
