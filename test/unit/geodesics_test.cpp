@@ -343,6 +343,9 @@ TEST(GeodesicLoop, RoundAnApexIsContractible)
       EXPECT_EQ(network.status(0), Status::CONTRACTIBLE) << rings << " rings, height " << height;
       EXPECT_TRUE(network.halfedges(0).empty());
       EXPECT_TRUE(network.contraction(0).is_valid());
+      EXPECT_EQ(network.shorten().steps, 0u);
+      EXPECT_EQ(network.status(0), Status::CONTRACTIBLE);
+      EXPECT_TRUE(network.contraction(0).is_valid());
       EXPECT_EQ(network.length(0), 0);
     }
 }
@@ -595,6 +598,32 @@ TEST(GeodesicNetwork, FixedVerticesConstrainedEdgesAndBudgets)
     EXPECT_EQ(network.shorten().status, Status::BLOCKED);
     EXPECT_FALSE(network.is_geodesic());
     EXPECT_EQ(network.status(1), Status::GEODESIC);
+  }
+}
+
+TEST(GeodesicNetwork, PathsThatCrossInAVertexStayThere)
+{
+  const Triangulation plane = triangulation_of(grid(6, 6));
+  const auto& complex = plane.connectivity();
+  std::vector<IT::Halfedge_index> column;
+  for (std::uint32_t y = 0; y < 6; ++y)
+    column.push_back(halfedge_between(complex, 7 * y + 3, 7 * y + 10));
+  // Through (3, 2): from (2, 2) to (4, 3), on the other side of the column; or to (3, 1) and (2, 1), which is on the same side.
+  const std::vector<IT::Halfedge_index> crossing{halfedge_between(complex, 16, 17), halfedge_between(complex, 17, 25)},
+    touching{halfedge_between(complex, 16, 17), halfedge_between(complex, 17, 10), halfedge_between(complex, 10, 9)};
+  for (int kind = 0; kind < 3; ++kind) {
+    Triangulation t = plane;
+    Network network(t);
+    network.add_path(column);
+    network.add_path(kind == 0 ? touching : crossing);
+    if (kind == 2)
+      network.fix(IT::Vertex_index(17));
+    network.shorten();
+    EXPECT_EQ(network.status(0), Status::GEODESIC);
+    EXPECT_EQ(network.length(0), 6);
+    EXPECT_EQ(network.status(1), kind == 1 ? Status::BLOCKED : Status::GEODESIC);
+    EXPECT_EQ(network.is_geodesic(1), kind != 1);
+    EXPECT_NEAR(network.length(1), kind == 0 ? 1 : 1 + std::sqrt(2.), 1e-15);
   }
 }
 

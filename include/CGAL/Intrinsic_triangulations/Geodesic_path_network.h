@@ -8,10 +8,12 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_NETWORK_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_NETWORK_H
 
+#include <CGAL/Intrinsic_triangulations/Geodesic_report.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Linked_paths.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Wedge.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -25,33 +27,11 @@
 #include <limits>
 #include <optional>
 #include <queue>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
-
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
-/// \brief how a path of a `Geodesic_path_network` stands.
-enum class Geodesic_status {
-  GEODESIC,       ///< locally shortest: at each inner vertex that is not fixed, the angles on both sides are at least π
-  CONTRACTIBLE,   ///< a closed curve that was shrunk to a point
-  BLOCKED,        ///< it can only be shortened over an edge of the network, or over edges that cannot be flipped
-  NOT_IMPROVABLE, ///< a loop of one edge that is no geodesic, for which no shorter path of edges was found
-  UNFINISHED      ///< the budget did not suffice, or the visitor cancelled the run
-};
-
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
-/// \brief the result of `Geodesic_path_network::shorten()`.
-struct Geodesic_report
-{
-  /// the worst status of all paths, in the order of the enumeration; contractible ones are none the worse for it
-  Geodesic_status status = Geodesic_status::GEODESIC;
-  std::uint64_t flips = 0; ///< the number of flips
-  std::uint64_t steps = 0; ///< how often a part of a path was replaced by a shorter one
-  std::uint64_t tests = 0; ///< the number of edges that were looked at
-};
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 ///
@@ -84,7 +64,7 @@ public:
   /// \param is_constrained says of an edge whether paths must not cross it; nothing is constrained without it
   explicit Geodesic_path_network(Triangulation& triangulation, std::function<bool(Edge_index)> is_constrained = {})
     : triangulation_(triangulation), geometry_(triangulation), is_constrained_(std::move(is_constrained)),
-      number_of_uses_(complex().number_of_edges(), 0), is_fixed_(complex().number_of_vertices(), false)
+      paths_(complex()), is_fixed_(complex().number_of_vertices(), false)
   {}
   /// \cond SKIP_IN_MANUAL
   Geodesic_path_network(const Geodesic_path_network&) = delete;
@@ -147,17 +127,18 @@ public:
     go_further_ = [&] { return visitor.go_further(report_.tests, report_.flips); };
     after_flip_ = [&](Edge_index e) { visitor.after_flip(e); };
     const internal::Interruption_scope<Triangulation> scope(triangulation_, go_further_);
-    for (Path& path : paths_)
-      path.status = Geodesic_status::GEODESIC;
+    for (Outcome& outcome : outcomes_)
+      if (outcome.status != Geodesic_status::CONTRACTIBLE)
+        outcome.status = Geodesic_status::GEODESIC;
     Queue queue;
     for (std::size_t p = 0; p < paths_.size(); ++p)
       push_path(p, queue);
     settle(queue);
-    for (Path& path : paths_) {
-      if (is_stopped_ && path.status != Geodesic_status::CONTRACTIBLE)
-        path.status = Geodesic_status::UNFINISHED;
-      if (path.status != Geodesic_status::CONTRACTIBLE)
-        report_.status = (std::max)(report_.status, path.status);
+    for (Outcome& outcome : outcomes_) {
+      if (is_stopped_ && outcome.status != Geodesic_status::CONTRACTIBLE)
+        outcome.status = Geodesic_status::UNFINISHED;
+      if (outcome.status != Geodesic_status::CONTRACTIBLE)
+        report_.status = (std::max)(report_.status, outcome.status);
     }
     return report_;
   }
@@ -168,25 +149,15 @@ public:
   /// returns the number of paths.
   std::size_t number_of_paths() const { return paths_.size(); }
   /// returns whether path `p` is a closed curve.
-  bool is_closed(std::size_t p) const { return paths_[p].is_closed; }
+  bool is_closed(std::size_t p) const { return paths_.is_closed(p); }
   /// returns how the last `shorten()` left path `p`.
-  Geodesic_status status(std::size_t p) const { return paths_[p].status; }
+  Geodesic_status status(std::size_t p) const { return outcomes_[p].status; }
   /// \brief returns the vertex to which a contractible curve was shrunk.
   /// \pre `status(p)` is `CONTRACTIBLE`
-  Vertex_index contraction(std::size_t p) const { return paths_[p].contraction; }
+  Vertex_index contraction(std::size_t p) const { return outcomes_[p].contraction; }
 
   /// returns the halfedges of path `p` in the current triangulation: none if it was shrunk to a point.
-  std::vector<Halfedge_index> halfedges(std::size_t p) const
-  {
-    std::vector<Halfedge_index> result;
-    for (Segment_index s = paths_[p].first; s != none;) {
-      result.push_back(segments_[s].halfedge);
-      s = segments_[s].next;
-      if (s == paths_[p].first)
-        break;
-    }
-    return result;
-  }
+  std::vector<Halfedge_index> halfedges(std::size_t p) const { return paths_.halfedges(p); }
   /// returns the length of path `p`, within one unit in the last place for each of its edges.
   double length(std::size_t p) const
   {
@@ -226,22 +197,13 @@ public:
   /// @}
 
 private:
-  using Segment_index = std::uint32_t;
-  static constexpr Segment_index none = (std::numeric_limits<Segment_index>::max)();
+  using Linked_paths = internal::Linked_paths;
+  using Segment_index = Linked_paths::Segment_index;
 
-  struct Segment
+  struct Outcome
   {
-    Halfedge_index halfedge;
-    Segment_index prev, next; // around and around in a closed path
-    std::uint32_t path;
-    bool is_alive;
-  };
-  struct Path
-  {
-    Segment_index first; // none after it was shrunk to a point
-    bool is_closed;
     Geodesic_status status = Geodesic_status::GEODESIC;
-    Vertex_index contraction;
+    Vertex_index contraction; // if the path was shrunk to a point
   };
   // What may be shortened between two segments; or a loop, which both of them are.
   struct Bend
@@ -275,96 +237,23 @@ private:
 
   std::size_t add(const std::vector<Halfedge_index>& halfedges, bool is_closed)
   {
-    for (std::size_t i = 0; i < halfedges.size(); ++i) {
-      if (!(halfedges[i].idx() < complex().number_of_halfedges()))
-        throw Invalid_point_error("there is no halfedge " + std::to_string(halfedges[i].idx()));
-      const bool is_last = i + 1 == halfedges.size();
-      if (is_last && !is_closed)
-        break;
-      const Halfedge_index following = halfedges[is_last ? 0 : i + 1];
-      if (following.idx() < complex().number_of_halfedges() &&
-          complex().source(following) != complex().target(halfedges[i]))
-        throw Invalid_point_error("halfedge " + std::to_string(following.idx()) + " does not begin at vertex " +
-                                  std::to_string(complex().target(halfedges[i]).idx()) + ", where halfedge " +
-                                  std::to_string(halfedges[i].idx()) + " before it ends");
-    }
-    if (is_closed && halfedges.empty())
-      throw Invalid_point_error("a closed curve without edges");
-    paths_.push_back({none, is_closed, Geodesic_status::GEODESIC, Vertex_index()});
-    link(std::uint32_t(paths_.size() - 1), none, none, halfedges);
-    return paths_.size() - 1;
-  }
-
-  // Links new segments between two others; in a closed path without others, to a circle.
-  // \return the first and the last of them
-  // \pre there are some, or others
-  std::pair<Segment_index, Segment_index> link(std::uint32_t p, Segment_index before, Segment_index after,
-                                               const std::vector<Halfedge_index>& halfedges)
-  {
-    Segment_index first = none, last = before;
-    for (Halfedge_index h : halfedges) {
-      const Segment_index s = Segment_index(segments_.size());
-      segments_.push_back({h, last, none, p, true});
-      ++number_of_uses_[complex().edge(h).idx()];
-      if (last != none)
-        segments_[last].next = s;
-      if (first == none)
-        first = s;
-      last = s;
-    }
-    Path& path = paths_[p];
-    if (path.is_closed && before == none) {
-      segments_[first].prev = last;
-      segments_[last].next = first;
-    } else {
-      if (last != none)
-        segments_[last].next = after;
-      if (after != none)
-        segments_[after].prev = last;
-    }
-    if (before == none)
-      path.first = first != none ? first : after;
-    return {first, last};
-  }
-
-  void remove(Segment_index s)
-  {
-    segments_[s].is_alive = false;
-    --number_of_uses_[complex().edge(segments_[s].halfedge).idx()];
-  }
-
-  void revive(Segment_index s)
-  {
-    segments_[s].is_alive = true;
-    ++number_of_uses_[complex().edge(segments_[s].halfedge).idx()];
+    const std::size_t p = paths_.add(halfedges, is_closed);
+    outcomes_.emplace_back();
+    return p;
   }
 
   // Replaces two consecutive segments, or a loop if they are the same.
   void replace(Segment_index a, Segment_index b, const std::vector<Halfedge_index>& halfedges, Queue& queue)
   {
-    const std::uint32_t p = segments_[a].path;
-    Path& path = paths_[p];
-    Segment_index before = segments_[a].prev, after = segments_[b].next;
-    const Vertex_index start = complex().source(segments_[a].halfedge);
-    remove(a);
-    if (a != b)
-      remove(b);
-    if (path.is_closed && (before == a || before == b)) // nothing is left
-      before = after = none;
-    if (path.is_closed)
-      path.first = before;
-    if (path.is_closed && before == none && halfedges.empty()) {
-      path.status = Geodesic_status::CONTRACTIBLE;
-      path.contraction = start;
+    const std::uint32_t p = paths_[a].path;
+    const Vertex_index start = complex().source(paths_[a].halfedge);
+    const auto [before, first, last] = paths_.replace(a, b, halfedges);
+    if (paths_.is_closed(p) && paths_.first(p) == Linked_paths::none) {
+      outcomes_[p] = {Geodesic_status::CONTRACTIBLE, start};
       return;
     }
-    const auto [first, last] = link(p, before, after, halfedges);
-    if (halfedges.empty()) {
-      push(before, queue);
-      return;
-    }
-    push(segments_[first].prev, queue);
-    for (Segment_index s = first; s != none; s = segments_[s].next) {
+    push(before, queue);
+    for (Segment_index s = first; s != Linked_paths::none; s = paths_[s].next) {
       push(s, queue);
       if (s == last)
         break;
@@ -373,10 +262,10 @@ private:
 
   void push_path(std::size_t p, Queue& queue)
   {
-    const Segment_index first = paths_[p].first;
-    for (Segment_index s = first; s != none;) {
+    const Segment_index first = paths_.first(p);
+    for (Segment_index s = first; s != Linked_paths::none;) {
       push(s, queue);
-      s = segments_[s].next;
+      s = paths_[s].next;
       if (s == first)
         break;
     }
@@ -385,10 +274,10 @@ private:
   // Puts both sides of the vertex after a segment on the queue where the path bends there.
   void push(Segment_index a, Queue& queue)
   {
-    if (a == none || segments_[a].next == none)
+    if (a == Linked_paths::none || paths_[a].next == Linked_paths::none)
       return;
-    const Segment_index b = segments_[a].next;
-    const Halfedge_index g = segments_[a].halfedge, h = segments_[b].halfedge;
+    const Segment_index b = paths_[a].next;
+    const Halfedge_index g = paths_[a].halfedge, h = paths_[b].halfedge;
     if (is_fixed_[complex().target(g).idx()])
       return;
     if (g == complex().opposite(h)) {
@@ -415,7 +304,7 @@ private:
   internal::Wedge_outcome shorten_wedge(const internal::Wedge& wedge)
   {
     return geometry_.shorten(
-      wedge, [&](Edge_index e) { return number_of_uses_[e.idx()] == 0 && !is_constrained(e); },
+      wedge, [&](Edge_index e) { return !paths_.is_used(e) && !is_constrained(e); },
       [&] { return goes_on(); },
       [&](Edge_index e) {
         ++report_.flips;
@@ -439,11 +328,6 @@ private:
     return result;
   }
 
-  bool is_current(const Bend& bend) const
-  {
-    return segments_[bend.before].is_alive && segments_[bend.after].is_alive && segments_[bend.before].next == bend.after;
-  }
-
   // Works off a queue. What is blocked is tried again as long as something else moves.
   void settle(Queue& queue)
   {
@@ -453,7 +337,7 @@ private:
       while (!queue.empty()) {
         const Bend bend = queue.top();
         queue.pop();
-        if (is_current(bend) && !straighten(bend, queue))
+        if (paths_.are_consecutive(bend.before, bend.after) && !straighten(bend, queue))
           blocked.push_back(bend);
         if (is_stopped_)
           return;
@@ -465,8 +349,8 @@ private:
       blocked.clear();
     }
     for (const Bend& bend : blocked)
-      if (is_current(bend)) {
-        Geodesic_status& status = paths_[segments_[bend.before].path].status;
+      if (paths_.are_consecutive(bend.before, bend.after)) {
+        Geodesic_status& status = outcomes_[paths_[bend.before].path].status;
         const bool is_loop = bend.before == bend.after;
         status = (std::max)(status, is_loop ? Geodesic_status::NOT_IMPROVABLE : Geodesic_status::BLOCKED);
       }
@@ -477,7 +361,7 @@ private:
   {
     if (bend.before == bend.after)
       return straighten_loop(bend.before, bend.is_on_left, queue);
-    const Halfedge_index a = segments_[bend.before].halfedge, b = segments_[bend.after].halfedge;
+    const Halfedge_index a = paths_[bend.before].halfedge, b = paths_[bend.after].halfedge;
     std::vector<Halfedge_index> way;
     if (complex().opposite(a) != b) {
       const internal::Wedge wedge =
@@ -496,15 +380,13 @@ private:
   // longer, then taken off its vertex and shortened as any path; all that is undone unless the result is certainly shorter.
   bool straighten_loop(Segment_index s, bool is_on_left, Queue& queue)
   {
-    const std::uint32_t p = segments_[s].path;
-    const Halfedge_index loop = segments_[s].halfedge;
+    const std::uint32_t p = paths_[s].path;
+    const Halfedge_index loop = paths_[s].halfedge;
     const Halfedge_index g = is_on_left ? loop : complex().opposite(loop);
     const Halfedge_index x = complex().opposite(complex().prev(g)), y = complex().opposite(complex().next(g));
     if (x == complex().next(g)) {
-      remove(s);
-      paths_[p].first = none;
-      paths_[p].status = Geodesic_status::CONTRACTIBLE;
-      paths_[p].contraction = complex().target(x);
+      replace(s, s, {}, queue);
+      outcomes_[p].contraction = complex().target(x);
       ++report_.steps;
       return true;
     }
@@ -518,7 +400,7 @@ private:
     bool is_shorter = false;
     try {
       is_shorter = leads_round(s, wedge, is_on_left) &&
-                   (paths_[p].first == none || certainly((precise_length(p) - length_before).sign() == NEGATIVE));
+                   (paths_.first(p) == Linked_paths::none || certainly((precise_length(p) - length_before).sign() == NEGATIVE));
     } catch (...) {
       undo(s, loop, flips);
       throw;
@@ -538,9 +420,9 @@ private:
   // \return whether that was done
   bool leads_round(Segment_index s, const internal::Wedge& wedge, bool is_on_left)
   {
-    remove(s);
+    paths_.remove(s);
     const internal::Wedge_outcome outcome = shorten_wedge(wedge);
-    revive(s);
+    paths_.revive(s);
     if (outcome != internal::Wedge_outcome::SHORTENED)
       return false;
     Queue queue;
@@ -548,7 +430,7 @@ private:
     while (!queue.empty() && !is_stopped_) {
       const Bend bend = queue.top();
       queue.pop();
-      if (is_current(bend) && bend.before != bend.after)
+      if (paths_.are_consecutive(bend.before, bend.after) && bend.before != bend.after)
         straighten(bend, queue);
     }
     return !is_stopped_;
@@ -558,10 +440,6 @@ private:
   void undo(Segment_index s, Halfedge_index loop, const std::vector<Edge_index>& flips)
   {
     journal_ = nullptr;
-    const std::uint32_t p = segments_[s].path;
-    if (paths_[p].first != s)
-      for (Segment_index i = paths_[p].first; segments_[i].is_alive; i = segments_[i].next)
-        remove(i);
     // A flip and one back turn an edge round.
     auto go_further = triangulation_.set_interruption({});
     bool is_turned = false;
@@ -570,10 +448,7 @@ private:
       is_turned = is_turned != (flips[i] == complex().edge(loop));
     }
     triangulation_.set_interruption(std::move(go_further));
-    if (!segments_[s].is_alive)
-      revive(s);
-    segments_[s] = {is_turned ? complex().opposite(loop) : loop, s, s, p, true};
-    paths_[p].first = s;
+    paths_.restore_loop(s, is_turned ? complex().opposite(loop) : loop);
   }
 
   // In double-doubles: loops beside a band that is nearly a cylinder have nearly the same length. In the unit of the metric.
@@ -590,10 +465,9 @@ private:
   Triangulation& triangulation_;
   internal::Wedge_geometry<Traits> geometry_;
   std::function<bool(Edge_index)> is_constrained_;
-  std::vector<std::uint32_t> number_of_uses_; // of each edge
-  std::vector<bool> is_fixed_;                // each vertex
-  std::vector<Segment> segments_;             // those of before as well
-  std::vector<Path> paths_;
+  Linked_paths paths_;
+  std::vector<Outcome> outcomes_; // of each path
+  std::vector<bool> is_fixed_;    // each vertex
 
   // of the run:
   Geodesic_report report_;
