@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Linear systems with a sparse, symmetric and positive definite matrix.
+// Linear systems with a sparse, symmetric or Hermitian, positive definite matrix.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_SPARSE_CHOLESKY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_SPARSE_CHOLESKY_H
@@ -27,13 +27,15 @@ namespace internal {
 
 // With CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD the factors are those of SuiteSparse, which is
 // faster for large systems; whoever defines it links with cholmod.
-class Sparse_Cholesky
+// \tparam Scalar real or complex
+template <class Scalar>
+class Basic_sparse_Cholesky
 {
 public:
-  using Matrix = Eigen::SparseMatrix<double>;
+  using Matrix = Eigen::SparseMatrix<Scalar>;
 
   // \param what names the matrix in the message of the exception
-  Sparse_Cholesky(const Matrix& matrix, const char* what) : what_(what)
+  Basic_sparse_Cholesky(const Matrix& matrix, const char* what) : what_(what)
   {
     if (matrix.rows() > 0)
       solver_.analyzePattern(matrix);
@@ -70,6 +72,8 @@ private:
 #endif
   const char* what_;
 };
+
+using Sparse_Cholesky = Basic_sparse_Cholesky<double>;
 
 // The rows and columns of a matrix whose new number is not negative, renumbered. The order
 // of numbers must be that of the rows.

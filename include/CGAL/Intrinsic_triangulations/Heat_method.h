@@ -1,0 +1,353 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Distances on a surface, by the heat method.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_HEAT_METHOD_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_HEAT_METHOD_H
+
+#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Heat_diffusion.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Ridge_keeper.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/point_source.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/unit_gradient.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief what heat does at the border of a surface.
+enum class Heat_boundary {
+  NEUMANN,   ///< none leaves: isolines of the distance meet the border at right angles
+  DIRICHLET, ///< the border is kept cold: isolines tend to run along it
+  AVERAGED   ///< the mean of both, which is often nearest to the truth
+};
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief how distances are found.
+struct Heat_method_options
+{
+  /// what heat does at the border
+  Heat_boundary boundary = Heat_boundary::NEUMANN;
+  /// the time for which heat spreads, in units of the squared mean length of the edges: the larger, the smoother
+  double time_coefficient = 1;
+  /// whether distances that are less than those of the vertices around allow are raised. Without that the
+  /// method rounds off ridges, where fronts from several sides meet: it is smoother there, and too small
+  bool keeps_ridges = true;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+///
+/// \brief distances from sources to all vertices of a surface, by the heat method.
+///
+///     Heat_method<> heat(triangulation);
+///     heat.add_source(v);
+///     std::vector<double> distances = heat.distances();
+///
+/// Heat spreads from the sources for a short time. Away from them its gradient has the direction of that of the distance, and the
+/// distance is the function whose gradient fits this direction best, raised where it is less than those of the vertices around
+/// allow. It is exactly zero at each source, however
+/// many there are, and never negative. In parts of the surface that no source is connected with, and at vertices without faces, it is
+/// infinite.
+///
+/// The matrices are factorized once. A set of sources then costs two solutions of linear systems, and more than one source in a
+/// part of the surface a third, and one for each new source. Beyond 32 sources one factorization more is cheaper.
+///
+/// Distances are those of the method, not exact geodesic ones: the chapter on distances of the manual says how far they are from
+/// these. Faces without area count for nothing.
+///
+/// \tparam LinearSolver factorizes symmetric positive definite matrices; with a constructor and a member function `factorize()`
+///   from an `Eigen::SparseMatrix<double>`, and `solve()` from and to an `Eigen::VectorXd`. By default the
+///   sparse Cholesky factorization of Eigen, or that of CHOLMOD if `CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD` is defined
+///
+/// Source: K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in heat", 2013.
+template <class LinearSolver = internal::Sparse_Cholesky>
+class Heat_method
+{
+public:
+  /// \brief factorizes the matrix of the heat.
+  ///
+  /// The triangulation is not needed any more afterwards. It should be Delaunay, and the angles opposite to border edges should not
+  /// be obtuse: otherwise heat can be negative, and distances far from right. The tufted cover has neither problem.
+  /// \exception Invalid_surface_error if a length or weight is beyond the range of `double`, or the time coefficient is not positive
+  ///   and finite
+  /// \exception Numerical_error if a matrix cannot be factorized
+  template <class Traits>
+  explicit Heat_method(const Intrinsic_triangulation<Traits>& triangulation,
+                       const Heat_method_options& options = Heat_method_options())
+    : Heat_method(internal::make_heat_surface(triangulation), options)
+  {}
+
+  /// \brief as above, for any triangles. The vertices are those of the input, and
+  /// so is the distance of one that was merged with another.
+  ///
+  /// A closed cover has no border, so all boundary conditions are the same there.
+  /// \pre the cover was made Delaunay by `flip_to_Delaunay(cover.triangulation)`
+  explicit Heat_method(const Tufted_cover& cover, const Heat_method_options& options = Heat_method_options())
+    : Heat_method(internal::make_heat_surface(cover), options)
+  {
+    representative_ = cover.representative;
+  }
+
+  /// \name Sources
+  /// @{
+
+  /// makes `v` a source; returns whether it was none. \exception Invalid_surface_error if there is no such vertex
+  bool add_source(Vertex_index v)
+  {
+    const bool is_new = vertex_sources_.insert({v, row_of(v)}).second;
+    is_changed_ |= is_new;
+    return is_new;
+  }
+  /// \brief makes a point of a face a source.
+  ///
+  /// Heat starts at the corners of the face, in the proportion of the coordinates; and the corners have the distance that they have in
+  /// the plane of the face.
+  /// \param triangulation the one that was given to the constructor
+  /// \param point a point in a face of it; see `Point_location` for a point of the input
+  /// \exception Invalid_surface_error if this is no point of a face with an area
+  template <class Traits>
+  void add_source(const Intrinsic_triangulation<Traits>& triangulation, const Surface_point& point)
+  {
+    const auto corners = internal::corners_of_point(triangulation, point);
+    for (const internal::Source_corner& corner : corners)
+      row_of(corner.vertex);
+    point_sources_.push_back(corners);
+    is_changed_ = true;
+  }
+  /// makes `v` no source any more; returns whether it was one.
+  bool remove_source(Vertex_index v)
+  {
+    const bool was_source = vertex_sources_.erase(v) > 0;
+    is_changed_ |= was_source;
+    return was_source;
+  }
+  /// removes all sources, vertices and points.
+  void clear_sources()
+  {
+    vertex_sources_.clear();
+    point_sources_.clear();
+    is_changed_ = true;
+  }
+  /// returns the number of sources.
+  std::size_t number_of_sources() const { return vertex_sources_.size() + point_sources_.size(); }
+  /// @}
+
+  /// \brief returns the distance of each vertex from the nearest source.
+  ///
+  /// The result is kept until the sources change.
+  /// \exception Numerical_error if a linear system cannot be solved
+  const std::vector<double>& distances()
+  {
+    if (is_changed_)
+      find_distances();
+    is_changed_ = false;
+    return distances_;
+  }
+
+  /// \brief returns a function with given values at some vertices, and elsewhere about the value at the nearest of these.
+  ///
+  /// The sources play no part. \param values pairs of a vertex and its value
+  /// \param elsewhere the value where none of the vertices can be reached
+  /// Source: N. Sharp, Y. Soliman, K. Crane, "The vector heat method", 2019, section 4.
+  std::vector<double> extend(const std::vector<std::pair<Vertex_index, double>>& values, double elsewhere = 0) const
+  {
+    Eigen::VectorXd weighted = zero_heat(), heat = zero_heat();
+    internal::Pins sources;
+    for (const auto& [v, value] : values) {
+      sources[row_of(v)] = heat[row_of(v)] += 1;
+      weighted[row_of(v)] += value;
+    }
+    const std::vector<bool> is_reachable = reachable(sources);
+    const internal::Layered_heat spread = diffusion_->spread(heat, is_reachable);
+    const auto layers = diffusion_->spread_likewise(weighted, spread);
+    std::vector<double> result(surface_->size(), elsewhere);
+    for (std::size_t v = 0; v < result.size(); ++v) {
+      const std::uint32_t row = row_of_input(v);
+      if (is_reachable[row] && spread[row] != 0)
+        result[v] = layers[spread.layer_of[row]][row] / spread[row];
+    }
+    for (const auto& [v, value] : values)
+      result[v.idx()] = value;
+    return result;
+  }
+
+  /// returns how many matrices were factorized until now.
+  std::size_t number_of_factorizations() const
+  {
+    return diffusion_->number_of_factorizations() + (cold_border_ ? cold_border_->number_of_factorizations() : 0) +
+           (poisson_ ? poisson_->number_of_factorizations() : 0);
+  }
+  /// returns the mean length of the edges, in the unit of the input: how fine the triangulation is.
+  double mean_edge_length() const { return surface_->in_input_unit(1); }
+
+private:
+  using Diffusion = internal::Heat_diffusion<LinearSolver>;
+  using Poisson = internal::Pinned_system<LinearSolver>;
+
+  Heat_method(internal::Heat_surface surface, const Heat_method_options& options)
+    : options_(checked(options)), surface_(std::make_unique<internal::Heat_surface>(std::move(surface))),
+      diffusion_(std::make_unique<Diffusion>(*surface_, options.time_coefficient))
+  {}
+
+  static const Heat_method_options& checked(const Heat_method_options& options)
+  {
+    if (!(options.time_coefficient > 0 && std::isfinite(options.time_coefficient)))
+      throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, 0, 1,
+                                  "the time coefficient has to be a positive number");
+    return options;
+  }
+
+  std::uint32_t row_of_input(std::size_t v) const
+  {
+    return representative_.empty() ? std::uint32_t(v) : representative_[v];
+  }
+  std::uint32_t row_of(Vertex_index v) const
+  {
+    if (!(v.idx() < surface_->size()))
+      throw Invalid_surface_error(Invalid_surface_error::Defect::BAD_INDEX, v.idx(), 1,
+                                  "there is no vertex " + std::to_string(v.idx()) + ": there are " +
+                                    std::to_string(surface_->size()) + " vertices, counted from 0");
+    return row_of_input(v.idx());
+  }
+
+  Eigen::VectorXd zero_heat() const { return Eigen::VectorXd::Zero(Eigen::Index(surface_->size())); }
+
+  // The rows in the components of the sources.
+  std::vector<bool> reachable(const internal::Pins& sources) const
+  {
+    std::vector<bool> components(surface_->size()), result(surface_->size());
+    for (const auto& source : sources)
+      components[surface_->component[source.first]] = true;
+    for (std::size_t v = 0; v < surface_->size(); ++v)
+      result[v] = components[surface_->component[v]];
+    return result;
+  }
+
+  // The distances of the sources: zero, and for points those of the corners of their faces.
+  internal::Pins find_pins() const
+  {
+    internal::Pins result;
+    for (const auto& source : vertex_sources_)
+      result[source.second] = 0;
+    for (const auto& corners : point_sources_)
+      for (const internal::Source_corner& corner : corners) {
+        const double distance = surface_->from_input_unit(corner.distance);
+        const auto [pin, is_new] = result.insert({row_of(corner.vertex), distance});
+        if (!is_new)
+          pin->second = (std::min)(pin->second, distance);
+      }
+    return result;
+  }
+
+  void find_distances()
+  {
+    const internal::Pins pins = find_pins();
+    std::vector<bool> is_reachable(surface_->size());
+    Eigen::VectorXd phi = zero_heat();
+    if (!pins.empty()) {
+      if (!poisson_)
+        poisson_ = std::make_unique<Poisson>(surface_->stiffness, surface_->component,
+                                             "the stiffness matrix with a fixed vertex in each part");
+      is_reachable = reachable(pins);
+      phi = poisson_->solve(flux(pins, is_reachable), pins);
+    }
+    phi = phi.cwiseMax(0.);
+    for (const auto& [row, distance] : pins)
+      phi[row] = distance;
+    if (options_.keeps_ridges && !pins.empty()) {
+      if (!ridge_keeper_)
+        ridge_keeper_ = std::make_unique<internal::Ridge_keeper>(*surface_);
+      ridge_keeper_->raise(phi, pins);
+    }
+    distances_.resize(surface_->size());
+    for (std::size_t v = 0; v < distances_.size(); ++v) {
+      const std::uint32_t row = row_of_input(v);
+      distances_[v] = is_reachable[row] ? surface_->in_input_unit(phi[row])
+                                        : std::numeric_limits<double>::infinity();
+    }
+  }
+
+  // Heat of the sources: 1, and less at corners of a source inside a face, as it decreases with the distance.
+  internal::Pins heat_of_sources(const internal::Pins& pins) const
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& pin : pins)
+      nearest = (std::min)(nearest, pin.second);
+    internal::Pins result;
+    for (const auto& [row, distance] : pins)
+      result[row] = std::exp((nearest - distance) / std::sqrt(options_.time_coefficient));
+    return result;
+  }
+
+  // The direction away from the sources, as its flux to each row.
+  Eigen::VectorXd flux(const internal::Pins& pins, const std::vector<bool>& is_reachable)
+  {
+    internal::Layered_heat spread = warm_spread(pins, is_reachable);
+    if (options_.boundary == Heat_boundary::NEUMANN || !has_border())
+      return internal::flux_of_unit_gradient(*surface_, spread, spread);
+    if (!cold_border_)
+      cold_border_ = std::make_unique<Diffusion>(*surface_, options_.time_coefficient, surface_->is_border);
+    const internal::Layered_heat cold = cold_border_->spread(heat_of_sources(pins), is_reachable);
+    if (options_.boundary == Heat_boundary::DIRICHLET)
+      return internal::flux_of_unit_gradient(*surface_, cold, spread);
+    spread.average_with(cold);
+    return internal::flux_of_unit_gradient(*surface_, spread, spread);
+  }
+
+  // How much heat a single source has does not matter.
+  internal::Layered_heat warm_spread(const internal::Pins& pins, const std::vector<bool>& is_reachable)
+  {
+    if (pins.size() > 1 || options_.boundary == Heat_boundary::AVERAGED)
+      return diffusion_->spread(heat_of_sources(pins), is_reachable);
+    Eigen::VectorXd heat = zero_heat();
+    heat[pins.begin()->first] = 1;
+    return diffusion_->spread(heat, is_reachable);
+  }
+
+  bool has_border() const
+  {
+    return std::find(surface_->is_border.begin(), surface_->is_border.end(), true) != surface_->is_border.end();
+  }
+
+  Heat_method_options options_;
+  std::unique_ptr<const internal::Heat_surface> surface_; // the solvers refer to it
+  std::unique_ptr<Diffusion> diffusion_;
+  std::unique_ptr<Diffusion> cold_border_;
+  std::unique_ptr<Poisson> poisson_;
+  std::unique_ptr<const internal::Ridge_keeper> ridge_keeper_;
+  std::vector<std::uint32_t> representative_;
+  std::map<Vertex_index, std::uint32_t> vertex_sources_; // with their rows
+  std::vector<std::array<internal::Source_corner, 3>> point_sources_;
+  bool is_changed_ = true;
+  std::vector<double> distances_;
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_HEAT_METHOD_H

@@ -1,0 +1,283 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// What CGAL's package Heat_method_3 offers, with the same names and parameters.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_GEODESIC_DISTANCES_3_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_GEODESIC_DISTANCES_3_H
+
+#include <CGAL/Intrinsic_triangulations/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
+#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/copy_face_graph.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Solver_traits_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+#include <boost/range/has_range_iterator.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <set>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief what CGAL's package `Heat_method_3` offers, on exact intrinsic Delaunay triangulations: a program is ported by
+/// changing the include and the namespace.
+namespace Heat_method_3 {
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief tag: the triangles of the mesh are used as they are.
+struct Direct
+{};
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief tag: the intrinsic Delaunay triangulation of the mesh is used.
+struct Intrinsic_Delaunay
+{};
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+template <class Point, class = void>
+struct Has_coordinates : std::false_type
+{};
+template <class Point>
+struct Has_coordinates<Point, std::void_t<decltype(std::declval<const Point&>().z())>> : std::true_type
+{};
+
+// The mesh as it is: from its points, or if these do not show their coordinates, from their distances.
+template <class Traits, class TriangleMesh, class VertexPointMap>
+auto copy_mesh(const TriangleMesh& mesh, const VertexPointMap& map)
+{
+  using Point = typename boost::property_traits<VertexPointMap>::value_type;
+  if constexpr (Has_coordinates<Point>::value) {
+    return intrinsic_triangulation(mesh, parameters::vertex_point_map(map));
+  } else {
+    const auto squared_distance = Traits().compute_squared_distance_3_object();
+    std::vector<double> lengths;
+    for (auto e : edges(mesh))
+      lengths.push_back(std::sqrt(to_double(squared_distance(get(map, source(e, mesh)), get(map, target(e, mesh))))));
+    return Intrinsic_triangulation<Filtered_edge_length_traits>::from_lengths(
+      Intrinsic_triangulations::internal::copy_face_graph<Sequential_tag>(mesh), std::move(lengths));
+  }
+}
+
+// The Delaunay triangulation of the cover of the triangles of the mesh. The ends of an edge of length zero are one vertex there.
+template <class TriangleMesh, class VertexPointMap, class Numbers>
+Tufted_cover make_Delaunay_cover(const TriangleMesh& mesh, const VertexPointMap& map, const Numbers& numbers)
+{
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (auto v : vertices(mesh)) {
+    const auto& p = get(map, v);
+    points.push_back({to_double(p.x()), to_double(p.y()), to_double(p.z())});
+  }
+  for (auto f : faces(mesh)) {
+    const auto h = halfedge(f, mesh);
+    triangles.push_back({get(numbers, source(h, mesh)), get(numbers, target(h, mesh)), get(numbers, target(next(h, mesh), mesh))});
+  }
+  Tufted_cover cover = make_tufted_cover(points, triangles);
+  flip_to_Delaunay(cover.triangulation);
+  return cover;
+}
+
+// Whether an angle opposite to a border edge is obtuse.
+template <class Triangulation>
+bool has_obtuse_border(const Triangulation& triangulation)
+{
+  const Delta_complex& complex = triangulation.connectivity();
+  const Intrinsic_triangulations::internal::Cotangent_weight<typename Triangulation::Traits> weight(triangulation);
+  for (Edge_index e : complex.edges())
+    if (complex.is_border(e) && is_negative(weight(e)))
+      return true;
+  return false;
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+///
+/// \brief distances of all vertices of a mesh from source vertices, with the interface of
+/// `CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3`.
+///
+/// `Heat_method` says what is computed. Other than with CGAL's class, several sources all have distance zero and nothing near them is
+/// folded, vertices that no source is connected with are infinitely far away instead of not a number, faces without
+/// area are accepted in both modes, and the flips always end. Errors are exceptions. In the mode `Intrinsic_Delaunay`, the tufted cover
+/// is used where there are edges of length zero, whose ends are merged, and where an angle opposite to a border edge is obtuse.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam Mode `Direct` or `Intrinsic_Delaunay`
+/// \tparam VertexPointMap a model of `ReadablePropertyMap` from vertices to points
+/// \tparam LA a model of `SparseLinearAlgebraWithFactorTraits_d`; by default, the solver of `Heat_method`
+/// \tparam Traits only needed for points that are not of a kernel, whose distances it computes
+template <class TriangleMesh, class Mode = Direct, class VertexPointMap = Default, class LA = Default, class Traits = Default>
+class Surface_mesh_geodesic_distances_3
+{
+  static_assert(std::is_same<Mode, Direct>::value || std::is_same<Mode, Intrinsic_Delaunay>::value,
+                "the mode is Direct or Intrinsic_Delaunay");
+  using Solver = std::conditional_t<std::is_same<LA, Default>::value, Intrinsic_triangulations::internal::Sparse_Cholesky,
+                                    Intrinsic_triangulations::internal::Solver_traits_adaptor<LA>>;
+  using Numbers = typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type;
+
+public:
+  /// a vertex of the mesh
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  /// the sources
+  using Vertex_const_range = std::set<vertex_descriptor>;
+  /// the points of the vertices
+  using Vertex_point_map =
+    typename Default::Get<VertexPointMap, typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::type;
+
+  /// \brief copies the mesh, flips it if the mode says so, and factorizes the matrices.
+  /// \exception Invalid_surface_error, Numerical_error as `intrinsic_Delaunay_triangulation()` and `Heat_method`
+  explicit Surface_mesh_geodesic_distances_3(const TriangleMesh& tm)
+    : Surface_mesh_geodesic_distances_3(tm, get(vertex_point, tm))
+  {}
+  /// as above, with other points.
+  Surface_mesh_geodesic_distances_3(const TriangleMesh& tm, Vertex_point_map vpm)
+    : mesh_(tm), numbers_(get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm))
+  {
+    std::size_t number = 0;
+    for (vertex_descriptor v : vertices(mesh_))
+      put(numbers_, v, number++);
+    if (number == 0)
+      return;
+    if (std::is_same<Mode, Direct>::value)
+      heat_ = std::make_unique<Heat_method<Solver>>(internal::copy_mesh<Traits>(mesh_, vpm));
+    else if constexpr (has_coordinates)
+      use_Delaunay_triangulation(vpm);
+    else
+      heat_ = std::make_unique<Heat_method<Solver>>(Delaunay_triangulation(vpm));
+  }
+
+  /// returns the mesh.
+  const TriangleMesh& triangle_mesh() const { return mesh_; }
+
+  /// makes `vd` a source; returns whether it was none.
+  bool add_source(vertex_descriptor vd) { return sources_.insert(vd).second; }
+  /// makes all vertices of a range sources.
+  template <class VertexConstRange>
+  void add_sources(const VertexConstRange& vrange)
+  {
+    for (vertex_descriptor v : vrange)
+      sources_.insert(v);
+  }
+  /// makes `vd` no source any more; returns whether it was one.
+  bool remove_source(vertex_descriptor vd) { return sources_.erase(vd) == 1; }
+  /// removes all sources.
+  void clear_sources() { sources_.clear(); }
+  /// returns the sources.
+  const Vertex_const_range& sources() const { return sources_; }
+
+  /// \brief writes the distance of each vertex from the nearest source; without sources, from the first vertex.
+  /// \param vdm a model of `WritablePropertyMap` from vertices to `double`
+  template <class VertexDistanceMap>
+  void estimate_geodesic_distances(VertexDistanceMap vdm)
+  {
+    if (!heat_)
+      return;
+    std::set<std::size_t> wanted;
+    for (vertex_descriptor v : sources_)
+      wanted.insert(get(numbers_, v));
+    if (wanted.empty())
+      wanted.insert(0);
+    if (wanted != given_) {
+      heat_->clear_sources();
+      for (std::size_t v : wanted)
+        heat_->add_source(Vertex_index(Vertex_index::size_type(v)));
+      given_ = std::move(wanted);
+    }
+    const std::vector<double>& distances = heat_->distances();
+    for (vertex_descriptor v : vertices(mesh_))
+      put(vdm, v, distances[get(numbers_, v)]);
+  }
+
+private:
+  static constexpr bool has_coordinates =
+    internal::Has_coordinates<typename boost::property_traits<Vertex_point_map>::value_type>::value;
+
+  auto Delaunay_triangulation(const Vertex_point_map& vpm) const
+  {
+    auto result = internal::copy_mesh<Traits>(mesh_, vpm);
+    flip_to_Delaunay(result);
+    return result;
+  }
+
+  // Or the cover, where that triangulation does not exist, or heat would be negative on it.
+  void use_Delaunay_triangulation(const Vertex_point_map& vpm)
+  {
+    try {
+      const auto triangulation = Delaunay_triangulation(vpm);
+      if (!internal::has_obtuse_border(triangulation)) {
+        heat_ = std::make_unique<Heat_method<Solver>>(triangulation);
+        return;
+      }
+    } catch (const Invalid_surface_error& error) {
+      if (error.defect() != Invalid_surface_error::Defect::ZERO_LENGTH_EDGE)
+        throw;
+    }
+    heat_ = std::make_unique<Heat_method<Solver>>(internal::make_Delaunay_cover(mesh_, vpm, numbers_));
+  }
+
+  const TriangleMesh& mesh_;
+  Numbers numbers_;
+  std::unique_ptr<Heat_method<Solver>> heat_;
+  Vertex_const_range sources_;
+  std::set<std::size_t> given_; // the numbers of the sources that heat_ has
+};
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief writes the distance of each vertex from a source, as `CGAL::Heat_method_3::estimate_geodesic_distances()`.
+/// \param tm a triangle mesh
+/// \param vdm a model of `WritablePropertyMap` from vertices to `double`
+/// \param source a vertex
+template <class TriangleMesh, class VertexDistanceMap, class Mode = Intrinsic_Delaunay>
+void estimate_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vdm,
+                                 typename boost::graph_traits<TriangleMesh>::vertex_descriptor source, Mode = Mode())
+{
+  Surface_mesh_geodesic_distances_3<TriangleMesh, Mode> distances(tm);
+  distances.add_source(source);
+  distances.estimate_geodesic_distances(vdm);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief as above, for a range of sources.
+template <class TriangleMesh, class VertexDistanceMap, class VertexConstRange, class Mode = Intrinsic_Delaunay,
+          class = std::enable_if_t<boost::has_range_const_iterator<VertexConstRange>::value>>
+void estimate_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vdm, const VertexConstRange& sources, Mode = Mode())
+{
+  Surface_mesh_geodesic_distances_3<TriangleMesh, Mode> distances(tm);
+  distances.add_sources(sources);
+  distances.estimate_geodesic_distances(vdm);
+}
+
+} // namespace Heat_method_3
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_GEODESIC_DISTANCES_3_H

@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// What heat needs to know of a surface: matrices, and each face in the plane.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_HEAT_SURFACE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_HEAT_SURFACE_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Accurate_shapes.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
+#include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
+
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// A face in the plane: its corners are (0, 0), (base, 0) and (x, height). The base is the longest side, so that x and the
+// height are found without cancellation.
+struct Heat_face
+{
+  std::array<std::uint32_t, 3> row; // of the corners
+  double base, x, height;
+  double share; // what the face counts: half if it has a second copy
+
+  double area() const { return share * base * height / 2; }
+};
+
+// All lengths are in units of the mean length of the edges, so that no number depends on the scale of the input.
+struct Heat_surface
+{
+  double mean_length = 0; // in units of 2^exponent units of the input
+  int exponent = 0;
+  std::vector<Heat_face> faces; // those that have an area
+  Eigen::SparseMatrix<double> stiffness;
+  Eigen::VectorXd mass;                 // zero for a vertex without faces
+  std::vector<bool> is_border;          // whether a row is a vertex of a border edge
+  std::vector<std::uint32_t> component; // the smallest row of those that faces connect with this one
+
+  std::size_t size() const { return std::size_t(mass.size()); }
+  // A length in the unit of the input.
+  double in_input_unit(double length) const { return std::ldexp(length * mean_length, exponent); }
+  double from_input_unit(double length) const { return std::ldexp(length, -exponent) / mean_length; }
+};
+
+// \tparam Row gives the row of a vertex, as Row_of_vertex
+template <class Traits, class Row>
+class Heat_surface_builder
+{
+public:
+  // \param share gives what a face counts
+  template <class Share>
+  Heat_surface_builder(const Intrinsic_triangulation<Traits>& triangulation, const Row& row, const Share& share)
+    : triangulation_(triangulation), complex_(triangulation.connectivity()), shapes_(triangulation), row_(row)
+  {
+    measure_edges();
+    lay_out_faces(share);
+    sum_up_masses();
+    assemble(share);
+  }
+
+  Heat_surface take() { return std::move(result_); }
+
+private:
+  void measure_edges()
+  {
+    double sum = 0;
+    lengths_.reserve(complex_.number_of_edges());
+    for (Edge_index e : complex_.edges()) {
+      lengths_.push_back(shapes_.length(e));
+      sum += lengths_.back() / complex_.number_of_edges();
+    }
+    result_.exponent = shapes_.exponent();
+    result_.mean_length = sum > 0 ? sum : 1;
+    for (double& length : lengths_)
+      length /= result_.mean_length;
+  }
+
+  double length(Halfedge_index h) const { return lengths_[complex_.edge(h).idx()]; }
+
+  // What has no area is a piece of the edge beside it, and left out.
+  template <class Share>
+  void lay_out_faces(const Share& share)
+  {
+    has_area_.reserve(complex_.number_of_faces());
+    result_.faces.reserve(complex_.number_of_faces());
+    for (Face_index f : complex_.faces()) {
+      has_area_.push_back(shapes_.has_area(f));
+      if (!has_area_.back())
+        continue;
+      Halfedge_index base = complex_.halfedge(f);
+      for (Halfedge_index h : {complex_.next(base), complex_.prev(base)})
+        if (length(h) > length(base))
+          base = h;
+      const Halfedge_index next = complex_.next(base), prev = complex_.prev(base);
+      const double cot = shapes_.cotangent(next), height = length(base) / (cot + shapes_.cotangent(prev));
+      if (height < least_height * length(base))
+        thicken(base, cot * height);
+      result_.faces.push_back({{std::uint32_t(row_(complex_.source(base))), std::uint32_t(row_(complex_.target(base))),
+                                std::uint32_t(row_(complex_.target(next)))},
+                               length(base),
+                               cot * height,
+                               height,
+                               share(f)});
+    }
+  }
+
+  // In the matrix a thinner face would leave nothing of the others in double: its corners get the cotangents of one that is just
+  // thick enough, as if its height were larger.
+  void thicken(Halfedge_index base, double x)
+  {
+    const double height = least_height * length(base), first = x / height, second = (length(base) - x) / height;
+    cotangents_[complex_.next(base)] = first;
+    cotangents_[complex_.prev(base)] = second;
+    cotangents_[base] = (1 - first * second) / (first + second);
+  }
+
+  double cotangent(Halfedge_index h) const
+  {
+    const auto thickened = cotangents_.find(h);
+    return thickened != cotangents_.end() ? thickened->second : shapes_.cotangent(h);
+  }
+
+  void sum_up_masses()
+  {
+    const std::size_t n = row_.number_of_rows();
+    result_.mass = Eigen::VectorXd::Zero(Eigen::Index(n));
+    Disjoint_sets components(n);
+    for (const Heat_face& face : result_.faces)
+      for (int i = 0; i < 3; ++i) {
+        result_.mass[face.row[i]] += face.area() / 3;
+        components.unite(face.row[0], face.row[i]);
+      }
+    result_.component.reserve(n);
+    for (std::size_t v = 0; v < n; ++v)
+      result_.component.push_back(components.find(std::uint32_t(v)));
+  }
+
+  bool has_area(Halfedge_index h) const { return !complex_.is_border(h) && has_area_[complex_.face(h).idx()]; }
+
+  template <class Share>
+  void assemble(const Share& share)
+  {
+    const Cotangent_weight<Traits> weight(triangulation_); // its sign is right
+    result_.is_border.resize(row_.number_of_rows());
+    result_.stiffness = assemble_symmetric_matrix(
+      complex_, row_,
+      [&](Edge_index e) {
+        const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+        const bool is_left = has_area(h), is_right = has_area(g);
+        if (is_left && is_right)
+          return -0.5 * share(complex_.face(h)) *
+                 (cotangents_.count(h) + cotangents_.count(g) > 0 ? cotangent(h) + cotangent(g) : weight(e));
+        if (!is_left && !is_right)
+          return 0.;
+        const Halfedge_index side = is_left ? h : g;
+        result_.is_border[row_(complex_.source(h))] = result_.is_border[row_(complex_.target(h))] = true;
+        return -0.5 * share(complex_.face(side)) * cotangent(side);
+      },
+      [](int, double sum_of_others) { return 0 - sum_of_others; });
+  }
+
+  static constexpr double least_height = 0x1p-30; // in units of the base
+
+  const Intrinsic_triangulation<Traits>& triangulation_;
+  const Delta_complex& complex_;
+  const Accurate_shapes<Traits> shapes_;
+  const Row& row_;
+  std::vector<double> lengths_;
+  std::vector<bool> has_area_;
+  std::unordered_map<Halfedge_index, double> cotangents_; // of faces that were too thin, opposite to the halfedge
+  Heat_surface result_;
+};
+
+template <class Traits>
+Heat_surface make_heat_surface(const Intrinsic_triangulation<Traits>& triangulation)
+{
+  const Row_of_vertex row(triangulation.connectivity());
+  return Heat_surface_builder<Traits, Row_of_vertex>(triangulation, row, [](Face_index) { return 1.; }).take();
+}
+
+inline Heat_surface make_heat_surface(const Tufted_cover& cover)
+{
+  const Row_of_cover_vertex row(cover);
+  return Heat_surface_builder<Filtered_edge_length_traits, Row_of_cover_vertex>(
+           cover.triangulation, row, [&cover](Face_index f) { return share(cover, f); })
+    .take();
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_HEAT_SURFACE_H

@@ -1,0 +1,448 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Distances by heat against what is known of them.
+
+#include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
+#include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using IT::Vertex_index;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+using Point = std::array<double, 3>;
+using Points = std::vector<Point>;
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Triangulation Delaunay(const Points& points, const Triangles& triangles)
+{
+  Triangulation result(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
+  IT::flip_to_Delaunay(result);
+  return result;
+}
+
+// (columns + 1) (rows + 1) vertices, line by line, on squares cut along one diagonal.
+struct Grid
+{
+  Grid(std::size_t columns, std::size_t rows, double spacing = 1) : columns(columns), rows(rows)
+  {
+    for (std::size_t y = 0; y <= rows; ++y)
+      for (std::size_t x = 0; x <= columns; ++x)
+        points.push_back({spacing * double(x), spacing * double(y), 0});
+    for (std::size_t y = 0; y < rows; ++y)
+      for (std::size_t x = 0; x < columns; ++x) {
+        triangles.push_back({number(x, y), number(x + 1, y), number(x + 1, y + 1)});
+        triangles.push_back({number(x, y), number(x + 1, y + 1), number(x, y + 1)});
+      }
+  }
+  std::uint32_t number(std::size_t x, std::size_t y) const { return std::uint32_t(y * (columns + 1) + x); }
+  Vertex_index vertex(std::size_t x, std::size_t y) const { return Vertex_index(number(x, y)); }
+  bool is_border(std::size_t v) const
+  {
+    const std::size_t x = v % (columns + 1), y = v / (columns + 1);
+    return x == 0 || y == 0 || x == columns || y == rows;
+  }
+  double distance(std::size_t v, double x, double y) const { return std::hypot(points[v][0] - x, points[v][1] - y); }
+
+  std::size_t columns, rows;
+  Points points;
+  Triangles triangles;
+};
+
+void expect_numbers(const std::vector<double>& distances, const std::string& what)
+{
+  for (double d : distances)
+    EXPECT_TRUE(d >= 0 && d < infinity) << what << ": " << d;
+}
+
+TEST(Heat_method, border_of_a_square_as_source)
+{
+  for (double spacing : {1., 1e-100, 1e100}) {
+    constexpr std::size_t n = 24;
+    const Grid grid(n, n, spacing);
+    IT::Heat_method<> heat(Delaunay(grid.points, grid.triangles));
+    for (std::size_t v = 0; v < grid.points.size(); ++v)
+      if (grid.is_border(v))
+        heat.add_source(Vertex_index(Vertex_index::size_type(v)));
+    const std::vector<double>& distances = heat.distances();
+    for (std::size_t y = 0; y <= n; ++y)
+      for (std::size_t x = 0; x <= n; ++x) {
+        const double exact = spacing * double((std::min)({x, y, n - x, n - y})), d = distances[grid.number(x, y)];
+        EXPECT_GE(d, 0.95 * exact) << x << ' ' << y;
+        EXPECT_LE(d, 1.1 * exact) << x << ' ' << y; // exactly zero at the sources
+      }
+  }
+}
+
+TEST(Heat_method, square_of_two_triangles_after_refinement)
+{
+  const Points points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  Triangulation triangulation = Delaunay(points, {{0, 1, 2}, {0, 2, 3}});
+  IT::Refinement_criteria criteria;
+  criteria.maximum_edge_length = 0.05;
+  IT::refine_Delaunay(triangulation, criteria);
+  for (Vertex_index source : {Vertex_index(0), Vertex_index(1)}) {
+    IT::Heat_method<> heat(triangulation);
+    heat.add_source(source);
+    for (std::size_t v = 0; v < 4; ++v) {
+      const Point &p = points[v], &q = points[source.idx()];
+      EXPECT_NEAR(heat.distances()[v], std::hypot(p[0] - q[0], p[1] - q[1]), 0.02 * std::sqrt(2.)) << v;
+    }
+  }
+}
+
+TEST(Heat_method, one_source_in_a_square)
+{
+  constexpr std::size_t n = 40;
+  const Grid grid(n, n);
+  const Triangulation triangulation = Delaunay(grid.points, grid.triangles);
+  for (std::size_t at : {std::size_t(0), n / 2}) {
+    IT::Heat_method<> heat(triangulation);
+    EXPECT_TRUE(heat.add_source(grid.vertex(at, at)));
+    const std::vector<double>& distances = heat.distances();
+    EXPECT_EQ(heat.number_of_factorizations(), 2);
+    EXPECT_EQ(distances[grid.number(at, at)], 0);
+    for (std::size_t v = 0; v < distances.size(); ++v)
+      EXPECT_NEAR(distances[v], grid.distance(v, double(at), double(at)), 1.5) << v; // the error of the method, 4 % of the way
+  }
+}
+
+TEST(Heat_method, scale_does_not_matter)
+{
+  const Grid unit(9, 7);
+  IT::Heat_method<> heat(Delaunay(unit.points, unit.triangles));
+  heat.add_source(unit.vertex(3, 2));
+  for (int exponent : {-330, -40, 40, 330}) {
+    const double scale = std::ldexp(1., exponent);
+    const Grid scaled(9, 7, scale);
+    IT::Heat_method<> other(Delaunay(scaled.points, scaled.triangles));
+    other.add_source(scaled.vertex(3, 2));
+    for (std::size_t v = 0; v < unit.points.size(); ++v)
+      EXPECT_NEAR(other.distances()[v] / scale, heat.distances()[v], 1e-12);
+  }
+}
+
+TEST(Heat_method, sources_come_and_go)
+{
+  const Grid grid(12, 12);
+  IT::Heat_method<> heat(Delaunay(grid.points, grid.triangles));
+  heat.add_source(grid.vertex(1, 1));
+  const std::vector<double> one = heat.distances();
+  EXPECT_TRUE(heat.add_source(grid.vertex(11, 10)));
+  EXPECT_FALSE(heat.add_source(grid.vertex(11, 10)));
+  EXPECT_TRUE(heat.add_source(grid.vertex(2, 9)));
+  EXPECT_EQ(heat.number_of_sources(), 3);
+  const std::vector<double> three = heat.distances();
+  for (std::size_t v = 0; v < three.size(); ++v)
+    EXPECT_NEAR(three[v], (std::min)({grid.distance(v, 1, 1), grid.distance(v, 11, 10), grid.distance(v, 2, 9)}), 1.2);
+  for (std::size_t v : {grid.number(1, 1), grid.number(11, 10), grid.number(2, 9)})
+    EXPECT_EQ(three[v], 0);
+  EXPECT_TRUE(heat.remove_source(grid.vertex(11, 10)));
+  EXPECT_FALSE(heat.remove_source(grid.vertex(11, 10)));
+  heat.remove_source(grid.vertex(2, 9));
+  EXPECT_EQ(heat.distances(), one);
+  heat.clear_sources();
+  EXPECT_EQ(heat.distances(), std::vector<double>(one.size(), infinity));
+  EXPECT_EQ(heat.number_of_factorizations(), 2); // one of each matrix, for all of this
+}
+
+TEST(Heat_method, lines_of_sources)
+{
+  const Grid grid(30, 30);
+  IT::Heat_method_options options;
+  options.keeps_ridges = false;
+  IT::Heat_method<> heat(Delaunay(grid.points, grid.triangles), options);
+  for (std::size_t i = 0; i <= 30; ++i)
+    heat.add_source(grid.vertex(0, i));
+  const std::vector<double> one = heat.distances();
+  for (std::size_t v = 0; v < one.size(); ++v)
+    EXPECT_NEAR(one[v], grid.points[v][0], 0.15);
+  EXPECT_EQ(heat.number_of_factorizations(), 2);
+  for (std::size_t i = 0; i <= 30; ++i)
+    heat.add_source(grid.vertex(30, i));
+  for (std::size_t v = 0; v < one.size(); ++v)
+    EXPECT_NEAR(heat.distances()[v], (std::min)(grid.points[v][0], 30 - grid.points[v][0]), 0.5);
+  EXPECT_EQ(heat.number_of_factorizations(), 4); // so many sources have their own
+}
+
+TEST(Heat_method, pinned_values_solve_the_system)
+{
+  const Grid grid(10, 10);
+  const IT::internal::Heat_surface surface = IT::internal::make_heat_surface(Delaunay(grid.points, grid.triangles));
+  using System = IT::internal::Pinned_system<IT::internal::Sparse_Cholesky>;
+  for (std::uint32_t number : {1, 2, 20, 32, 33, 70}) {
+    IT::internal::Pins pins;
+    for (std::uint32_t i = 0; i < number; ++i)
+      pins[(i * 17) % 121] = 1 + i;
+    Eigen::VectorXd b(121);
+    for (int i = 0; i < 121; ++i)
+      b[i] = i - 60;
+    System with_kernel(surface.stiffness, surface.component, "L"), without(IT::internal::heat_matrix(surface, 1), std::vector<bool>(), "M + L");
+    for (System* system : {&with_kernel, &without}) {
+      const Eigen::VectorXd x = system->solve(b, pins), residual = system->matrix() * x - b;
+      for (int v = 0; v < 121; ++v) {
+        const auto pin = pins.find(std::uint32_t(v));
+        if (pin == pins.end()) {
+          EXPECT_NEAR(residual[v], 0, 1e-9) << number;
+        } else {
+          EXPECT_NEAR(x[v], pin->second, 1e-9) << number;
+        }
+      }
+    }
+  }
+}
+
+TEST(Heat_method, infinite_where_no_source_is_connected)
+{
+  // Two triangles apart, a vertex without faces, and a face without area.
+  const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {9, 9, 9}, {0, 0, 8}, {1, 0, 8}, {2, 0, 8}};
+  const Triangulation triangulation = Delaunay(points, {{0, 1, 2}, {3, 4, 5}, {7, 8, 9}});
+  IT::Heat_method<> heat(triangulation);
+  heat.add_source(Vertex_index(0));
+  EXPECT_EQ(std::vector<double>(heat.distances().begin() + 3, heat.distances().end()), std::vector<double>(7, infinity));
+  expect_numbers({heat.distances().begin(), heat.distances().begin() + 3}, "with a source");
+  heat.add_source(Vertex_index(6));
+  heat.add_source(Vertex_index(8));
+  EXPECT_EQ(heat.distances()[6], 0);
+  EXPECT_EQ(heat.distances()[8], 0);
+  EXPECT_EQ(heat.distances()[7], infinity);
+  heat.add_source(Vertex_index(4));
+  heat.add_source(Vertex_index(5));
+  EXPECT_EQ(heat.distances()[4], 0);
+  EXPECT_NEAR(heat.distances()[3], 1, 0.2);
+  EXPECT_NEAR(heat.distances()[1], 1, 0.2);
+}
+
+TEST(Heat_method, faces_without_area)
+{
+  // One is flipped away; the other lies at the border and cannot be.
+  const Points points = {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, -1, 0}};
+  const Triangulation inside = Delaunay(points, {{0, 2, 1}, {0, 1, 3}, {2, 0, 4}, {1, 2, 4}}),
+                      border = Delaunay({points.begin(), points.end() - 1}, {{0, 2, 1}, {0, 1, 3}});
+  for (const Triangulation* triangulation : {&inside, &border}) {
+    IT::Heat_method<> heat(*triangulation);
+    heat.add_source(Vertex_index(0));
+    expect_numbers(heat.distances(), "a face without area");
+    EXPECT_NEAR(heat.distances()[1], 2, 0.2);
+  }
+}
+
+TEST(Heat_method, thin_faces)
+{
+  for (int k = 1; k <= 17; ++k) {
+    const double h = std::pow(10., -k);
+    const Points cap = {{0, 0, 0}, {1, 0, 0}, {0.5, h, 0}, {0.5, 1, 0}},
+                 needles = {{0, 0, 0}, {h, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}, {-1, 0, 0}, {2, 0, 0}};
+    IT::Heat_method<> on_cap(Delaunay(cap, {{0, 1, 2}, {1, 3, 2}, {3, 0, 2}})),
+      on_needles(Delaunay(needles, {{0, 1, 2}, {1, 0, 3}, {4, 0, 2}, {4, 3, 0}, {5, 2, 1}, {5, 1, 3}}));
+    for (IT::Heat_method<>* heat : {&on_cap, &on_needles}) {
+      heat->add_source(Vertex_index(0));
+      expect_numbers(heat->distances(), "thin faces " + std::to_string(k));
+    }
+    EXPECT_NEAR(on_cap.distances()[1], 1, 0.3) << k;
+    EXPECT_NEAR(on_cap.distances()[3], std::hypot(0.5, 1), 0.3) << k;
+    EXPECT_NEAR(on_needles.distances()[5], 2, 0.1) << k;
+    EXPECT_NEAR(on_needles.distances()[1], h, 0.3 * h + 2e-9) << k;
+  }
+}
+
+TEST(Heat_method, prism_and_cap_with_all_ties)
+{
+  for (const IT::Indexed_triangles& sample : {IT::prism(80), IT::cap(1e-10)}) {
+    IT::Heat_method<> heat(Delaunay(sample.points, sample.triangles));
+    heat.add_source(Vertex_index(0));
+    expect_numbers(heat.distances(), "a sample");
+  }
+}
+
+TEST(Heat_method, heat_reaches_the_end_of_a_long_strip)
+{
+  const Grid grid(2500, 3);
+  const Triangulation triangulation = Delaunay(grid.points, grid.triangles);
+  for (auto boundary : {IT::Heat_boundary::NEUMANN, IT::Heat_boundary::AVERAGED}) {
+    IT::Heat_method_options options;
+    options.boundary = boundary;
+    IT::Heat_method<> heat(triangulation, options);
+    heat.add_source(grid.vertex(0, 1));
+    for (std::size_t v = 0; v < grid.points.size(); ++v)
+      ASSERT_NEAR(heat.distances()[v], grid.distance(v, 0, 1), 0.6) << v;
+  }
+  // With both borders cold, much of the heat flows across so narrow a strip, but it reaches the end.
+  IT::Heat_method_options options;
+  options.boundary = IT::Heat_boundary::DIRICHLET;
+  IT::Heat_method<> heat(triangulation, options);
+  heat.add_source(grid.vertex(0, 1));
+  for (std::size_t x = 0; x < 2500; ++x)
+    ASSERT_GT(heat.distances()[grid.number(x + 1, 1)], heat.distances()[grid.number(x, 1)] + 0.4) << x;
+  const std::vector<double> values =
+    IT::Heat_method<>(triangulation).extend({{grid.vertex(0, 1), 3.}, {grid.vertex(2500, 1), 7.}});
+  EXPECT_NEAR(values[grid.number(1000, 2)], 3, 1e-6);
+  EXPECT_NEAR(values[grid.number(1500, 2)], 7, 1e-6);
+}
+
+TEST(Heat_method, boundary_conditions)
+{
+  const Grid grid(20, 20);
+  const Triangulation triangulation = Delaunay(grid.points, grid.triangles);
+  std::vector<std::vector<double>> results;
+  for (auto boundary : {IT::Heat_boundary::NEUMANN, IT::Heat_boundary::DIRICHLET, IT::Heat_boundary::AVERAGED}) {
+    IT::Heat_method_options options;
+    options.boundary = boundary;
+    options.time_coefficient = 20;
+    options.keeps_ridges = false;
+    IT::Heat_method<> heat(triangulation, options);
+    heat.add_source(grid.vertex(10, 10));
+    results.push_back(heat.distances());
+    heat.clear_sources();
+    heat.add_source(grid.vertex(0, 0)); // on the border itself, where all neighbours are cold
+    EXPECT_NEAR(heat.distances()[grid.number(20, 20)], std::hypot(20, 20), 3);
+  }
+  // Isolines meet the border at right angles or run along it: the first makes the distance grow too little
+  // on the way from the middle of a side to the corner, the second too much on the way to the middle.
+  const std::size_t middle = grid.number(10, 0), corner = grid.number(0, 0);
+  const auto along = [&](const std::vector<double>& d) { return d[corner] - d[middle]; };
+  EXPECT_LT(along(results[1]), along(results[0]));
+  EXPECT_GT((std::max)(results[0][middle], results[1][middle]), results[2][middle]);
+  EXPECT_LT((std::min)(results[0][middle], results[1][middle]), results[2][middle]);
+}
+
+TEST(Heat_method, sphere)
+{
+  const IT::Indexed_triangles sphere = IT::latitude_longitude_sphere(60, 30);
+  IT::Heat_method<> heat(Delaunay(sphere.points, sphere.triangles));
+  std::size_t source = 500;
+  heat.add_source(Vertex_index(500));
+  double mean = 0;
+  const auto& p = sphere.points[source];
+  for (std::size_t v = 0; v < sphere.points.size(); ++v) {
+    const auto& q = sphere.points[v];
+    const double chord = std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]),
+                 exact = 2 * std::asin((std::min)(1., chord / 2));
+    mean += std::abs(heat.distances()[v] - exact) / double(sphere.points.size());
+  }
+  EXPECT_LT(mean, 0.03); // the error of the method, 2 % of the mean distance
+}
+
+TEST(Heat_method, source_in_a_face)
+{
+  const Grid grid(20, 20);
+  const Triangulation triangulation = Delaunay(grid.points, grid.triangles);
+  const IT::Delta_complex& complex = triangulation.connectivity();
+  IT::Heat_method<> heat(triangulation);
+  for (const std::array<double, 3>& coordinates :
+       {std::array<double, 3>{1. / 3, 1. / 3, 1. / 3}, {0.5, 0.5, 0}, {2, 0, 0}, {0, 0.1, 0.9}}) {
+    const IT::Halfedge_index h = complex.next(complex.halfedge(IT::Face_index(421)));
+    heat.clear_sources();
+    heat.add_source(triangulation, {h, coordinates});
+    const std::size_t corners[] = {complex.source(h).idx(), complex.target(h).idx(), complex.target(complex.next(h)).idx()};
+    const double sum = coordinates[0] + coordinates[1] + coordinates[2];
+    double x = 0, y = 0;
+    for (int i = 0; i < 3; ++i) {
+      x += coordinates[i] / sum * grid.points[corners[i]][0];
+      y += coordinates[i] / sum * grid.points[corners[i]][1];
+    }
+    for (std::size_t corner : corners)
+      EXPECT_NEAR(heat.distances()[corner], grid.distance(corner, x, y), 1e-12);
+    for (std::size_t v = 0; v < grid.points.size(); ++v)
+      EXPECT_NEAR(heat.distances()[v], grid.distance(v, x, y), 1.2);
+  }
+  EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(), {1, 0, 0}}), IT::Invalid_surface_error);
+  EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(0), {0, 0, 0}}), IT::Invalid_surface_error);
+  EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(0), {-1, 1, 1}}), IT::Invalid_surface_error);
+}
+
+TEST(Heat_method, extension_is_nearly_the_value_of_the_nearest_vertex)
+{
+  const Grid grid(30, 10);
+  const IT::Heat_method<> heat(Delaunay(grid.points, grid.triangles));
+  const std::vector<double> values = heat.extend({{grid.vertex(2, 5), -4.}, {grid.vertex(28, 5), 10.}});
+  EXPECT_EQ(values[grid.number(2, 5)], -4);
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    EXPECT_GE(values[v], -4 - 1e-9);
+    EXPECT_LE(values[v], 10 + 1e-9);
+    if (grid.points[v][0] < 11) {
+      EXPECT_NEAR(values[v], -4, 0.05);
+    }
+    if (grid.points[v][0] > 19) {
+      EXPECT_NEAR(values[v], 10, 0.05);
+    }
+  }
+}
+
+TEST(Heat_method, on_the_cover_of_any_triangles)
+{
+  // Three squares at one edge, the last one turned over, and a vertex at the place of another.
+  const Points points = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, 1, 0}, {0, 0, 1}, {0, 1, 1}, {0, 0, 1}};
+  const Triangles triangles = {{0, 2, 3}, {0, 3, 1}, {0, 1, 5}, {0, 5, 4}, {0, 6, 7}, {0, 7, 1}, {6, 8, 7}};
+  IT::Tufted_cover cover = IT::make_tufted_cover(points, triangles);
+  IT::flip_to_Delaunay(cover.triangulation);
+  IT::Heat_method<> heat(cover);
+  heat.add_source(Vertex_index(3));
+  expect_numbers(heat.distances(), "three squares");
+  EXPECT_EQ(heat.distances()[3], 0);
+  EXPECT_EQ(heat.distances()[6], heat.distances()[8]);
+  EXPECT_NEAR(heat.distances()[5], heat.distances()[7], 1e-9);
+  EXPECT_NEAR(heat.distances()[5], 2, 0.4);
+
+  // What is closed is its own cover.
+  const IT::Indexed_triangles torus = IT::torus(20, 12);
+  IT::Tufted_cover closed = IT::make_tufted_cover(torus.points, torus.triangles);
+  IT::flip_to_Delaunay(closed.triangulation);
+  IT::Heat_method<> one(closed), other(Delaunay(torus.points, torus.triangles));
+  one.add_source(Vertex_index(7));
+  other.add_source(Vertex_index(7));
+  for (std::size_t v = 0; v < torus.points.size(); ++v)
+    EXPECT_NEAR(one.distances()[v], other.distances()[v], 1e-9);
+}
+
+TEST(Heat_method, other_number_types)
+{
+  const Grid grid(8, 8);
+  IT::Intrinsic_triangulation<IT::Edge_length_traits<double>> triangulation(
+    IT::make_Delta_complex_from_triangles(grid.points.size(), grid.triangles), grid.points);
+  IT::flip_to_Delaunay(triangulation);
+  IT::Heat_method<> heat(triangulation);
+  heat.add_source(grid.vertex(4, 4));
+  for (std::size_t v = 0; v < grid.points.size(); ++v)
+    EXPECT_NEAR(heat.distances()[v], grid.distance(v, 4, 4), 1.2);
+}
+
+TEST(Heat_method, what_it_refuses)
+{
+  const Grid grid(2, 2);
+  const Triangulation triangulation = Delaunay(grid.points, grid.triangles);
+  IT::Heat_method<> heat(triangulation);
+  EXPECT_THROW(heat.add_source(Vertex_index(9)), IT::Invalid_surface_error);
+  EXPECT_THROW(heat.add_source(Vertex_index()), IT::Invalid_surface_error);
+  EXPECT_THROW(heat.extend({{Vertex_index(9), 1.}}), IT::Invalid_surface_error);
+  EXPECT_FALSE(heat.remove_source(Vertex_index(9)));
+  EXPECT_EQ(heat.number_of_sources(), 0);
+  for (double coefficient : {0., -1., infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    IT::Heat_method_options options;
+    options.time_coefficient = coefficient;
+    EXPECT_THROW(IT::Heat_method<>(triangulation, options), IT::Invalid_surface_error);
+  }
+}
+
+} // namespace
