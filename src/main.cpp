@@ -34,6 +34,7 @@ int main(int argc, char** argv)
     idt::add_compare_command(app, selected);
     idt::add_parameterize_command(app, selected);
     idt::add_geodesic_command(app, selected);
+    idt::add_distance_command(app, selected);
     idt::add_Laplacian_command(app, selected);
     idt::add_table_command(app, selected);
     idt::add_sample_command(app, selected);

@@ -33,6 +33,9 @@ CLI::Option* add_repair_option(CLI::App& command, bool& is_repaired)
 Exit_status report_current_exception(const std::string& input)
 {
   const std::string prefix = input.empty() ? std::string() : input + ": ";
+  const auto named = [&prefix, &input](const std::string& message) {
+    return message.compare(0, input.size(), input) == 0 ? message : prefix + message;
+  };
   namespace IT = CGAL::Intrinsic_triangulations;
   try {
     throw;
@@ -41,9 +44,9 @@ Exit_status report_current_exception(const std::string& input)
   } catch (const Output_error& error) {
     return say(error.what(), Exit_status::OUTPUT_FAILED);
   } catch (const IT::Invalid_surface_error& error) {
-    return say(error.what(), Exit_status::UNUSABLE_INPUT);
+    return say(named(error.what()), Exit_status::UNUSABLE_INPUT);
   } catch (const IT::Error& error) {
-    return say(error.what(), Exit_status::NOT_FINISHED);
+    return say(named(error.what()), Exit_status::NOT_FINISHED);
   } catch (const std::bad_alloc&) {
     return say(prefix + "there is not enough memory", Exit_status::OUTPUT_FAILED);
   } catch (const std::exception& error) {

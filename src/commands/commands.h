@@ -25,6 +25,7 @@ void add_refine_command(CLI::App& app, Selected_command& selected);
 void add_compare_command(CLI::App& app, Selected_command& selected);
 void add_parameterize_command(CLI::App& app, Selected_command& selected);
 void add_geodesic_command(CLI::App& app, Selected_command& selected);
+void add_distance_command(CLI::App& app, Selected_command& selected);
 void add_Laplacian_command(CLI::App& app, Selected_command& selected);
 void add_table_command(CLI::App& app, Selected_command& selected);
 void add_sample_command(CLI::App& app, Selected_command& selected);
@@ -35,7 +36,7 @@ CLI::Option* add_repair_option(CLI::App& command, bool& is_repaired);
 
 // Writes a message to the standard error and says which status it stands for; to be
 // called in a handler.
-// \param input what was worked on, for messages that do not name it themselves
+// \param input what was worked on; messages that do not begin with it are about it all the same, as the library knows no files
 Exit_status report_current_exception(const std::string& input = std::string());
 
 // Does the same for each input until the command is interrupted. An input that fails

@@ -182,23 +182,12 @@ void write_report(std::ostream& os, const Laplacian_options& options, const Lapl
 Exit_status run_Laplacian(const Laplacian_options& options)
 {
   check_output_paths(options.output_paths(), {options.input});
-  return for_each_input({options.input}, [&](const std::string& path) {
-    const auto named = [&path](const std::string& message) {
-      return message.find(path) == 0 ? message : path + ": " + message;
-    };
+  return for_each_input({options.input}, [&](const std::string&) {
     Laplacian_result result;
-    try {
-      find_operator(options, result);
-      if (options.number_of_eigenvalues > 0)
-        result.eigenvalues = IT::smallest_eigenvalues(result.Laplacian.stiffness, result.Laplacian.mass,
-                                                      options.number_of_eigenvalues);
-    } catch (const IT::Invalid_surface_error& error) {
-      throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), named(error.what()));
-    } catch (const IT::Numerical_error& error) {
-      throw IT::Numerical_error(named(error.what()));
-    } catch (const IT::Cancelled_error& error) {
-      throw IT::Cancelled_error(named(error.what()));
-    }
+    find_operator(options, result);
+    if (options.number_of_eigenvalues > 0)
+      result.eigenvalues =
+        IT::smallest_eigenvalues(result.Laplacian.stiffness, result.Laplacian.mass, options.number_of_eigenvalues);
     write_file(options.stiffness_path, [&](std::ostream& os) {
       write_symmetric_matrix(os, "Laplace-Beltrami operator: -(cot + cot)/2 off the diagonal, row sums zero",
                              result.Laplacian.stiffness);

@@ -29,9 +29,16 @@ struct Flat_polygons
   std::vector<std::size_t> ends;
 };
 
-// Writes text, coordinates as Float64 with all their digits.
-void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& points,
-               const Flat_polygons& polygons);
+// A number at each point.
+struct Point_values
+{
+  std::string name;
+  const std::vector<double>* values = nullptr; // none
+};
+
+// Writes text, coordinates and values as Float64 with all their digits.
+void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& points, const Flat_polygons& polygons,
+               const Point_values& at_points = {});
 
 } // namespace idt
 

@@ -8,15 +8,23 @@
 namespace idt {
 
 // CGAL's writer is for triangles alone: it announces three corners for each face, whatever there are.
-void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& points,
-               const Flat_polygons& polygons)
+void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& points, const Flat_polygons& polygons,
+               const Point_values& at_points)
 {
   os << "<?xml version=\"1.0\"?>\n"
         "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
         "<PolyData>\n<Piece NumberOfPoints=\""
      << points.size() << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\""
      << polygons.ends.size()
-     << "\">\n<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+     << "\">\n";
+  if (at_points.values != nullptr) {
+    os << "<PointData Scalars=\"" << at_points.name << "\">\n<DataArray type=\"Float64\" Name=\"" << at_points.name
+       << "\" format=\"ascii\">\n";
+    for (double value : *at_points.values)
+      os << in_full(value) << '\n';
+    os << "</DataArray>\n</PointData>\n";
+  }
+  os << "<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
   for (const auto& [x, y, z] : points)
     os << in_full(x) << ' ' << in_full(y) << ' ' << in_full(z) << '\n';
   os << "</DataArray>\n</Points>\n<Polys>\n"

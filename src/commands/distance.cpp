@@ -1,0 +1,303 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `idt distance`
+
+#include "commands/command_line.h"
+#include "commands/commands.h"
+#include "input/Surface.h"
+#include "input/Triangle_soup.h"
+#include "input/gluing_file.h"
+#include "output/Output_file.h"
+#include "output/write_distances.h"
+#include "system/Interruption.h"
+#include "system/Progress.h"
+#include "system/Stopwatch.h"
+#include "system/text.h"
+
+#include <CGAL/Intrinsic_triangulations/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
+#include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace idt {
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Json = nlohmann::ordered_json;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+
+struct Distance_options
+{
+  std::string input;
+  std::vector<std::uint64_t> sources;
+  std::string output_path, stats_path;
+  std::string cover = "tufted", boundary = "neumann";
+  double time_coefficient = 1;
+  bool is_refined = false;
+};
+
+struct Distance_result
+{
+  Surface_with_distances surface;
+  std::uint64_t flips = 0;
+  std::size_t number_of_inserted_vertices = 0;
+  double mean_edge_length = 0;
+  double read_seconds = 0, triangulation_seconds = 0, distance_seconds = 0;
+
+  std::size_t number_of_unreachable_vertices() const
+  {
+    const auto& d = surface.distances;
+    return std::size_t(std::count(d.begin(), d.end(), std::numeric_limits<double>::infinity()));
+  }
+  // Of those that can be reached.
+  double largest_distance() const
+  {
+    double result = 0;
+    for (double d : surface.distances)
+      if (std::isfinite(d))
+        result = (std::max)(result, d);
+    return result;
+  }
+};
+
+void check(const Distance_options& options)
+{
+  if (options.cover == "tufted" && options.boundary != "neumann")
+    throw Usage_error("--boundary needs --cover none: the tufted cover has no border");
+  if (options.cover == "tufted" && options.is_refined)
+    throw Usage_error("--refine needs --cover none");
+  if (!(options.time_coefficient > 0 && std::isfinite(options.time_coefficient)))
+    throw Usage_error("--time: T is a positive number");
+  const std::string& path = options.output_path;
+  const std::size_t dot = path.rfind('.');
+  const std::string type = dot == std::string::npos ? "" : path.substr(dot);
+  if (!path.empty() && type != ".csv" && type != ".ply" && type != ".vtp")
+    throw Usage_error(path + ": distances are written as a file whose name ends in .csv, .ply or .vtp");
+  check_output_paths({path, options.stats_path}, {options.input});
+}
+
+IT::Heat_method_options library_options(const Distance_options& options)
+{
+  const std::map<std::string, IT::Heat_boundary> boundaries = {{"neumann", IT::Heat_boundary::NEUMANN},
+                                                               {"dirichlet", IT::Heat_boundary::DIRICHLET},
+                                                               {"average", IT::Heat_boundary::AVERAGED}};
+  IT::Heat_method_options result;
+  result.boundary = boundaries.at(options.boundary);
+  result.time_coefficient = options.time_coefficient;
+  return result;
+}
+
+struct Distance_visitor : IT::Default_refinement_visitor
+{
+  explicit Distance_visitor(Progress& progress) : progress(progress) {}
+  bool go_further(std::uint64_t tests, std::uint64_t flips)
+  {
+    progress.show_flips(tests, flips);
+    return !is_interrupted();
+  }
+  void after_flip(IT::Edge_index) {}
+  Progress& progress;
+};
+
+void require(bool is_finished)
+{
+  if (!is_finished)
+    throw IT::Cancelled_error("the triangulation was cancelled");
+}
+
+void find_distances(const Distance_options& options, IT::Heat_method<> heat, Distance_result& result)
+{
+  const std::size_t n = result.surface.number_of_vertices;
+  for (std::uint64_t v : options.sources) {
+    if (v >= n)
+      throw Usage_error("there is no vertex " + std::to_string(v) + ": the input has " + std::to_string(n));
+    heat.add_source(IT::Vertex_index(IT::Vertex_index::size_type(v)));
+  }
+  result.mean_edge_length = heat.mean_edge_length();
+  result.surface.distances = heat.distances();
+  result.surface.distances.resize(n); // without the vertices that a refinement inserted
+}
+
+void find_on_cover(const Distance_options& options, IT::Tufted_cover cover, Progress& progress, Stopwatch& stopwatch,
+                   Distance_result& result)
+{
+  Distance_visitor visitor(progress);
+  const IT::Flip_report report = IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(std::ref(visitor)));
+  require(report.status == IT::Flip_status::DELAUNAY);
+  result.flips = report.flips;
+  result.triangulation_seconds = stopwatch.restart();
+  find_distances(options, IT::Heat_method<>(cover, library_options(options)), result);
+}
+
+// Any triangles.
+void find_on_cover(const Distance_options& options, Distance_result& result)
+{
+  Stopwatch stopwatch;
+  if (is_gluing_file(options.input)) {
+    IT::Delta_complex complex;
+    std::vector<double> lengths;
+    read_gluing_file(options.input, complex, lengths, [](double) { return !is_interrupted(); });
+    result.surface.number_of_vertices = complex.number_of_vertices();
+    result.read_seconds = stopwatch.restart();
+    Progress progress(options.input);
+    find_on_cover(options, IT::make_tufted_cover(complex, lengths), progress, stopwatch, result);
+  } else {
+    Triangle_soup soup = read_triangle_soup(options.input);
+    result.surface.number_of_vertices = soup.points.size();
+    result.read_seconds = stopwatch.restart();
+    Progress progress(options.input);
+    find_on_cover(options, IT::make_tufted_cover(soup.points, soup.triangles), progress, stopwatch, result);
+    result.surface.points = std::move(soup.points);
+    result.surface.triangles = std::move(soup.triangles);
+  }
+  result.distance_seconds = stopwatch.seconds();
+}
+
+// An oriented surface.
+void find_on_surface(const Distance_options& options, Distance_result& result)
+{
+  Stopwatch stopwatch;
+  Surface surface = load_surface(options.input);
+  const IT::Delta_complex& complex = surface.connectivity;
+  result.surface.number_of_vertices = complex.number_of_vertices();
+  result.read_seconds = stopwatch.restart();
+  Progress progress(options.input);
+  Distance_visitor visitor(progress);
+  Triangulation triangulation =
+    surface.has_points() ? Triangulation(complex, surface.points) : Triangulation::from_lengths(complex, surface.lengths);
+  const IT::Flip_report report = IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(std::ref(visitor)));
+  require(report.status == IT::Flip_status::DELAUNAY);
+  result.flips = report.flips;
+  if (options.is_refined) {
+    const IT::Refinement_report refinement =
+      IT::refine_Delaunay(triangulation, IT::Refinement_criteria(), CGAL::parameters::visitor(std::ref(visitor)));
+    require(refinement.status != IT::Refinement_status::CANCELLED);
+    result.flips += refinement.flips;
+    result.number_of_inserted_vertices = triangulation.connectivity().number_of_vertices() - complex.number_of_vertices();
+  }
+  result.triangulation_seconds = stopwatch.restart();
+  find_distances(options, IT::Heat_method<>(triangulation, library_options(options)), result);
+  result.distance_seconds = stopwatch.seconds();
+  for (IT::Face_index f : complex.faces()) {
+    const IT::Halfedge_index h = complex.halfedge(f);
+    result.surface.triangles.push_back(
+      {complex.source(h).idx(), complex.target(h).idx(), complex.target(complex.next(h)).idx()});
+  }
+  result.surface.points = std::move(surface.points);
+}
+
+Json statistics(const Distance_options& options, const Distance_result& result)
+{
+  return {{"input", options.input},
+          {"vertices", result.surface.number_of_vertices},
+          {"sources", options.sources},
+          {"inserted", result.number_of_inserted_vertices},
+          {"flips", result.flips},
+          {"mean_edge_length", result.mean_edge_length},
+          {"largest_distance", result.largest_distance()},
+          {"unreachable", result.number_of_unreachable_vertices()},
+          {"status", "done"},
+          {"time",
+           {{"read", result.read_seconds},
+            {"triangulation", result.triangulation_seconds},
+            {"distances", result.distance_seconds}}}};
+}
+
+void write_report(std::ostream& os, const Distance_options& options, const Distance_result& result)
+{
+  os << options.input << "\n  input             " << counted(result.surface.number_of_vertices, "vertex", "vertices");
+  if (result.number_of_inserted_vertices > 0)
+    os << "\n  inserted          " << counted(result.number_of_inserted_vertices, "vertex", "vertices");
+  os << "\n  flips             " << with_separators(result.flips) << "\n  largest distance  " << in_short(result.largest_distance());
+  if (const std::size_t n = result.number_of_unreachable_vertices())
+    os << "\n  unreachable       " << counted(n, "vertex", "vertices");
+  os << "\n  time              " << seconds_text(result.triangulation_seconds + result.distance_seconds) << '\n';
+}
+
+Exit_status run_distance(const Distance_options& options)
+{
+  check(options);
+  return for_each_input({options.input}, [&](const std::string& path) {
+    Distance_result result;
+    if (options.cover == "tufted")
+      find_on_cover(options, result);
+    else
+      find_on_surface(options, result);
+    const std::string& output = options.output_path;
+    const std::string type = output.empty() ? "" : output.substr(output.rfind('.'));
+    if (result.surface.points.empty() && result.surface.number_of_vertices > 0 && !type.empty() && type != ".csv")
+      throw Usage_error(output + ": " + path + " has lengths alone, no points: write a .csv file");
+    write_file(output, [&](std::ostream& os) {
+      if (type == ".csv")
+        write_distances_csv(os, result.surface);
+      else if (type == ".ply")
+        write_distances_ply(os, result.surface);
+      else
+        write_distances_vtp(os, result.surface);
+    });
+    write_file(options.stats_path, [&](std::ostream& os) {
+      // A file name need not be valid UTF-8.
+      os << statistics(options, result).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    });
+    write_report(std::cout, options, result);
+    flush_standard_output();
+    return Exit_status::DONE;
+  });
+}
+
+} // namespace
+
+void add_distance_command(CLI::App& app, Selected_command& selected)
+{
+  const auto options = std::make_shared<Distance_options>();
+  CLI::App& command = *app.add_subcommand("distance", "Find the distance of all vertices from some of them");
+  command.footer("Distances are those of the heat method on an intrinsic Delaunay triangulation. They are zero at the\n"
+                 "sources, and infinite where no source is connected. Vertices are counted from zero.\n");
+  command.add_option("INPUT", options->input, "a mesh, or a .gluing file of triangles with lengths")->required();
+  command.add_option("--source", options->sources, "the vertices with distance zero")
+    ->type_name("V[,V...]")
+    ->delimiter(',')
+    ->transform(whole_number())
+    ->required();
+  command
+    .add_option("-o,--output", options->output_path,
+                "write the distances: as a table, or as the mesh with a value at each vertex")
+    ->type_name("F.(csv|ply|vtp)");
+  command
+    .add_option("--cover", options->cover,
+                "tufted: on a closed surface over any triangles; none: on the triangles themselves, which have to be an "
+                "oriented surface")
+    ->check(CLI::IsMember({"tufted", "none"}))
+    ->capture_default_str();
+  command
+    .add_option("--boundary", options->boundary,
+                "what heat does at the border: neumann, none leaves; dirichlet, it is cold there; average, the mean of both")
+    ->check(CLI::IsMember({"neumann", "dirichlet", "average"}))
+    ->capture_default_str();
+  command.add_flag("--refine", options->is_refined, "insert vertices first until no angle is below 25 degrees");
+  command
+    .add_option("--time", options->time_coefficient,
+                "for how long heat spreads, in units of the squared mean length of the edges: the larger, the smoother")
+    ->type_name("T")
+    ->capture_default_str();
+  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")->type_name("F.json");
+  command.callback([options, &selected] { selected = [options] { return run_distance(*options); }; });
+}
+
+} // namespace idt

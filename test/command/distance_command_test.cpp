@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `idt distance`
+
+#include "Command_test.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace {
+
+using nlohmann::json;
+
+class Distance_command : public Command_test
+{
+protected:
+  std::vector<double> distances(const std::string& name) const
+  {
+    const std::vector<std::string> rows = lines(content(folder_ / name));
+    EXPECT_EQ(rows.at(0), "vertex,distance");
+    std::vector<double> result;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      EXPECT_EQ(rows[i].substr(0, rows[i].find(',')), std::to_string(i - 1));
+      result.push_back(std::stod(rows[i].substr(rows[i].find(',') + 1)));
+    }
+    return result;
+  }
+};
+
+TEST_F(Distance_command, writes_a_table_and_statistics)
+{
+  write_kite("kite.off");
+  const Command_run run = idt("distance kite.off --source 0,2 -o d.csv --stats s.json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::vector<double> d = distances("d.csv");
+  ASSERT_EQ(d.size(), 4u);
+  EXPECT_EQ(d[0], 0);
+  EXPECT_EQ(d[2], 0);
+  EXPECT_NEAR(d[1], std::hypot(1, 0.25), 0.1);
+  EXPECT_NEAR(d[3], d[1], 1e-12);
+  const json stats = json::parse(content(folder_ / "s.json"));
+  EXPECT_EQ(stats["input"], "kite.off");
+  EXPECT_EQ(stats["vertices"], 4);
+  EXPECT_EQ(stats["sources"], json({0, 2}));
+  EXPECT_EQ(stats["inserted"], 0);
+  EXPECT_EQ(stats["unreachable"], 0);
+  EXPECT_DOUBLE_EQ(stats["largest_distance"].get<double>(), std::max(d[1], d[3]));
+  EXPECT_EQ(stats["status"], "done");
+  EXPECT_TRUE(stats["time"].contains("distances"));
+}
+
+TEST_F(Distance_command, writes_meshes_with_values)
+{
+  write_kite("kite.off");
+  ASSERT_EQ(idt("distance kite.off --source 0 -o d.csv").status, 0);
+  ASSERT_EQ(idt("distance kite.off --source 0 -o d.ply").status, 0);
+  ASSERT_EQ(idt("distance kite.off --source 0 -o d.vtp").status, 0);
+  const std::vector<double> d = distances("d.csv");
+  const std::string ply = content(folder_ / "d.ply");
+  EXPECT_TRUE(contains(ply, "property double z\nproperty double distance\nelement face 2\n"));
+  const std::size_t first = ply.find("end_header\n") + 11;
+  ASSERT_EQ(ply.size(), first + 4 * 32 + 2 * 13);
+  for (std::size_t v = 0; v < 4; ++v) {
+    double value;
+    std::memcpy(&value, &ply[first + 32 * v + 24], sizeof value);
+    EXPECT_EQ(value, d[v]);
+  }
+  const Command_run again = idt("triangulate d.ply");
+  EXPECT_EQ(again.status, 0) << again.err;
+  const std::vector<std::string> vtp = lines(content(folder_ / "d.vtp"));
+  EXPECT_EQ(vtp.at(4), "<PointData Scalars=\"distance\">");
+  for (std::size_t v = 0; v < 4; ++v)
+    EXPECT_EQ(std::stod(vtp.at(6 + v)), d[v]);
+}
+
+TEST_F(Distance_command, is_infinite_where_no_source_is_connected)
+{
+  write("two.off", "OFF\n7 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n9 9 9\n3 0 1 2\n3 3 4 5\n");
+  for (const char* cover : {"tufted", "none"}) {
+    const Command_run run = idt(std::string("distance two.off --source 4 -o d.csv --stats s.json --cover ") + cover);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(contains(run.out, "unreachable       4 vertices")) << run.out;
+    const std::vector<double> d = distances("d.csv");
+    for (std::size_t v = 0; v < 7; ++v)
+      EXPECT_EQ(d[v] < std::numeric_limits<double>::infinity(), v >= 3 && v < 6) << v;
+    EXPECT_EQ(json::parse(content(folder_ / "s.json"))["unreachable"], 4);
+  }
+  ASSERT_EQ(idt("distance two.off --source 4 -o d.vtp").status, 0);
+  EXPECT_FALSE(contains(content(folder_ / "d.vtp"), "inf"));
+}
+
+TEST_F(Distance_command, takes_any_triangles)
+{
+  write("fan.off", "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0.5\n-1 2 0.5\n-1 -2 0.5\n3 0 1 2\n3 0 1 3\n3 1 0 4\n");
+  ASSERT_EQ(idt("distance fan.off --source 2 -o d.csv").status, 0);
+  const std::vector<double> d = distances("d.csv");
+  EXPECT_EQ(d[2], 0);
+  EXPECT_NEAR(d[3], d[4], 1e-9);
+  EXPECT_GT(d[3], d[0]);
+  EXPECT_EQ(idt("distance fan.off --source 2 --cover none").status, 3);
+}
+
+TEST_F(Distance_command, refinement_gives_more_accurate_distances_at_the_vertices_of_the_input)
+{
+  write("strip.off", "OFF\n4 2 0\n0 0 0\n20 0 0\n20 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  ASSERT_EQ(idt("distance strip.off --source 0 --cover none --refine -o d.csv --stats s.json").status, 0);
+  const std::vector<double> d = distances("d.csv");
+  ASSERT_EQ(d.size(), 4u);
+  EXPECT_NEAR(d[2], std::hypot(20, 1), 0.02 * 20);
+  EXPECT_GT(json::parse(content(folder_ / "s.json"))["inserted"], 0);
+}
+
+TEST_F(Distance_command, boundary_conditions_differ)
+{
+  ASSERT_EQ(idt("sample disk-with-spike -o disk").status, 0);
+  std::vector<std::vector<double>> results;
+  for (const std::string boundary : {"neumann", "dirichlet", "average"}) {
+    ASSERT_EQ(idt("distance disk.off --source 7 --cover none -o d.csv --boundary " + boundary).status, 0);
+    results.push_back(distances("d.csv"));
+  }
+  EXPECT_NE(results[0], results[1]);
+  EXPECT_NE(results[0], results[2]);
+  EXPECT_NE(results[1], results[2]);
+}
+
+TEST_F(Distance_command, refuses_what_makes_no_sense)
+{
+  write_kite("kite.off");
+  for (const char* const options : {"", "--source 4", "--source -1", "--source 0 --boundary average", "--source 0 --refine",
+                                    "--source 0 --time 0", "--source 0 --time nan", "--source 0 -o d.txt",
+                                    "--source 0 -o kite.off", "--source 0 --cover two"}) {
+    const Command_run run = idt(std::string("distance kite.off ") + options);
+    EXPECT_EQ(run.status, 2) << options;
+    EXPECT_NE(run.err, "") << options;
+    EXPECT_EQ(run.out, "") << options;
+  }
+  write("empty.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
+  const Command_run run = idt("distance empty.off --source 0");
+  EXPECT_EQ(run.status, 3);
+  EXPECT_EQ(run.err.substr(0, 16), "idt: empty.off: ");
+  ASSERT_EQ(idt("sample one-vertex-torus -o t").status, 0);
+  EXPECT_EQ(idt("distance t.gluing --source 0 -o t.ply").status, 2);
+  EXPECT_EQ(idt("distance t.gluing --source 0 -o t.csv").status, 0);
+}
+
+} // namespace
