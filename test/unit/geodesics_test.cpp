@@ -783,6 +783,35 @@ TEST(TracedLine, ClosesOnATetrahedron)
     EXPECT_NEAR(from[i], to[i], 1e-12);
 }
 
+// On finer meshes of a sphere, a line stays nearer to the great circle that it starts on.
+TEST(TracedLine, FollowsAGreatCircle)
+{
+  const auto largest_distance = [](std::size_t columns) {
+    const IT::Indexed_triangles sphere = IT::latitude_longitude_sphere(columns, columns / 2);
+    const Triangulation t = triangulation_of(sphere);
+    const IT::Delta_complex& input = t.connectivity();
+    double result = 0;
+    for (double angle = 0.05; angle < 6.2; angle += 0.2) {
+      const IT::Halfedge_index h = input.opposite(input.halfedge(IT::Vertex_index(columns * (columns / 4) + 1)));
+      const IT::Traced_geodesic line = IT::trace_geodesic(t, IT::direction_at_vertex(t, h, angle), 3);
+      EXPECT_NEAR(line.length, 3, 1e-12);
+      std::vector<std::array<double, 3>> points;
+      for (const IT::Surface_point& p : line.points)
+        points.push_back(IT::point_in_space(input, sphere.points, p));
+      const auto& [a, b, c] = points[0];
+      const auto& [x, y, z] = points[1];
+      std::array<double, 3> normal{b * z - c * y, c * x - a * z, a * y - b * x};
+      const double size = std::hypot(normal[0], normal[1], normal[2]);
+      for (const auto& p : points)
+        result = std::max(result, std::abs(normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2]) / size);
+    }
+    return result;
+  };
+  const double coarse = largest_distance(24), fine = largest_distance(96);
+  EXPECT_LT(coarse, 0.2);
+  EXPECT_LT(fine, coarse / 3);
+}
+
 TEST(TracedLine, DirectionsAtVertices)
 {
   const Triangulation t = triangulation_of(grid(4, 4));
