@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Flip_journal.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Rotation_system.h>
@@ -146,6 +147,23 @@ public:
         continue;
       from_corner = Halfedge_index(from_corner.idx() + 2);
       turn_around(from_corner, complex.target(complex.next(side)));
+    }
+  }
+
+  /// \brief follows the join of two edges; to be called before `unsplit_edge(h)` of the connectivity. O(1).
+  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
+  /// \pre `is_inserted()` of the target of `h`
+  void unsplit_edge(const Delta_complex& complex, Halfedge_index h)
+  {
+    coordinates_.unsplit_edge(complex, h, location(complex.target(h)).dimension() == 1);
+  }
+  /// \brief follows the removal of an inserted vertex, after that of the connectivity. O(1).
+  void remove(const Removed_elements& removed)
+  {
+    coordinates_.remove(removed);
+    for (Vertex_index v : removed.vertices) {
+      locations_[v.idx() - input_.number_of_vertices()] = locations_.back();
+      locations_.pop_back();
     }
   }
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/prefetch.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/relaxed_atomic.h>
@@ -22,6 +23,7 @@
 
 #include <boost/iterator/iterator_facade.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
@@ -320,10 +322,6 @@ public:
     const Halfedge_index vj = append_edges(1 + (has_left ? 1 : 0) + (has_right ? 1 : 0)), jv = opposite(vj);
     const Halfedge_index vk(vj.idx() + 2), vl(vj.idx() + (has_left ? 4 : 2));
     Face_index appended = append_faces((has_left ? 1 : 0) + (has_right ? 1 : 0));
-    const auto join = [this](Halfedge_index a, Halfedge_index b) {
-      record(a).next = b.idx();
-      record(b).prev = a.idx();
-    };
     record(h).target = v.idx();
     record(vj).target = j.idx();
     record(jv).target = v.idx();
@@ -355,6 +353,66 @@ public:
       vertex_halfedges_[j.idx()] = vj;
     return v;
   }
+
+  /// \brief undoes a split of a face: removes a vertex in the middle of three faces, which become one.
+  ///
+  /// The last elements take the descriptors of those that are removed. O(degree of the last vertex).
+  /// \pre `v` has three different faces, of three edges to other vertices
+  Removed_elements unsplit_face(Vertex_index v)
+  {
+    const Halfedge_index a = halfedge(v), b = next_around_target(a), c = next_around_target(b);
+    CGAL_precondition(next_around_target(c) == a);
+    const Halfedge_index sides[] = {prev(a), prev(c), prev(b)};
+    const Face_index f = (std::min)((std::min)(face(a), face(b)), face(c));
+    Removed_elements removed = removed_elements(v, {edge(a), edge(b), edge(c)}, {face(a), face(b), face(c)});
+    removed.faces.pop_back(); // the least one stays
+    for (Halfedge_index h : {a, b, c})
+      replace_vertex_halfedge(source(h), opposite(h), prev(h));
+    set_face_cycle(f, sides[0], sides[1], sides[2]);
+    erase(removed);
+    return removed;
+  }
+
+  /// \brief undoes a split of an edge: removes the vertex that `h` points to, and joins `h` with the edge that continues
+  /// it, and the faces on either side.
+  ///
+  /// Descriptors move as in `unsplit_face()`; those of `h` and of the faces beside it are not removed.
+  /// \pre the vertex has one edge on each side of `h` that has a face; its edges lead to other vertices, its faces are different
+  Removed_elements unsplit_edge(Halfedge_index h)
+  {
+    const Halfedge_index g = opposite(h), vj = continuation(h), jv = opposite(vj);
+    const Vertex_index v = target(h), j = target(vj);
+    const Halfedge_index jk = next(vj), ki = prev(h), il = next(g), lj = prev(jv);
+    std::vector<Edge_index> edges{edge(vj)};
+    std::vector<Face_index> faces;
+    if (!is_border(h)) {
+      edges.push_back(edge(next(h)));
+      faces.push_back(face(vj));
+      replace_vertex_halfedge(target(next(h)), next(h), jk);
+    }
+    if (!is_border(g)) {
+      edges.push_back(edge(prev(g)));
+      faces.push_back(face(jv));
+      replace_vertex_halfedge(source(prev(g)), opposite(prev(g)), il);
+    }
+    Removed_elements removed = removed_elements(v, std::move(edges), std::move(faces));
+    replace_vertex_halfedge(j, vj, h);
+    record(h).target = j.idx();
+    if (!is_border(h))
+      set_face_cycle(face(h), h, jk, ki);
+    else
+      join(h, jk);
+    if (!is_border(g))
+      set_face_cycle(face(g), g, il, lj);
+    else
+      join(lj, g);
+    erase(removed);
+    return removed;
+  }
+
+  /// \brief returns the halfedge that continues `h` beyond its target, with one edge between them on each side that has a face.
+  /// \pre as `unsplit_edge()`
+  Halfedge_index continuation(Halfedge_index h) const { return is_border(h) ? next(h) : next(opposite(next(h))); }
 
   /// \brief returns whether the arrays describe a triangulated oriented surface.
   ///
@@ -415,6 +473,78 @@ private:
     const Face_index first(number_of_faces());
     face_halfedges_.resize(face_halfedges_.size() + std::size_t(n));
     return first;
+  }
+
+  void join(Halfedge_index a, Halfedge_index b)
+  {
+    record(a).next = b.idx();
+    record(b).prev = a.idx();
+  }
+
+  Removed_elements removed_elements(Vertex_index v, std::vector<Edge_index> edges, std::vector<Face_index> faces) const
+  {
+    std::sort(edges.rbegin(), edges.rend());
+    std::sort(faces.rbegin(), faces.rend());
+    return {{v}, std::move(edges), std::move(faces), number_of_edges()};
+  }
+
+  // Nothing that stays refers to what is removed. The last elements move into the holes.
+  void erase(const Removed_elements& removed)
+  {
+    for (Edge_index hole : removed.edges) {
+      const Edge_index last(number_of_edges() - 1);
+      if (hole != last)
+        move_edge(last, hole);
+      halfedges_.pop_back();
+      halfedges_.pop_back();
+    }
+    for (Face_index hole : removed.faces) {
+      const Face_index last(number_of_faces() - 1);
+      if (hole != last) {
+        const Halfedge_index h = halfedge(last);
+        set_face_cycle(hole, h, next(h), prev(h));
+      }
+      face_halfedges_.pop_back();
+    }
+    for (Vertex_index hole : removed.vertices) {
+      const Vertex_index last(number_of_vertices() - 1);
+      if (hole != last)
+        move_vertex(last, hole);
+      vertex_halfedges_.pop_back();
+    }
+  }
+
+  void move_edge(Edge_index from, Edge_index to)
+  {
+    const auto moved = [=](std::uint32_t h) { return h >> 1 == from.idx() ? 2 * to.idx() + (h & 1) : h; };
+    for (std::uint32_t side : {0u, 1u}) {
+      const Halfedge_index old(2 * from.idx() + side), h(2 * to.idx() + side);
+      Halfedge& r = record(h);
+      r = record(old);
+      r.next = moved(r.next);
+      r.prev = moved(r.prev);
+    }
+    for (std::uint32_t side : {0u, 1u}) {
+      const Halfedge_index old(2 * from.idx() + side), h(2 * to.idx() + side);
+      record(next(h)).prev = h.idx();
+      record(prev(h)).next = h.idx();
+      replace_vertex_halfedge(target(h), old, h);
+      if (!is_border(h) && halfedge(face(h)) == old)
+        face_halfedges_[face(h).idx()] = h;
+    }
+  }
+
+  void move_vertex(Vertex_index from, Vertex_index to)
+  {
+    const Halfedge_index first = halfedge(from);
+    vertex_halfedges_[to.idx()] = first;
+    if (!first.is_valid())
+      return;
+    Halfedge_index h = first;
+    do {
+      record(h).target = to.idx();
+      h = next_around_target(h);
+    } while (h != first);
   }
 
   void set_face_cycle(Face_index f, Halfedge_index a, Halfedge_index b, Halfedge_index c)

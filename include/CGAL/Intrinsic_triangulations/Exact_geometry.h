@@ -25,7 +25,6 @@
 #include <complex>
 #include <cstddef>
 #include <functional>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -109,6 +108,14 @@ public:
   void split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location);
   /// as above.
   void split_edge(const Delta_complex& complex, Halfedge_index h, const Surface_point& location);
+
+  /// \brief follows the join of two edges, before that of the connectivity; as the function of `Correspondence`.
+  void unsplit_edge(const Delta_complex& complex, Halfedge_index h);
+  /// \brief follows the removal of an inserted vertex, after that of the connectivity.
+  /// \param complex the connectivity after the removal
+  /// \param removed what was removed
+  /// \param joined the faces that have become larger, by their descriptors after the removal
+  void remove(const Delta_complex& complex, const Removed_elements& removed, const std::vector<Face_index>& joined);
 
   /// \brief sets what decisions accept as a tie from now on.
   void set_tie_proof(Tie_proof tie_proof);
@@ -235,7 +242,7 @@ private:
   bool flip_and_follow(const Delta_complex& complex, const Hinge_halfedges& around);
   bool follow(const Delta_complex& complex, Edge_index e);
   void find_straight_faces(const Delta_complex& complex) const;
-  void forget_faces(const Delta_complex& complex, std::initializer_list<Face_index> faces, std::size_t number_of_new_edges,
+  void forget_faces(const Delta_complex& complex, const std::vector<Face_index>& faces, std::size_t number_of_new_edges,
                     std::size_t number_of_new_faces);
   void carry_images();
   Corner developed_corner(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface);

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
@@ -376,6 +377,28 @@ public:
     measure_star(v);
     return v;
   }
+  /// \brief removes an inserted vertex in the middle of three faces, which become one. See `remove_vertex()`.
+  /// \return what was removed, as `unsplit_face(v)` of `Delta_complex`
+  Removed_elements unsplit_face(Vertex_index v)
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Halfedge_index side = connectivity_.prev(connectivity_.halfedge(v));
+    const Removed_elements removed = connectivity_.unsplit_face(v);
+    remove(removed, {side});
+    return removed;
+  }
+  /// \brief removes an inserted vertex on a straight line of two edges.
+  /// \param h a halfedge to the vertex. What continues it forms an angle of π with it
+  /// \return what was removed, as `unsplit_edge(h)` of `Delta_complex`
+  /// \exception Integer_overflow_error as above
+  Removed_elements unsplit_edge(Halfedge_index h)
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    geometry_->unsplit_edge(connectivity_, h);
+    const Removed_elements removed = connectivity_.unsplit_edge(h);
+    remove(removed, {h, connectivity_.opposite(h)});
+    return removed;
+  }
   /// @}
 
   /// \brief replaces the stored numbers of `f` by those that follow from the input, where these are better.
@@ -523,8 +546,36 @@ private:
     faces_.resize(connectivity_.number_of_faces(), internal::default_init);
     if (keeps_bounds)
       bounds_.append(number_of_new_edges);
+    measure(geometry_->corners_at(connectivity_, v));
+  }
+
+  // Drops what was kept for removed elements, and computes the numbers of the faces of `sides`, halfedges before the removal.
+  void remove(const Removed_elements& removed, const std::vector<Halfedge_index>& sides)
+  {
+    std::vector<Halfedge_index> moved;
+    std::vector<Face_index> faces;
+    for (Halfedge_index old : sides) {
+      const Halfedge_index h(2 * removed.edge_after(edge(old)).idx() + (old.idx() & 1));
+      if (connectivity_.is_border(h))
+        continue;
+      moved.push_back(h);
+      faces.push_back(connectivity_.face(h));
+    }
+    geometry_->remove(connectivity_, removed, faces);
+    remove_entries(edges_, removed.edges);
+    remove_entries(faces_, removed.faces);
+    if (keeps_bounds)
+      bounds_.remove(removed.edges);
+    std::vector<std::pair<Halfedge_index, Exact_geometry::Corner>> corners;
+    for (Halfedge_index h : moved)
+      corners.emplace_back(h, geometry_->corner(connectivity_, h));
+    measure(corners);
+  }
+
+  // Computes the numbers of faces, each given by a corner and the side opposite to it.
+  void measure(const std::vector<std::pair<Halfedge_index, Exact_geometry::Corner>>& corners)
+  {
     const auto refined = traits_.construct_refined_data_object();
-    const auto corners = geometry_->corners_at(connectivity_, v);
     for (const auto& [side, c] : corners) {
       const Face_data face = refined(c.four_areas, c.s_first, c.s_second, c.s_opposite);
       edges_[edge(connectivity_.prev(side)).idx()] = refined(c.s_first);

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <CGAL/assertions.h>
@@ -237,6 +238,35 @@ public:
     set_record(h, part);
   }
 
+  /// \brief updates the integers where two edges that form a straight line become one; to be called before
+  /// `unsplit_edge(h)` of the connectivity. O(1).
+  ///
+  /// \param complex the current connectivity
+  /// \param h a halfedge to the vertex that will be removed
+  /// \param is_on_input_edge whether an input edge runs through that vertex
+  /// \exception Integer_overflow_error as `flip()`; then nothing is changed
+  void unsplit_edge(const Delta_complex& complex, Halfedge_index h, bool is_on_input_edge)
+  {
+    const Halfedge_index g = complex.opposite(h), jv = complex.opposite(complex.continuation(h));
+    const Record &near = record(complex.edge(h)), &far = record(complex.edge(jv));
+    Record joined = near;
+    if (near.crossings >= 0)
+      joined.crossings = near.crossings + far.crossings + (is_on_input_edge ? 1 : 0);
+    if (joined.crossings > largest_count)
+      throw Integer_overflow_error("an edge crosses more than 2^60 input edges");
+    joined.base[g.idx() & 1] = far.base[jv.idx() & 1];
+    joined.steps[g.idx() & 1] = far.steps[jv.idx() & 1];
+    set_record(h, joined);
+  }
+  /// \brief follows the removal of a vertex, after that of the connectivity. Nothing but descriptors changes. O(1).
+  void remove(const Removed_elements& removed)
+  {
+    // What moves was never an input edge: as many edges as the input has stay, and all others have records.
+    for (Edge_index e : removed.edges)
+      free_records_.push_back(record_of_[e.idx()]);
+    remove_entries(record_of_, removed.edges);
+  }
+
   /// \brief updates the integers for the flip of `e`; to be called before the flip of the
   /// connectivity. O(1).
   ///
@@ -308,19 +338,27 @@ private:
   {
     const std::uint32_t e = h.idx() >> 1;
     std::uint32_t& i = record_of_[e];
-    if (i == 0) {
-      i = std::uint32_t(records_.size());
-      records_.resize(records_.size() + 1, internal::default_init);
-    }
+    if (i == 0)
+      i = new_record();
     records_[i] = record;
   }
 
   void append(const Record& record)
   {
     record_of_.resize(record_of_.size() + 1, internal::default_init);
-    record_of_.back() = std::uint32_t(records_.size());
+    record_of_.back() = new_record();
+    records_[record_of_.back()] = record;
+  }
+
+  std::uint32_t new_record()
+  {
+    if (!free_records_.empty()) {
+      const std::uint32_t i = free_records_.back();
+      free_records_.pop_back();
+      return i;
+    }
     records_.resize(records_.size() + 1, internal::default_init);
-    records_.back() = record;
+    return std::uint32_t(records_.size() - 1);
   }
 
   Roundabout first_after(Halfedge_index h) const { return first_after(h, record_number(h)); }
@@ -336,6 +374,7 @@ private:
 
   Large_vector<Record> records_; // the first is that of all edges never flipped
   Large_vector<std::uint32_t> record_of_;
+  std::vector<std::uint32_t> free_records_; // of edges that were removed
 };
 
 } // namespace Intrinsic_triangulations

@@ -96,6 +96,14 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
+/// \brief says that a vertex cannot be removed, and why.
+class Invalid_removal_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief says that an integer that counts crossings left the range of its type.
 class Integer_overflow_error : public Error
 {

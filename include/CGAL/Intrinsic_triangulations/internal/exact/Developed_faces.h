@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/Planar_vector.h>
+#include <CGAL/Intrinsic_triangulations/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
 
 #include <algorithm>
@@ -122,6 +123,21 @@ public:
   {
     if (!layout_of_.empty())
       layout_of_.resize(layout_of_.size() + number, none);
+  }
+  // Follows the removal of a vertex, after that of the connectivity. Layouts name halfedges, so those at edges that have
+  // moved are no longer true.
+  void remove(const Delta_complex& complex, const Removed_elements& removed)
+  {
+    if (layout_of_.empty())
+      return;
+    for (Face_index f : removed.faces)
+      erase(f);
+    remove_entries(layout_of_, removed.faces);
+    for (Edge_index e : removed.edges)
+      if (e.idx() < complex.number_of_edges())
+        for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
+          if (!complex.is_border(h))
+            erase(complex.face(h));
   }
 
 private:

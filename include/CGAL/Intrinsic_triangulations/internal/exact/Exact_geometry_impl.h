@@ -262,9 +262,28 @@ void Exact_geometry::split_edge(const Delta_complex& complex, Halfedge_index h, 
   forget_faces(complex, {complex.face(h), complex.face(g)}, 1 + number_of_faces, number_of_faces);
 }
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::unsplit_edge(const Delta_complex& complex, Halfedge_index h)
+{
+  prepare(complex);
+  correspondence_.unsplit_edge(complex, h);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::remove(const Delta_complex& complex, const Removed_elements& removed, const std::vector<Face_index>& joined)
+{
+  correspondence_.remove(removed);
+  Memory& memory = *memory_; // a vertex was inserted, so that it knows all faces
+  memory.straight_faces->remove(removed.faces);
+  memory.developed_faces.remove(complex, removed);
+  if (!memory.is_close_call.empty())
+    remove_entries(memory.is_close_call, removed.edges);
+  forget_faces(complex, joined, 0, 0);
+}
+
 // Nothing is known yet of faces that were split, or of what is appended.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::forget_faces(const Delta_complex& complex, std::initializer_list<Face_index> faces, std::size_t number_of_new_edges,
+void Exact_geometry::forget_faces(const Delta_complex& complex, const std::vector<Face_index>& faces, std::size_t number_of_new_edges,
                                   std::size_t number_of_new_faces)
 {
   Memory& memory = *memory_;

@@ -11,11 +11,13 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -87,6 +89,11 @@ public:
   {
     if (!plane_.empty())
       plane_[f.idx()] = none;
+  }
+  void remove(const std::vector<Face_index>& faces)
+  {
+    if (!plane_.empty())
+      remove_entries(plane_, faces);
   }
   // Makes room for so many faces more, none of them straight.
   void append(std::size_t number)

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What has to be flipped after an insertion.
+// What has to be flipped after an insertion or a removal.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SETTLE_AROUND_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SETTLE_AROUND_H
@@ -22,26 +22,17 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Makes a triangulation Delaunay again that is so but for the faces around a vertex: Lawson's algorithm. The work
+// Makes a triangulation Delaunay again of which all edges are so but for those on the stack: Lawson's algorithm. The work
 // is local.
 // \param after_flip is called with each edge that was flipped
 // \return the number of flips
 template <class Traits, class ConstraintMap, class AfterFlip>
-std::uint64_t settle_around(Intrinsic_triangulation<Traits>& triangulation, Vertex_index v, const ConstraintMap& is_constrained,
-                            std::vector<Edge_index>& stack, const AfterFlip& after_flip)
+std::uint64_t settle(Intrinsic_triangulation<Traits>& triangulation, const ConstraintMap& is_constrained,
+                     std::vector<Edge_index>& stack, const AfterFlip& after_flip)
 {
   using Flip_outcome = typename Intrinsic_triangulation<Traits>::Flip_outcome;
   Whole_triangulation<Traits> whole(triangulation);
   const Delta_complex& complex = triangulation.connectivity();
-  stack.clear();
-  const Halfedge_index first = complex.halfedge(v);
-  Halfedge_index h = first;
-  do { // the edges that lead to v, and the sides opposite to it
-    stack.push_back(complex.edge(h));
-    if (!complex.is_border(h))
-      stack.push_back(complex.edge(complex.prev(h)));
-    h = complex.next_around_target(h);
-  } while (h != first);
   std::uint64_t flips = 0;
   while (!stack.empty()) {
     const Edge_index e = stack.back();
@@ -57,6 +48,24 @@ std::uint64_t settle_around(Intrinsic_triangulation<Traits>& triangulation, Vert
       stack.push_back(complex.edge(side));
   }
   return flips;
+}
+
+// As above, where only faces around a vertex have changed.
+template <class Traits, class ConstraintMap, class AfterFlip>
+std::uint64_t settle_around(Intrinsic_triangulation<Traits>& triangulation, Vertex_index v, const ConstraintMap& is_constrained,
+                            std::vector<Edge_index>& stack, const AfterFlip& after_flip)
+{
+  const Delta_complex& complex = triangulation.connectivity();
+  stack.clear();
+  const Halfedge_index first = complex.halfedge(v);
+  Halfedge_index h = first;
+  do { // the edges that lead to v, and the sides opposite to it
+    stack.push_back(complex.edge(h));
+    if (!complex.is_border(h))
+      stack.push_back(complex.edge(complex.prev(h)));
+    h = complex.next_around_target(h);
+  } while (h != first);
+  return settle(triangulation, is_constrained, stack, after_flip);
 }
 
 } // namespace internal

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -70,6 +71,18 @@ public:
   void append(std::size_t number_of_edges)
   {
     bounds_.resize(bounds_.size() + 2 * number_of_edges, -std::numeric_limits<float>::infinity());
+  }
+
+  // Follows the removal of edges, as `remove_entries()`.
+  void remove(const std::vector<Edge_index>& edges)
+  {
+    for (Edge_index hole : edges) {
+      const std::size_t last = bounds_.size() - 2;
+      for (std::size_t i : {0, 1})
+        bounds_[2 * std::size_t(hole.idx()) + i] = bounds_[last + i];
+      bounds_.pop_back();
+      bounds_.pop_back();
+    }
   }
 
   void set(Halfedge_index h, float bound) { bounds_[h.idx()] = bound; }

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// What the removal of a vertex takes out of arrays, and what moves.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_REMOVED_ELEMENTS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_REMOVED_ELEMENTS_H
+
+#include <CGAL/Intrinsic_triangulations/Index.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsConnectivity
+///
+/// \brief the elements that the removal of a vertex took away, by their descriptors before it.
+///
+/// Descriptors have no holes: for each element of a list in turn, the last element takes its place. The lists
+/// are in descending order, so that an element that is removed never moves. `remove_entries()` does the same with an
+/// array. Halfedges move with their edges: `2e + i` becomes `2f + i`.
+struct Removed_elements
+{
+  std::vector<Vertex_index> vertices; ///< one vertex
+  std::vector<Edge_index> edges;      ///< two to four edges
+  std::vector<Face_index> faces;      ///< one or two faces
+  std::uint32_t number_of_edges = 0;  ///< that of edges before the removal
+
+  /// returns the descriptor after the removal of an edge that was not removed.
+  Edge_index edge_after(Edge_index e) const
+  {
+    std::uint32_t last = number_of_edges;
+    for (Edge_index hole : edges)
+      if (e.idx() == --last)
+        e = hole;
+    return e;
+  }
+  /// returns the descriptor that an edge had before the removal.
+  Edge_index edge_before(Edge_index e) const
+  {
+    for (std::size_t i = edges.size(); i-- > 0;)
+      if (e == edges[i])
+        e = Edge_index(std::uint32_t(number_of_edges - 1 - i));
+    return e;
+  }
+};
+
+/// \ingroup PkgIntrinsicTriangulationsConnectivity
+/// \brief removes from an array with one entry for each element those of `holes`, a list of `Removed_elements`.
+template <class Array, class Descriptor>
+void remove_entries(Array& array, const std::vector<Descriptor>& holes)
+{
+  for (Descriptor hole : holes) {
+    if (hole.idx() + std::size_t(1) != array.size())
+      array[hole.idx()] = array[array.size() - 1];
+    array.pop_back();
+  }
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_REMOVED_ELEMENTS_H

@@ -1,0 +1,274 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Vertices that were inserted are removed: what is left is the triangulation before.
+
+#include "insert_random_vertices.h"
+#include "samples/sample_gluings.h"
+#include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/insert_vertex.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/point_location.h>
+#include <CGAL/Intrinsic_triangulations/remove_vertex.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+
+Triangulation Delaunay_triangulation_of(const IT::Indexed_triangles& surface)
+{
+  Triangulation result(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
+  IT::flip_to_Delaunay(result);
+  return result;
+}
+
+// Ends, length and crossings of all edges. Edges between ties are left out: another one may be there.
+using Edge_set = std::vector<std::tuple<std::uint32_t, std::uint32_t, double, std::int64_t>>;
+Edge_set edges_without_ties(const Triangulation& triangulation)
+{
+  const IT::Delta_complex& complex = triangulation.connectivity();
+  const IT::Normal_coordinates& coordinates = triangulation.exact_geometry().correspondence().coordinates();
+  Edge_set result;
+  for (IT::Edge_index e : complex.edges()) {
+    if (complex.is_flippable(e) && triangulation.sign_of_cotangent_weight(e) == CGAL::ZERO)
+      continue;
+    const std::uint32_t a = complex.source(complex.halfedge(e)).idx(), b = complex.target(complex.halfedge(e)).idx();
+    result.emplace_back((std::min)(a, b), (std::max)(a, b), triangulation.length(e), coordinates.crossings(e));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+void expect_consistent(const Triangulation& triangulation)
+{
+  const IT::Delta_complex& complex = triangulation.connectivity();
+  ASSERT_TRUE(complex.is_valid(true));
+  const IT::Exact_geometry& geometry = triangulation.exact_geometry();
+  for (IT::Edge_index e : complex.edges()) {
+    if (complex.is_flippable(e)) {
+      ASSERT_NE(geometry.sign_by_unfolding(complex, e), CGAL::NEGATIVE) << e;
+    }
+  }
+  for (IT::Face_index f : complex.faces()) {
+    ASSERT_EQ(geometry.sign_of_area(complex, f), CGAL::POSITIVE) << f;
+  }
+}
+
+// Its Euler characteristic is that of the triangulation, and each edge has as many crossings as the integers say.
+void expect_overlay(const Triangulation& triangulation)
+{
+  const IT::Delta_complex& complex = triangulation.connectivity();
+  const IT::Overlay overlay(triangulation);
+  EXPECT_EQ(std::int64_t(overlay.number_of_vertices()) - overlay.number_of_segments() + overlay.number_of_faces(),
+            std::int64_t(complex.number_of_vertices()) - complex.number_of_edges() + complex.number_of_faces());
+  std::size_t crossings = 0;
+  for (IT::Edge_index e : complex.edges())
+    crossings += std::size_t(triangulation.exact_geometry().correspondence().coordinates().number_of_crossings(e));
+  EXPECT_EQ(overlay.number_of_vertices(), complex.number_of_vertices() + crossings);
+}
+
+std::size_t number_of_inserted_vertices(const Triangulation& triangulation)
+{
+  return triangulation.exact_geometry().correspondence().number_of_inserted_vertices();
+}
+
+IT::Vertex_index random_inserted_vertex(const Triangulation& triangulation, std::mt19937& random)
+{
+  const std::size_t n = number_of_inserted_vertices(triangulation);
+  return IT::Vertex_index(std::uint32_t(triangulation.connectivity().number_of_vertices() - 1 - random() % n));
+}
+
+TEST(Remove_vertex, undoes_insertions_in_any_order)
+{
+  std::mt19937 random(1);
+  for (const IT::Indexed_triangles& surface :
+       {IT::sheared_grid(), IT::random_diagonal_grid(), IT::torus(), IT::bad_torus(30, 30), IT::bumpy_dome(), IT::disk_with_spike(),
+        IT::Schwarz_lantern(), IT::cap(), IT::prism(), IT::pillow(60), IT::sliver_sheet(), IT::helical_tube()})
+    for (unsigned largest_coordinate : {1u, 1000u}) {
+      Triangulation triangulation = Delaunay_triangulation_of(surface);
+      const Edge_set before = edges_without_ties(triangulation);
+      EXPECT_GT(IT::insert_random_vertices(triangulation, 100, largest_coordinate, random), 20u);
+      while (number_of_inserted_vertices(triangulation) > 0)
+        IT::remove_vertex(triangulation, random_inserted_vertex(triangulation, random));
+      expect_consistent(triangulation);
+      expect_overlay(triangulation);
+      EXPECT_EQ(edges_without_ties(triangulation), before);
+    }
+}
+
+TEST(Remove_vertex, between_insertions)
+{
+  std::mt19937 random(2);
+  for (const IT::Indexed_triangles& surface : {IT::torus(8, 6), IT::bumpy_dome(), IT::pillow(20), IT::helical_tube()}) {
+    Triangulation triangulation = Delaunay_triangulation_of(surface);
+    const Edge_set before = edges_without_ties(triangulation);
+    for (int i = 0; i < 60; ++i) {
+      IT::insert_random_vertices(triangulation, random() % 6, 5, random);
+      for (std::size_t n = random() % 5; n > 0 && number_of_inserted_vertices(triangulation) > 0; --n)
+        IT::remove_vertex(triangulation, random_inserted_vertex(triangulation, random));
+      ASSERT_TRUE(triangulation.connectivity().is_valid(true));
+    }
+    expect_consistent(triangulation);
+    expect_overlay(triangulation);
+    while (number_of_inserted_vertices(triangulation) > 0)
+      IT::remove_vertex(triangulation, random_inserted_vertex(triangulation, random));
+    expect_consistent(triangulation);
+    EXPECT_EQ(edges_without_ties(triangulation), before);
+  }
+}
+
+// By input edges: a half of a constrained edge coincides with it, and nothing else does.
+struct On_constrained_input_edge
+{
+  using key_type = IT::Edge_index;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+  friend bool get(const On_constrained_input_edge& map, IT::Edge_index e)
+  {
+    const IT::Correspondence& correspondence = map.triangulation->exact_geometry().correspondence();
+    const IT::Halfedge_index h = map.triangulation->connectivity().halfedge(e);
+    return correspondence.coordinates().is_original(e) &&
+           correspondence.input().edge(correspondence.input_halfedge(h)).idx() % 3 == 0;
+  }
+
+  const Triangulation* triangulation;
+};
+
+// As they were before a removal.
+struct Stored_constraints
+{
+  using key_type = IT::Edge_index;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+  friend bool get(const Stored_constraints& map, IT::Edge_index e) { return (*map.stored)[e.idx()]; }
+
+  const std::vector<bool>* stored;
+};
+
+std::size_t number_of_constrained(const Triangulation& triangulation)
+{
+  std::size_t result = 0;
+  for (IT::Edge_index e : triangulation.connectivity().edges())
+    result += get(On_constrained_input_edge{&triangulation}, e) ? 1 : 0;
+  return result;
+}
+
+TEST(Remove_vertex, joins_the_parts_of_border_and_constrained_edges)
+{
+  std::mt19937 random(3);
+  for (const IT::Indexed_triangles& surface : {IT::bumpy_dome(), IT::torus(8, 6), IT::cap()}) {
+    Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
+    const IT::Delta_complex input = triangulation.connectivity();
+    const auto fixed = CGAL::parameters::edge_is_constrained_map(On_constrained_input_edge{&triangulation});
+    triangulation.exact_geometry();
+    IT::flip_to_Delaunay(triangulation, fixed);
+    const std::size_t before = number_of_constrained(triangulation);
+    std::size_t inserted = 0;
+    for (int i = 0; i < 60; ++i) {
+      const IT::Edge_index e(std::uint32_t(random() % input.number_of_edges()));
+      IT::Halfedge_index h = input.halfedge(e);
+      if (input.is_border(h))
+        h = input.opposite(h);
+      if (e.idx() % 3 != 0 && !input.is_border(e))
+        continue;
+      try {
+        IT::insert_vertex(triangulation, {h, {double(1 + random() % 9), double(1 + random() % 9), 0}}, fixed);
+        ++inserted;
+      } catch (const IT::Invalid_point_error&) { // the same one again
+      }
+    }
+    EXPECT_GT(inserted, 5u);
+    EXPECT_GT(number_of_constrained(triangulation), before);
+    while (number_of_inserted_vertices(triangulation) > 0) {
+      std::vector<bool> before_removal;
+      for (IT::Edge_index e : triangulation.connectivity().edges())
+        before_removal.push_back(get(On_constrained_input_edge{&triangulation}, e));
+      IT::remove_vertex(triangulation, random_inserted_vertex(triangulation, random),
+                        CGAL::parameters::edge_is_constrained_map(Stored_constraints{&before_removal}));
+      ASSERT_TRUE(triangulation.connectivity().is_valid(true));
+    }
+    EXPECT_EQ(number_of_constrained(triangulation), before);
+    expect_overlay(triangulation);
+  }
+}
+
+// All edges are loops, so that edges lead from inserted vertices back to themselves, too.
+TEST(Remove_vertex, of_a_torus_with_one_vertex)
+{
+  std::mt19937 random(4);
+  for (const IT::Glued_triangles& gluing : {IT::one_vertex_torus(), IT::sheared_one_vertex_torus(20), IT::one_vertex_torus(1, 10, 10)}) {
+    IT::Delta_complex input = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
+    const std::vector<double> lengths(gluing.side_lengths.begin(), gluing.side_lengths.begin() + 3);
+    Triangulation triangulation = Triangulation::from_lengths(std::move(input), lengths);
+    IT::flip_to_Delaunay(triangulation);
+    const Edge_set before = edges_without_ties(triangulation);
+    std::size_t refused = 0;
+    for (int i = 0; i < 40; ++i) {
+      IT::insert_random_vertices(triangulation, 1 + random() % 4, 7, random);
+      for (int attempts = 0; attempts < 20 && number_of_inserted_vertices(triangulation) > 0; ++attempts)
+        try {
+          IT::remove_vertex(triangulation, random_inserted_vertex(triangulation, random));
+        } catch (const IT::Invalid_removal_error&) {
+          ++refused;
+        }
+      expect_consistent(triangulation);
+    }
+    EXPECT_EQ(refused, 0u);
+    EXPECT_EQ(edges_without_ties(triangulation), before);
+  }
+}
+
+TEST(Remove_vertex, then_points_are_located_there_and_back)
+{
+  std::mt19937 random(5);
+  Triangulation triangulation = Delaunay_triangulation_of(IT::bumpy_dome());
+  IT::insert_random_vertices(triangulation, 60, 9, random);
+  for (int i = 0; i < 30; ++i)
+    IT::remove_vertex(triangulation, random_inserted_vertex(triangulation, random));
+  const IT::Common_subdivision subdivision(triangulation);
+  const IT::Point_location location(subdivision);
+  for (IT::Face_index f : subdivision.input().faces()) {
+    const IT::Surface_point p{subdivision.input().halfedge(f), {.5, .3, .2}};
+    const IT::Surface_point q = location.intrinsic_to_input(location.input_to_intrinsic(p));
+    ASSERT_EQ(subdivision.input().face(q.halfedge), f);
+    IT::Halfedge_index h = q.halfedge;
+    for (std::size_t i = 0; i < 3; ++i, h = subdivision.input().next(h))
+      for (std::size_t j = 0, k = p.halfedge == h ? i : 3; j < 3 && k < 3; ++j)
+        EXPECT_NEAR(q.coordinates[(k + j) % 3], p.coordinates[j], 1e-12);
+  }
+}
+
+TEST(Remove_vertex, refuses_vertices_of_the_input)
+{
+  Triangulation triangulation = Delaunay_triangulation_of(IT::torus(8, 6));
+  const IT::Delta_complex before = triangulation.connectivity();
+  EXPECT_THROW(IT::remove_vertex(triangulation, IT::Vertex_index(0)), IT::Invalid_removal_error);
+  EXPECT_THROW(IT::remove_vertex(triangulation, IT::Vertex_index(before.number_of_vertices())), IT::Invalid_removal_error);
+  EXPECT_EQ(triangulation.connectivity(), before);
+}
+
+} // namespace
