@@ -31,6 +31,7 @@
 #include <CGAL/Intrinsic_triangulations/graph_traits_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/graph_traits_Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/halfedge_vectors.h>
+#include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/is_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
@@ -39,6 +40,8 @@
 #include <CGAL/Intrinsic_triangulations/overlay_areas.h>
 #include <CGAL/Intrinsic_triangulations/overlay_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/point_location.h>
+#include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/remove_vertex.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
