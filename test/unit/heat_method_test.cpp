@@ -301,6 +301,29 @@ TEST(Heat_method, heat_reaches_the_end_of_a_long_strip)
   EXPECT_NEAR(values[grid.number(1500, 2)], 7, 1e-6);
 }
 
+// Heat that starts at the corners of a face is less than that of a vertex, but not less than what comes from their neighbors.
+TEST(Heat_method, points_and_vertices_as_sources_for_short_times)
+{
+  const Grid grid(5, 5);
+  const Triangulation triangulation = Delaunay(grid.points, grid.triangles);
+  const IT::Halfedge_index h = triangulation.connectivity().halfedge(IT::Face_index(0));
+  double x = 0, y = 0;
+  for (std::uint32_t v : grid.triangles[0]) {
+    x += grid.points[v][0] / 3;
+    y += grid.points[v][1] / 3;
+  }
+  for (double coefficient : {1e-2, 1e-4, 1e-8}) {
+    IT::Heat_method_options options;
+    options.time_coefficient = coefficient;
+    IT::Heat_method<> heat(triangulation, options);
+    heat.add_source(grid.vertex(5, 5));
+    heat.add_source(triangulation, {h, {1, 1, 1}});
+    const std::vector<double>& distances = heat.distances();
+    for (std::size_t v = 0; v < distances.size(); ++v)
+      EXPECT_GE(distances[v], 0.8 * (std::min)(grid.distance(v, x, y), grid.distance(v, 5, 5))) << coefficient << ' ' << v;
+  }
+}
+
 TEST(Heat_method, boundary_conditions)
 {
   const Grid grid(20, 20);
