@@ -121,14 +121,19 @@ void require(bool is_finished)
     throw IT::Cancelled_error("the triangulation was cancelled");
 }
 
+void set_number_of_vertices(const Distance_options& options, std::size_t n, Distance_result& result)
+{
+  for (std::uint64_t v : options.sources)
+    if (v >= n)
+      throw Usage_error("there is no vertex " + std::to_string(v) + ": the input has " + std::to_string(n));
+  result.surface.number_of_vertices = n;
+}
+
 void find_distances(const Distance_options& options, IT::Heat_method<> heat, Distance_result& result)
 {
   const std::size_t n = result.surface.number_of_vertices;
-  for (std::uint64_t v : options.sources) {
-    if (v >= n)
-      throw Usage_error("there is no vertex " + std::to_string(v) + ": the input has " + std::to_string(n));
+  for (std::uint64_t v : options.sources)
     heat.add_source(IT::Vertex_index(IT::Vertex_index::size_type(v)));
-  }
   result.mean_edge_length = heat.mean_edge_length();
   result.surface.distances = heat.distances();
   result.surface.distances.resize(n); // without the vertices that a refinement inserted
@@ -153,13 +158,13 @@ void find_on_cover(const Distance_options& options, Distance_result& result)
     IT::Delta_complex complex;
     std::vector<double> lengths;
     read_gluing_file(options.input, complex, lengths, [](double) { return !is_interrupted(); });
-    result.surface.number_of_vertices = complex.number_of_vertices();
+    set_number_of_vertices(options, complex.number_of_vertices(), result);
     result.read_seconds = stopwatch.restart();
     Progress progress(options.input);
     find_on_cover(options, IT::make_tufted_cover(complex, lengths), progress, stopwatch, result);
   } else {
     Triangle_soup soup = read_triangle_soup(options.input);
-    result.surface.number_of_vertices = soup.points.size();
+    set_number_of_vertices(options, soup.points.size(), result);
     result.read_seconds = stopwatch.restart();
     Progress progress(options.input);
     find_on_cover(options, IT::make_tufted_cover(soup.points, soup.triangles), progress, stopwatch, result);
@@ -175,7 +180,7 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
   Stopwatch stopwatch;
   Surface surface = load_surface(options.input);
   const IT::Delta_complex& complex = surface.connectivity;
-  result.surface.number_of_vertices = complex.number_of_vertices();
+  set_number_of_vertices(options, complex.number_of_vertices(), result);
   result.read_seconds = stopwatch.restart();
   Progress progress(options.input);
   Distance_visitor visitor(progress);

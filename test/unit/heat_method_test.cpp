@@ -390,6 +390,17 @@ TEST(Heat_method, source_in_a_face)
     for (std::size_t v = 0; v < grid.points.size(); ++v)
       EXPECT_NEAR(heat.distances()[v], grid.distance(v, x, y), 1.2);
   }
+  // Behind a side of the face, the way leads across the side: it is not that over its ends.
+  const Grid small(4, 4);
+  const Triangulation squares = Delaunay(small.points, small.triangles);
+  IT::Heat_method_options options;
+  for (bool keeps_ridges : {true, false}) {
+    options.keeps_ridges = keeps_ridges;
+    IT::Heat_method<> near(squares, options);
+    near.add_source(squares, {squares.connectivity().halfedge(IT::Face_index(0)), {1, 1, 1}});
+    for (std::size_t v : {small.number(0, 1), small.number(2, 0), small.number(2, 1)})
+      EXPECT_NEAR(near.distances()[v], small.distance(v, 2. / 3, 1. / 3), 0.5) << v << keeps_ridges;
+  }
   EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(), {1, 0, 0}}), IT::Invalid_surface_error);
   EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(0), {0, 0, 0}}), IT::Invalid_surface_error);
   EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(0), {-1, 1, 1}}), IT::Invalid_surface_error);

@@ -154,6 +154,11 @@ private:
         way = {length, front.origins[over]};
     };
     const double at_a = front.distances[a], at_b = front.distances[b];
+    // Behind a side of the face of a source inside it, ways cross the side somewhere: nothing is raised there.
+    if (front.origins[a] == a && front.origins[b] == b && (at_a > 0 || at_b > 0)) {
+      way = {0, a};
+      return;
+    }
     keep(a, at_a + corner.to_a);
     keep(b, at_b + corner.to_b);
     if (!front.is_linear(a, b))
