@@ -31,6 +31,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,7 +50,7 @@ struct Distance_options
   std::string output_path, stats_path;
   std::string cover = "tufted", boundary = "neumann";
   double time_coefficient = 1;
-  bool is_refined = false;
+  bool is_refined = false, is_repaired = false;
 };
 
 struct Distance_result
@@ -82,6 +83,8 @@ void check(const Distance_options& options)
     throw Usage_error("--boundary needs --cover none: the tufted cover has no border");
   if (options.cover == "tufted" && options.is_refined)
     throw Usage_error("--refine needs --cover none");
+  if (options.cover == "tufted" && options.is_repaired)
+    throw Usage_error("--repair needs --cover none: the tufted cover takes any triangles");
   if (!(options.time_coefficient > 0 && std::isfinite(options.time_coefficient)))
     throw Usage_error("--time: T is a positive number");
   const std::string& path = options.output_path;
@@ -178,7 +181,7 @@ void find_on_cover(const Distance_options& options, Distance_result& result)
 void find_on_surface(const Distance_options& options, Distance_result& result)
 {
   Stopwatch stopwatch;
-  Surface surface = load_surface(options.input);
+  Surface surface = load_surface(options.input, {std::nullopt, options.is_repaired});
   const IT::Delta_complex& complex = surface.connectivity;
   set_number_of_vertices(options, complex.number_of_vertices(), result);
   result.read_seconds = stopwatch.restart();
@@ -301,6 +304,7 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
                 "for how long heat spreads, in units of the squared mean length of the edges: the larger, the smoother")
     ->type_name("T")
     ->capture_default_str();
+  add_repair_option(command, options->is_repaired);
   command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")->type_name("F.json");
   command.callback([options, &selected] { selected = [options] { return run_distance(*options); }; });
 }

@@ -102,6 +102,9 @@ TEST_F(Distance_command, takes_any_triangles)
   EXPECT_NEAR(d[3], d[4], 1e-9);
   EXPECT_GT(d[3], d[0]);
   EXPECT_EQ(idt("distance fan.off --source 2 --cover none").status, 3);
+  const Command_run repaired = idt("distance fan.off --source 2 --cover none --repair -o r.csv");
+  EXPECT_EQ(repaired.status, 0) << repaired.err;
+  EXPECT_GT(distances("r.csv").size(), d.size()); // cut where three faces meet
 }
 
 TEST_F(Distance_command, refinement_gives_more_accurate_distances_at_the_vertices_of_the_input)
@@ -130,7 +133,7 @@ TEST_F(Distance_command, boundary_conditions_differ)
 TEST_F(Distance_command, refuses_what_makes_no_sense)
 {
   write_kite("kite.off");
-  for (const char* const options : {"", "--source 4", "--source -1", "--source 0 --boundary average", "--source 0 --refine",
+  for (const char* const options : {"", "--source 4", "--source -1", "--source 0 --boundary average", "--source 0 --refine", "--source 0 --repair",
                                     "--source 0 --time 0", "--source 0 --time nan", "--source 0 -o d.txt",
                                     "--source 0 -o kite.off", "--source 0 --cover two"}) {
     const Command_run run = idt(std::string("distance kite.off ") + options);
