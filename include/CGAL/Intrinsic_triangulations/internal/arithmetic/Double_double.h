@@ -14,9 +14,10 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// s + e is exactly a + b (Knuth). A `Number` is double, or several of them.
+// s + e is exactly a + b (Knuth). A `Number` is double, or several of them. Arguments are taken by value, since results may
+// replace them.
 template <class Number>
-BOOST_FORCEINLINE void two_sum(const Number& a, const Number& b, Number& s, Number& e)
+BOOST_FORCEINLINE void two_sum(Number a, Number b, Number& s, Number& e)
 {
   s = a + b;
   const Number bb = s - a;
@@ -25,7 +26,7 @@ BOOST_FORCEINLINE void two_sum(const Number& a, const Number& b, Number& s, Numb
 
 // As two_sum, for |a| >= |b| or a == 0 (Dekker).
 template <class Number>
-BOOST_FORCEINLINE void fast_two_sum(const Number& a, const Number& b, Number& s, Number& e)
+BOOST_FORCEINLINE void fast_two_sum(Number a, Number b, Number& s, Number& e)
 {
   s = a + b;
   e = b - (s - a);

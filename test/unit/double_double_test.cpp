@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sums of two doubles against rational numbers: no result is farther from the truth than its bound says.
+
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double_disk.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+namespace {
+
+using CGAL::Intrinsic_triangulations::internal::Bounded_double_double;
+using CGAL::Intrinsic_triangulations::internal::Double_double;
+using CGAL::Intrinsic_triangulations::internal::Double_double_disk;
+using Rational = CGAL::Intrinsic_triangulations::internal::Rational;
+
+// Numbers of few bits and of all bits, whose lower part is next to half a unit in the last place of the upper one as often as not:
+// there a sum has to be normalized twice.
+class Operands
+{
+public:
+  Double_double operator()()
+  {
+    const int bits = random_() % 3 == 0 ? 53 : 1 + int(random_() % 53);
+    const double odd = double((random_() >> (64 - bits)) | 1), hi = std::ldexp(odd, int(random_() % 7) - bits);
+    const double unit = std::ldexp(1., std::ilogb(hi) - 53); // half a unit in the last place
+    double lo = 0;
+    switch (random_() % 4) {
+    case 0:
+      break;
+    case 1: // an upper part of 53 bits may be odd
+      lo = bits < 53 ? unit : std::nextafter(unit, 0);
+      break;
+    case 2:
+      lo = unit * (1 - std::ldexp(1., -1 - int(random_() % 52)));
+      break;
+    default:
+      lo = unit * std::ldexp(double(random_() >> 11), -53 - int(random_() % 30));
+    }
+    const double sign = random_() % 2 == 0 ? 1 : -1;
+    // Below a power of two, half a unit is half as large.
+    return {sign * hi, random_() % 2 == 0 || std::ldexp(odd, -bits) == 0.5 ? sign * lo : -sign * lo};
+  }
+
+private:
+  std::mt19937_64 random_{1};
+};
+
+Rational exact(const Double_double& x) { return Rational(x.hi) + Rational(x.lo); }
+Rational exact(const Bounded_double_double& x) { return Rational(x.hi()) + Rational(x.lo()); }
+Bounded_double_double bounded(const Double_double& x) { return {x.hi, x.lo, 0}; }
+
+bool is_within_bound(const Bounded_double_double& computed, const Rational& truth)
+{
+  return !(Rational(computed.error()) < abs(exact(computed) - truth));
+}
+
+TEST(Double_double, is_as_accurate_as_it_says)
+{
+  Operands operand;
+  for (int i = 0; i < 200000; ++i) {
+    const Double_double a = operand(), b = operand();
+    const Rational sum = exact(a) + exact(b), product = exact(a) * exact(b);
+    ASSERT_FALSE(abs(sum) * Rational(0x1p-103) < abs(exact(a + b) - sum)) << i;
+    ASSERT_FALSE(abs(product) * Rational(0x1p-103) < abs(exact(a * b) - product)) << i;
+  }
+}
+
+TEST(Double_double, has_bounds_that_hold)
+{
+  Operands operand;
+  for (int i = 0; i < 100000; ++i) {
+    const Double_double a = operand(), b = operand(), c = operand();
+    const Bounded_double_double x = bounded(a), y = bounded(b), z = bounded(c);
+    ASSERT_TRUE(is_within_bound(x + y, exact(a) + exact(b))) << i;
+    ASSERT_TRUE(is_within_bound(x - y, exact(a) - exact(b))) << i;
+    ASSERT_TRUE(is_within_bound(x * y, exact(a) * exact(b))) << i;
+    ASSERT_TRUE(is_within_bound(x / y, exact(a) / exact(b))) << i;
+    ASSERT_TRUE(is_within_bound(x * y - z * y, (exact(a) - exact(c)) * exact(b))) << i;
+    if (a.hi > 0) {
+      const Bounded_double_double root = sqrt(x);
+      const Rational low = exact(root) - Rational(root.error()), high = exact(root) + Rational(root.error());
+      ASSERT_FALSE(exact(a) < low * low || high * high < exact(a)) << i;
+    }
+  }
+}
+
+TEST(Double_double, has_disks_that_hold)
+{
+  Operands operand;
+  for (int i = 0; i < 50000; ++i) {
+    const Double_double a = operand(), b = operand(), c = operand(), d = operand();
+    const Double_double_disk u(bounded(a), bounded(b)), v(bounded(c), bounded(d));
+    const auto expect_inside = [&](const Double_double_disk& computed, const Rational& x, const Rational& y) {
+      ASSERT_TRUE(is_within_bound(computed.x(), x)) << i;
+      ASSERT_TRUE(is_within_bound(computed.y(), y)) << i;
+    };
+    expect_inside(u + v, exact(a) + exact(c), exact(b) + exact(d));
+    expect_inside(u - v, exact(a) - exact(c), exact(b) - exact(d));
+    expect_inside(u * v, exact(a) * exact(c) - exact(b) * exact(d), exact(a) * exact(d) + exact(b) * exact(c));
+    expect_inside(times_conjugate(u, v), exact(a) * exact(c) + exact(b) * exact(d), exact(b) * exact(c) - exact(a) * exact(d));
+    ASSERT_TRUE(is_within_bound(squared_norm(u), exact(a) * exact(a) + exact(b) * exact(b))) << i;
+  }
+}
+
+} // namespace
