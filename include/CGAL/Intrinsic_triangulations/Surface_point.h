@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A point of a triangulated surface, and the value that vertex data take there.
+// A point of a triangulated surface, a direction there, and the value that vertex data take there.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_POINT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_POINT_H
@@ -44,6 +44,16 @@ struct Surface_point
       positive += x > 0 ? 1 : 0;
     return positive - 1;
   }
+};
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief a point of the input, and a direction in its face.
+struct Surface_direction
+{
+  Surface_point point; ///< where a line begins
+  /// by how much the barycentric coordinates of the target and of the third corner grow in this direction, in any unit; that of
+  /// the source falls by their sum
+  std::array<double, 2> displacement;
 };
 
 /// \cond SKIP_IN_MANUAL

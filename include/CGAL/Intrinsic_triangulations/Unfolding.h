@@ -121,25 +121,24 @@ public:
     return {frame.real(frame.weights({a, b, 0})[1]), u.vector, u.reference};
   }
 
-  // Twice the area of the triangle of h and a point of the input, in units of the squared length of an input edge: positive if
-  // the point lies to the left of h. The point lies in the input triangle that h runs through after so many crossings.
+  // The vector from the source of h, which begins at u, to a point of the input. The point lies in the input triangle that h
+  // runs through after so many crossings, or to the left of h if that coincides with an input edge.
+  Vector vector_to(const Surface_point& point, Halfedge_index h, const Edge_beginning& u, std::int64_t position) const
+  {
+    if (position == 0)
+      return position_in_face(u.reference, internal::coordinates_from(input_, point, u.reference)) - u.source;
+    const bool starts_inside = is_inserted(complex_.source(h));
+    const Halfedge_index front = starts_inside ? crossed(h, 0) : first_crossed(correspondence_.input_halfedge(h));
+    const Vector end = end_of_strip(h, front, std::size_t(position), &point).vector;
+    return starts_inside ? end - u.source : end;
+  }
+
+  // Twice the area of the triangle of h and that point, in units of the squared length of an input edge: positive if the
+  // point lies to the left of h.
   Real area_beside(Halfedge_index h, std::int64_t position, const Surface_point& point) const
   {
-    const Edge_vector u = edge_vector(h);
-    const std::int64_t n = correspondence_.coordinates().number_of_crossings(complex_.edge(h));
-    Vector p = u.vector;
-    if (position == 0) {
-      p = position_in_face(u.reference, internal::coordinates_from(input_, point, u.reference)) -
-          position_of_source(h, n, u.reference);
-    } else {
-      const Halfedge_index source_roundabout = correspondence_.input_halfedge(h);
-      const bool starts_inside = is_inserted(complex_.source(h));
-      const Halfedge_index front = starts_inside ? crossed(h, 0) : first_crossed(source_roundabout);
-      p = end_of_strip(h, front, std::size_t(position), &point).vector;
-      if (starts_inside)
-        p = p - position_of_source(h, n, u.reference);
-    }
-    return internal::area_between(u.vector, p);
+    const Edge_beginning u = edge_beginning(h);
+    return internal::area_between(u.vector, vector_to(point, h, u, position));
   }
 
   // Lays out the strip of an edge that crosses input edges.

@@ -14,21 +14,10 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
 
-#include <array>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
-
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
-/// \brief a point of the input, and a direction in its face.
-struct Surface_direction
-{
-  Surface_point point; ///< where a line begins
-  /// by how much the barycentric coordinates of the target and of the third corner grow in this direction, in any unit; that of
-  /// the source falls by their sum
-  std::array<double, 2> displacement;
-};
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief where a traced line ends.
@@ -39,7 +28,7 @@ enum class Trace_status {
 };
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
-/// \brief a straight line on the input.
+/// \brief a straight line on the input, or on the current triangulation.
 struct Traced_geodesic
 {
   Trace_status status = Trace_status::AT_LENGTH; ///< where it ends
@@ -52,6 +41,7 @@ struct Traced_geodesic
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 Traced_geodesic trace(const Exact_geometry& geometry, const Surface_direction& start, double length);
+Traced_geodesic trace(const Delta_complex& complex, const Exact_geometry& geometry, const Surface_direction& start, double length);
 Surface_direction direction_at_vertex(const Exact_geometry& geometry, Halfedge_index h, double angle);
 } // namespace internal
 /// \endcond
@@ -77,6 +67,27 @@ Traced_geodesic trace_geodesic(const Intrinsic_triangulation<Traits>& triangulat
                                double length)
 {
   return internal::trace(triangulation.exact_geometry(), start, length);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief follows the same line over the faces of the current triangulation.
+///
+/// The start is a point of the input, as for `trace_geodesic()`; the points of the result, and its vertex, are those of the triangulation. An
+/// inserted vertex does not end the line, since the surface is flat there: the line goes on in another face at that vertex, with a point at the corner.
+/// On an edge of the triangulation, the line runs along one of the two faces beside it.
+///
+/// Each decision is exact, as for `trace_geodesic()`, and needs the layout of the edges of a face: its cost is that of the crossings of these edges.
+///
+/// \param triangulation the triangulation
+/// \param start a point of the input and a direction, as for `trace_geodesic()`
+/// \param length how far to go, in the unit of the input
+/// \return the line
+/// \exception Invalid_point_error, Undecided_error, Cancelled_error as `trace_geodesic()`
+template <class Traits>
+Traced_geodesic trace_geodesic_in_triangulation(const Intrinsic_triangulation<Traits>& triangulation, const Surface_direction& start,
+                                                double length)
+{
+  return internal::trace(triangulation.connectivity(), triangulation.exact_geometry(), start, length);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics

@@ -12,127 +12,151 @@
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_layout.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <algorithm>
 #include <cmath>
+#include <array>
 #include <cstddef>
-#include <optional>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The corners of the input faces along a line, in the frame of the first: 0 and 1 are the ends of the start's halfedge. The sum of the
-// start's coordinates is multiplied out where signs are asked for, since it is no input quantity. As in `Strip`,
-// directions are products alone, and positions sums of them.
-template <class Metric>
-class Line_layout
-{
-public:
-  using Vector = typename Metric::Vector;
-
-  Line_layout(const Delta_complex& input, Metric& metric, const Surface_direction& start)
-    : metric_(metric), frame_(input, metric), third_(frame_.ratios(start.point.halfedge).at_source),
-      sum_(real(start.point.coordinates[0]) + real(start.point.coordinates[1]) + real(start.point.coordinates[2])),
-      start_(real(start.point.coordinates[1]) + real(start.point.coordinates[2]) * third_),
-      direction_(real(start.displacement[0]) + real(start.displacement[1]) * third_), left_(third_), base_(third_)
-  {}
-
-  // A corner of the first face, counted from the source of its halfedge.
-  Vector corner(int i) const { return i == 2 ? third_ : real(i); }
-
-  // Leaves the first face by its side number i, over the halfedge h behind it.
-  void leave(int i, Halfedge_index h)
-  {
-    left_ = corner((i + 1) % 3);
-    base_ = corner(i) - left_;
-    entered_ = h;
-  }
-  // Goes on from the last face over h: to the left or to the right of its third corner.
-  void turn(bool is_left, Halfedge_index h)
-  {
-    const Corner_ratios<Vector>& r = frame_.ratios(entered_);
-    if (is_left) {
-      base_ = base_ * r.at_source;
-    } else {
-      left_ = left_ + base_ * r.at_source;
-      base_ = base_ * r.at_target;
-    }
-    entered_ = h;
-  }
-
-  // The ends of the halfedge that was crossed last, and the third corner of the face behind it.
-  const Vector& left() const { return left_; }
-  Vector right() const { return left_ + base_; }
-  Vector apex() const { return left_ + base_ * frame_.ratios(entered_).at_source; }
-
-  // Twice the area between the line and a corner: positive to its left; up to a positive factor.
-  auto side(const Vector& x) const { return area(direction_, from_start(x)); }
-  // How far along the line, in units of its displacement, it meets the last halfedge, or comes next to a corner.
-  auto crossing() const { return area(from_start(left_), base_) / (area(direction_, base_) * sum_.x()); }
-  auto along(const Vector& x) const
-  {
-    return times_conjugate(from_start(x), direction_).x() / (squared_norm(direction_) * sum_.x());
-  }
-  auto squared_speed() const { return squared_norm(direction_); }
-
-private:
-  Vector real(double x) const { return Vector(metric_.constant(x), metric_.constant(0)); }
-  static auto area(const Vector& a, const Vector& b) { return times_conjugate(b, a).y(); }
-  Vector from_start(const Vector& x) const { return x * sum_ - start_; }
-
-  Metric& metric_;
-  Metric_frame<Metric> frame_;
-  Vector third_, sum_, start_, direction_, left_, base_;
-  Halfedge_index entered_;
-};
-
+// Follows a line from face to face.
+template <class Faces>
 class Geodesic_tracer
 {
 public:
-  Geodesic_tracer(const Exact_geometry& geometry, const Surface_direction& start, double length)
-    : geometry_(geometry), input_(geometry.correspondence().input()), surface_(geometry.input_surface()), start_(start),
-      metric_(*surface_), layout_(input_, metric_, start), wanted_(length)
+  Geodesic_tracer(const Faces& faces, const Exact_geometry& geometry, const Surface_direction& start, double length)
+    : faces_(faces), complex_(faces.complex), geometry_(geometry), surface_(geometry.input_surface()), metric_(*surface_), start_(start),
+      layout_(faces, metric_), wanted_(length)
   {}
 
   Traced_geodesic operator()()
   {
     using Real = Bounded_double_double;
-    const auto& b = start_.point.coordinates;
-    const double sum = b[0] + b[1] + b[2];
-    before_ = {start_.point.halfedge, {b[0] / sum, b[1] / sum, b[2] / sum}};
-    result_.points.push_back(before_);
-    const Real s = metric_.squared_length(input_.edge(start_.point.halfedge));
-    const Real speed = sqrt(layout_.squared_speed() * s);
+    const Delta_complex& input = geometry_.correspondence().input();
+    const Real speed = sqrt(layout_.squared_speed() * metric_.squared_length(input.edge(layout_.unit())));
     speed_ = std::ldexp(speed.hi(), geometry_.metric().unit_exponent());
     if (!(speed_ > 0))
       throw Invalid_point_error("a line needs a direction: the displacement is zero, or too small");
-    if (leave_first_face())
-      for (std::size_t i = 0; cross_face(); ++i)
-        if (i % 64 == 63)
-          geometry_.interruption().check();
+    begin();
+    result_.points.push_back(before_);
+    bool goes_on = leave_first_face();
+    for (std::size_t i = 1; goes_on; ++i) {
+      if (i % 64 == 0)
+        geometry_.interruption().check();
+      goes_on = is_at_source_ ? leave_source() : cross_face();
+    }
     return std::move(result_);
   }
 
 private:
-  template <class Evaluate>
-  Sign sign(const Evaluate& evaluate)
+  // The sign of a number that a layout computes.
+  template <class Compute>
+  Sign sign(const Compute& compute)
   {
+    const Uncertain<Sign> quick = compute(layout_).sign();
+    if (is_certain(quick))
+      return get_certain(quick);
+    const auto evaluate = [&](auto& metric) {
+      Line_layout<Faces, std::decay_t<decltype(metric)>> layout(faces_, metric);
+      for (std::size_t i = 0; i < moves_.size(); ++i) {
+        if (i % 64 == 63)
+          metric.interruption().check();
+        layout.move(moves_[i]);
+      }
+      return compute(layout);
+    };
     return exact_sign(*surface_, evaluate, [&] {
-      return "a line from a point of face " + std::to_string(input_.face(start_.point.halfedge).idx()) +
-             ": that it meets a vertex";
+      return "a line from a point of input face " +
+             std::to_string(geometry_.correspondence().input().face(start_.point.halfedge).idx()) + ": that it meets a vertex";
     });
   }
-
-  Halfedge_index first_side(int i) const
+  Sign side_of_corner(int i)
   {
-    Halfedge_index h = start_.point.halfedge;
+    return sign([i](auto& layout) { return layout.side_of_corner(i); });
+  }
+  Sign side_of_start(int i)
+  {
+    return sign([i](auto& layout) { return layout.side_of_start(i); });
+  }
+  Sign side_of_direction(int i)
+  {
+    return sign([i](auto& layout) { return layout.side_of_direction(i); });
+  }
+
+  void move(int side, bool is_crossed)
+  {
+    moves_.push_back({std::uint8_t(side), is_crossed});
+    layout_.move(moves_.back());
+  }
+  // Makes a corner of the face the first one.
+  void turn_to_corner(int i)
+  {
+    if (i > 0)
+      move(i, false);
+  }
+
+  Halfedge_index side(int i) const
+  {
+    Halfedge_index h = layout_.entered();
     for (; i > 0; --i)
-      h = input_.next(h);
+      h = complex_.next(h);
     return h;
+  }
+  bool is_border(int i) const { return complex_.is_border(complex_.opposite(side(i))); }
+
+  // Goes to a face that has the start, and into which the direction leads.
+  void begin()
+  {
+    if constexpr (!Faces::has_divisors) {
+      const auto& b = start_.point.coordinates;
+      const double sum = b[0] + b[1] + b[2];
+      before_ = {start_.point.halfedge, {b[0] / sum, b[1] / sum, b[2] / sum}};
+      for (int i = 0; i < 3; ++i)
+        is_start_[i] = b[(i + 1) % 3] == 0 && b[(i + 2) % 3] == 0;
+    } else if (faces_.begins_at_input_vertex()) {
+      while (side_of_direction(2) == NEGATIVE) // counterclockwise around the vertex
+        move(2, true);
+      begin_at_source();
+    } else {
+      std::array<bool, 3> is_on_side{};
+      for (int i = 0; i < 3; ++i)
+        is_on_side[i] = side_of_start(i) == ZERO;
+      for (int i = 0; i < 3; ++i)
+        if (is_on_side[i] && is_on_side[(i + 2) % 3]) {
+          turn_to_corner(i);
+          if (!turn_to_direction())
+            throw Invalid_point_error("the direction leaves the surface at once");
+          return begin_at_source();
+        }
+      for (int i = 0; i < 3; ++i)
+        if (is_on_side[i] && side_of_direction(i) == NEGATIVE) {
+          move(i, true);
+          is_on_side = {true, false, false};
+          break;
+        }
+      std::array<double, 3> b = layout_.coordinates_of_start();
+      double sum = 0;
+      for (int i = 0; i < 3; ++i)
+        sum += b[(i + 2) % 3] = is_on_side[i] ? 0 : (std::max)(b[(i + 2) % 3], smallest);
+      before_ = {layout_.entered(), {b[0] / sum, b[1] / sum, b[2] / sum}};
+    }
+  }
+  void begin_at_source()
+  {
+    is_start_[0] = true;
+    before_ = {layout_.entered(), {1, 0, 0}};
   }
 
   // Returns whether the line goes on.
@@ -140,132 +164,151 @@ private:
   {
     std::array<Sign, 3> side{};
     for (int i = 0; i < 3; ++i)
-      side[i] = is_start(i) ? ZERO : sign([&](auto& metric) {
-        const Line_layout<std::decay_t<decltype(metric)>> layout(input_, metric, start_);
-        return layout.side(layout.corner(i));
-      });
+      side[i] = is_start_[i] ? ZERO : side_of_corner(i);
     for (int i = 0; i < 3; ++i)
-      if (side[i] == NEGATIVE && side[(i + 1) % 3] == POSITIVE) {
-        first_exit_ = i;
-        const Halfedge_index h = first_side(i);
-        layout_.leave(i, input_.opposite(h));
-        return leave(h);
-      }
+      if (side[i] == NEGATIVE && side[(i + 1) % 3] == POSITIVE)
+        return leave(i);
     for (int i = 0; i < 3; ++i) {
       const Sign right = side[(i + 2) % 3], left = side[(i + 1) % 3];
-      if (side[i] == ZERO && !is_start(i) && right != POSITIVE && left != NEGATIVE && right != left) {
-        Surface_point corner{start_.point.halfedge, {0, 0, 0}};
-        corner.coordinates[i] = 1;
-        end_in_vertex(corner, layout_.along(layout_.corner(i)).hi(), input_.source(first_side(i)));
-        return false;
-      }
+      if (side[i] == ZERO && !is_start_[i] && right != POSITIVE && left != NEGATIVE && right != left)
+        return reach_vertex(i);
     }
-    throw Invalid_point_error("face " + std::to_string(input_.face(start_.point.halfedge).idx()) +
+    throw Invalid_point_error("face " + std::to_string(complex_.face(layout_.entered()).idx()) +
                               " has zero area: a line cannot begin there");
   }
 
-  bool is_start(int i) const
-  {
-    const auto& b = start_.point.coordinates;
-    return b[(i + 1) % 3] == 0 && b[(i + 2) % 3] == 0;
-  }
-
-  // Goes through the face behind the last halfedge.
+  // Goes through the face that was entered over its first side.
   bool cross_face()
   {
-    Uncertain<Sign> quick = layout_.side(layout_.apex()).sign();
-    const Sign side = is_certain(quick) ? get_certain(quick) : sign([&](auto& metric) {
-      Line_layout<std::decay_t<decltype(metric)>> layout(input_, metric, start_);
-      layout.leave(first_exit_, crossed_[0]);
-      for (std::size_t i = 1; i < crossed_.size(); ++i) {
-        if (i % 64 == 0)
-          metric.interruption().check();
-        layout.turn(turns_left_[i - 1], crossed_[i]);
-      }
-      return layout.side(layout.apex());
-    });
-    const Halfedge_index g = crossed_.back();
-    if (side == ZERO) {
-      end_in_vertex({g, {0, 0, 1}}, layout_.along(layout_.apex()).hi(), input_.target(input_.next(g)));
-      return false;
-    }
-    const bool turns_left = side == NEGATIVE; // past the third corner, which is on the right
-    const Halfedge_index h = turns_left ? input_.prev(g) : input_.next(g);
-    layout_.turn(turns_left, input_.opposite(h));
-    turns_left_.push_back(turns_left);
-    return leave(h);
+    const Sign side = side_of_corner(2);
+    if (side == ZERO)
+      return reach_vertex(2);
+    return leave(side == NEGATIVE ? 2 : 1); // past the third corner, which is on the right or on the left
   }
 
-  // Ends the line before or on the side h of the face where it is, or takes it over that side, where the layout is already.
-  bool leave(Halfedge_index h)
+  // Leaves the first corner of a face, through its inside or along one of the two sides.
+  bool leave_source()
   {
-    const double left = layout_.side(layout_.left()).hi(), right = -layout_.side(layout_.right()).hi();
-    const double from_left = (std::min)(1., (std::max)(0., left / (left + right)));
-    const Surface_point exit{h, {from_left, 1 - from_left, 0}}; // h begins on the right
+    is_at_source_ = false;
+    for (int i : {1, 2})
+      if (side_of_corner(i) == ZERO)
+        return reach_vertex(i);
+    return leave(1);
+  }
+
+  // Turns around the first corner of the face, where the surface is flat, to the face into which the direction leads.
+  // Returns whether there is one.
+  bool turn_to_direction()
+  {
+    const Halfedge_index begin = layout_.entered();
+    while (!leads_into_face()) { // counterclockwise
+      if (is_border(2))
+        return side_of_direction(0) == POSITIVE && side_of_direction(2) == ZERO ? true : turn_clockwise(); // along the border
+      move(2, true);
+      if (layout_.entered() == begin) // all faces have zero area
+        return false;
+    }
+    return true;
+  }
+  bool turn_clockwise()
+  {
+    while (!is_border(0)) {
+      move(0, true);
+      turn_to_corner(1);
+      if (leads_into_face())
+        return true;
+    }
+    return false;
+  }
+  // Between its first side, or along that, and its last.
+  bool leads_into_face() { return side_of_direction(0) != NEGATIVE && side_of_direction(2) == POSITIVE; }
+
+  // Ends the line before or on a side of the face where it is, or takes it over that side.
+  bool leave(int i)
+  {
+    const Halfedge_index h = side(i);
+    const bool is_at_border = is_border(i);
+    move(i, true);
+    // Both are positive, however near the line comes to a vertex.
+    const double left = (std::max)(layout_.side_of_corner(0).hi(), smallest), right = (std::max)(-layout_.side_of_corner(1).hi(), smallest);
+    const double of_left = (std::max)(right / (left + right), smallest), of_right = (std::max)(left / (left + right), smallest);
+    const Surface_point exit{h, {of_right, of_left, 0}};
     const double at = (std::max)(length_, layout_.crossing().hi() * speed_);
-    if (!(at < wanted_)) {
-      end_between(exit, at);
-      return false;
-    }
+    if (!(at < wanted_))
+      return end_between(exit, at);
     length_ = at;
-    if (input_.is_border(input_.opposite(h))) {
-      result_.status = Trace_status::AT_BORDER;
-      result_.length = at;
-      result_.points.push_back(exit);
-      return false;
-    }
-    before_ = {input_.opposite(h), {1 - from_left, from_left, 0}};
+    if (is_at_border)
+      return end(Trace_status::AT_BORDER, exit);
+    before_ = {layout_.entered(), {of_left, of_right, 0}};
     result_.points.push_back(before_);
-    crossed_.push_back(before_.halfedge);
     return true;
   }
 
-  void end_in_vertex(const Surface_point& corner, double along, Vertex_index v)
+  bool reach_vertex(int i)
   {
-    const double at = (std::max)(length_, along * speed_);
+    Surface_point corner{layout_.entered(), {0, 0, 0}};
+    corner.coordinates[std::size_t(i)] = 1;
+    const double at = (std::max)(length_, layout_.along(i).hi() * speed_);
     if (wanted_ < at)
       return end_between(corner, at);
-    result_.status = Trace_status::AT_VERTEX;
-    result_.vertex = v;
-    result_.length = at;
-    result_.points.push_back(corner);
+    length_ = at;
+    const Vertex_index v = complex_.source(side(i));
+    if (!faces_.is_flat_at(v)) {
+      result_.vertex = v;
+      return end(Trace_status::AT_VERTEX, corner);
+    }
+    turn_to_corner(i);
+    if (!turn_to_direction())
+      return end(Trace_status::AT_BORDER, corner);
+    is_at_source_ = true;
+    before_ = {layout_.entered(), {1, 0, 0}};
+    result_.points.push_back(before_);
+    return true;
   }
 
   // Ends the line where it has the length that was asked for, in the face between `before_` and a point of another side.
-  void end_between(const Surface_point& exit, double at)
+  bool end_between(const Surface_point& exit, double at)
   {
     const double t = at > length_ ? (wanted_ - length_) / (at - length_) : 1;
     std::size_t shift = 0;
-    for (Halfedge_index h = exit.halfedge; h != before_.halfedge; h = input_.next(h))
+    for (Halfedge_index h = exit.halfedge; h != before_.halfedge; h = complex_.next(h))
       ++shift;
-    Surface_point end = before_;
+    Surface_point point = before_;
     for (std::size_t i = 0; i < 3; ++i)
-      end.coordinates[i] = (1 - t) * before_.coordinates[i] + t * exit.coordinates[(i + shift) % 3];
-    result_.status = Trace_status::AT_LENGTH;
-    result_.length = wanted_;
-    result_.points.push_back(end);
+      point.coordinates[i] = (1 - t) * before_.coordinates[i] + t * exit.coordinates[(i + shift) % 3];
+    length_ = wanted_;
+    return end(Trace_status::AT_LENGTH, point);
   }
 
+  bool end(Trace_status status, const Surface_point& point)
+  {
+    result_.status = status;
+    result_.length = length_;
+    result_.points.push_back(point);
+    return false;
+  }
+
+  static constexpr double smallest = (std::numeric_limits<double>::min)();
+
+  const Faces& faces_;
+  const Delta_complex& complex_;
   const Exact_geometry& geometry_;
-  const Delta_complex& input_;
   Exact_geometry::Surface_lease surface_;
-  const Surface_direction& start_;
   Double_double_metric metric_;
-  Line_layout<Double_double_metric> layout_;
+  const Surface_direction& start_;
+  Line_layout<Faces, Double_double_metric> layout_;
   double wanted_;
   double speed_ = 0; // the length of the displacement, in the unit of the input
   double length_ = 0;
-  Surface_point before_{};
-  int first_exit_ = 0;
-  std::vector<Halfedge_index> crossed_; // each with the face that was entered to its left
-  std::vector<bool> turns_left_;        // between them
+  Surface_point before_{};         // where the line entered the current face
+  std::array<bool, 3> is_start_{}; // which corner of the first face
+  bool is_at_source_ = false;      // whether it did so in the first corner
+  std::vector<Line_move> moves_;   // from the first face to the current one
   Traced_geodesic result_;
 };
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Traced_geodesic trace(const Exact_geometry& geometry, const Surface_direction& start, double length)
+inline void check_line(const Delta_complex& input, const Surface_direction& start, double length)
 {
-  const Delta_complex& input = geometry.correspondence().input();
   const auto& b = start.point.coordinates;
   const Halfedge_index h = start.point.halfedge;
   if (!(h.idx() < input.number_of_halfedges()) || input.is_border(h))
@@ -284,7 +327,23 @@ Traced_geodesic trace(const Exact_geometry& geometry, const Surface_direction& s
     throw Invalid_point_error("the start of a line needs a positive coordinate and a displacement other than zero");
   if (!std::isfinite(length) || length < 0)
     throw Invalid_point_error("the length of a line has to be finite and not negative");
-  return Geodesic_tracer(geometry, start, length)();
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Traced_geodesic trace(const Exact_geometry& geometry, const Surface_direction& start, double length)
+{
+  const Delta_complex& input = geometry.correspondence().input();
+  check_line(input, start, length);
+  const Input_faces faces(input, start);
+  return Geodesic_tracer<Input_faces>(faces, geometry, start, length)();
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Traced_geodesic trace(const Delta_complex& complex, const Exact_geometry& geometry, const Surface_direction& start, double length)
+{
+  check_line(geometry.correspondence().input(), start, length);
+  const Current_faces faces(complex, geometry, start);
+  return Geodesic_tracer<Current_faces>(faces, geometry, start, length)();
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

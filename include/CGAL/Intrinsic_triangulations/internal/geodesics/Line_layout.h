@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The faces along a straight line, laid out in the plane.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINE_LAYOUT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINE_LAYOUT_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_faces.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <type_traits>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// One step through the faces along a line: over a side of the current face, counted from the halfedge that it was entered by, or
+// only to that side as the one to count from.
+struct Line_move
+{
+  std::uint8_t side;
+  bool is_crossed;
+};
+
+// The current face, in the frame of the first halfedge. As in `Strip`, directions are products alone, and positions sums of them. Nothing
+// is divided but by input quantities: positions are multiples of what they stand for, by a positive number, the scale.
+template <class Faces, class Metric>
+class Line_layout
+{
+public:
+  using Vector = typename Metric::Vector;
+
+  Line_layout(const Faces& faces, Metric& metric) : Line_layout(faces, metric, faces.begin(metric)) {}
+
+  // The halfedge of the current face from which sides and corners are counted.
+  Halfedge_index entered() const { return entered_; }
+  // The input halfedge of which lengths are multiples.
+  Halfedge_index unit() const { return unit_; }
+
+  void move(Line_move m)
+  {
+    const Delta_complex& complex = faces_.complex;
+    if (m.side == 0) {
+      left_ = left_ + base_;
+      base_ = negative(base_);
+      entered_ = complex.opposite(entered_);
+      return;
+    }
+    const Third_corner<Vector>& third = third_corner();
+    if (m.side == 1) {
+      left_ = m.is_crossed ? divisible(left_) + base_ * third.from_source : divisible(left_ + base_);
+      base_ = base_ * third.to_target;
+    } else {
+      left_ = m.is_crossed ? divisible(left_) : divisible(left_) + base_ * third.from_source;
+      base_ = base_ * third.from_source;
+    }
+    if (!m.is_crossed)
+      base_ = negative(base_);
+    scale_ = divisible(scale_);
+    const Halfedge_index side = m.side == 1 ? complex.next(entered_) : complex.prev(entered_);
+    entered_ = m.is_crossed ? complex.opposite(side) : side;
+    keep_in_range();
+  }
+
+  // Twice the area between the line and a corner: positive to its left; up to a positive factor.
+  auto side_of_corner(int i) { return area_between(direction_, from_start(i)); }
+  // The same for the start beside a side of the face, and for the direction.
+  auto side_of_start(int i) { return area_between(along_side(i), negative(from_start(i == 2 ? 0 : i))); }
+  auto side_of_direction(int i) { return area_between(along_side(i), direction_); }
+
+  // How far along the line, in units of its displacement, it meets the first side, or comes next to a corner.
+  auto crossing() const
+  {
+    return area_between(from_start(left_, scale_), base_) / (area_between(direction_, base_) * (sum_ * scale_).x());
+  }
+  auto along(int i)
+  {
+    return times_conjugate(from_start(i), direction_).x() / (squared_norm(direction_) * (sum_ * scale_of_corner(i)).x());
+  }
+  auto squared_speed() const { return squared_norm(direction_); }
+
+  // The coordinates of the start in the face, rounded, times its area.
+  std::array<double, 3> coordinates_of_start()
+  {
+    const auto twice_area = [this](int i) { return side_of_start(i).hi(); };
+    const double s = third_corner().divisor.x().hi();
+    return {twice_area(1), twice_area(2), twice_area(0) * s};
+  }
+
+private:
+  Line_layout(const Faces& faces, Metric& metric, const Line_beginning<Vector>& line)
+    : faces_(faces), metric_(metric), start_(line.start), sum_(line.sum), direction_(line.direction), left_(real(0)), base_(line.base),
+      scale_(real(1)), entered_(faces.first()), unit_(line.unit)
+  {}
+
+  Vector real(double x) const { return Vector(metric_.constant(x), metric_.constant(0)); }
+  Vector negative(const Vector& x) const { return real(0) - x; }
+
+  const Third_corner<Vector>& third_corner()
+  {
+    if (third_of_ != entered_) {
+      third_ = faces_.third_corner(metric_, entered_);
+      third_of_ = entered_;
+    }
+    return *third_;
+  }
+  // What remains to be divided by the divisor of the third corner.
+  Vector divisible(const Vector& x)
+  {
+    if constexpr (Faces::has_divisors)
+      return x * third_corner().divisor;
+    else
+      return x;
+  }
+
+  Vector from_start(const Vector& x, const Vector& scale) const { return x * sum_ - start_ * scale; }
+  Vector from_start(int i)
+  {
+    if (i == 2)
+      return from_start(divisible(left_) + base_ * third_corner().from_source, scale_of_corner(i));
+    return from_start(i == 0 ? left_ : left_ + base_, scale_);
+  }
+  Vector scale_of_corner(int i) { return i == 2 ? divisible(scale_) : scale_; }
+  // Up to a positive factor.
+  Vector along_side(int i)
+  {
+    return i == 0 ? base_ : negative(base_ * (i == 1 ? third_corner().to_target : third_corner().from_source));
+  }
+
+  // Double-doubles have the range of doubles.
+  void keep_in_range()
+  {
+    if constexpr (Faces::has_divisors && std::is_same_v<Metric, Double_double_metric>) {
+      const int exponent = std::ilogb(scale_.x().hi());
+      if (std::abs(exponent) > 64) {
+        const Vector power = real(std::ldexp(1., -exponent));
+        left_ = left_ * power;
+        base_ = base_ * power;
+        scale_ = scale_ * power;
+      }
+    }
+  }
+
+  const Faces& faces_;
+  Metric& metric_;
+  Vector start_, sum_, direction_, left_, base_, scale_;
+  Halfedge_index entered_, unit_, third_of_;
+  std::optional<Third_corner<Vector>> third_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINE_LAYOUT_H
