@@ -3,8 +3,10 @@
 
 #include "commands/Result_files.h"
 
+#include "input/flat_vertices.h"
 #include "input/repair.h"
 #include "output/Output_file.h"
+#include "output/write_json.h"
 #include "system/Stopwatch.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -81,6 +83,7 @@ void Result_files::write(Triangulation_result& result) const
 {
   const Stopwatch stopwatch;
   write_file(repair_map, [&](std::ostream& os) { write_repair_map(os, result.surface); });
+  write_file(vertex_map, [&](std::ostream& os) { write_vertex_map(os, result.surface); });
   write_file(points, [&](std::ostream& os) { write_points(os, result); });
   write_file(edges, [&](std::ostream& os) { write_edges(os, result); });
   write_file(Laplacian, [&](std::ostream& os) { write_Laplacian(os, result); });
@@ -91,7 +94,7 @@ void Result_files::write(Triangulation_result& result) const
   }
   if (result.options.wanted.numbers || result.outcome.subdivision || !points.empty())
     result.write_seconds = stopwatch.seconds();
-  write_file(stats, [&](std::ostream& os) { os << statistics(result).dump(2) << '\n'; });
+  write_json(stats, statistics(result));
 }
 
 } // namespace idt

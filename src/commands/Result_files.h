@@ -18,12 +18,12 @@ namespace idt {
 // Their paths as options of the command line; what has an empty path is not written.
 struct Result_files
 {
-  std::string stats, edges, Laplacian, mass, crossings, overlay, points, repair_map;
+  std::string stats, edges, Laplacian, mass, crossings, overlay, points, repair_map, vertex_map;
 
   // Declares the options that all triangulations have. \param repair the option without which there is no repair map
   void add_options(CLI::App& command, CLI::Option* repair);
 
-  std::vector<std::string> paths() const { return {stats, edges, Laplacian, mass, crossings, overlay, points, repair_map}; }
+  std::vector<std::string> paths() const { return {stats, edges, Laplacian, mass, crossings, overlay, points, repair_map, vertex_map}; }
 
   // \exception Usage_error if a file would replace another, or an input, or has no format for an overlay
   void check_paths(const std::vector<std::string>& inputs) const;

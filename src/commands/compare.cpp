@@ -4,7 +4,7 @@
 // `idt compare`: robustness and time, number type by number type.
 
 #include "commands/Comparison.h"
-#include "output/Output_file.h"
+#include "output/write_json.h"
 #include "commands/commands.h"
 #include "system/text.h"
 
@@ -128,13 +128,7 @@ Exit_status run_compare(Compare_options options)
     write(std::cout, all);
     flush_standard_output();
   }
-  if (!options.json_path.empty()) {
-    const Json json = {{"surfaces", json_array(comparisons)}, {"totals", json_array(all)}};
-    Output_file file(options.json_path);
-    // A file name need not be valid UTF-8.
-    file.stream() << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    file.commit();
-  }
+  write_json(options.json_path, {{"surfaces", json_array(comparisons)}, {"totals", json_array(all)}});
   return status;
 }
 

@@ -3,6 +3,7 @@
 //
 // `idt distance`
 
+#include "commands/Flip_watch.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "input/Surface.h"
@@ -10,6 +11,7 @@
 #include "input/gluing_file.h"
 #include "output/Output_file.h"
 #include "output/write_distances.h"
+#include "output/write_json.h"
 #include "system/Interruption.h"
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
@@ -26,7 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -88,8 +90,7 @@ void check(const Distance_options& options)
   if (!(options.time_coefficient > 0 && std::isfinite(options.time_coefficient)))
     throw Usage_error("--time: T is a positive number");
   const std::string& path = options.output_path;
-  const std::size_t dot = path.rfind('.');
-  const std::string type = dot == std::string::npos ? "" : path.substr(dot);
+  const std::string type = std::filesystem::path(path).extension().string();
   if (!path.empty() && type != ".csv" && type != ".ply" && type != ".vtp")
     throw Usage_error(path + ": distances are written as a file whose name ends in .csv, .ply or .vtp");
   check_output_paths({path, options.stats_path}, {options.input});
@@ -106,15 +107,14 @@ IT::Heat_method_options library_options(const Distance_options& options)
   return result;
 }
 
-struct Distance_visitor : IT::Default_refinement_visitor
+struct Refinement_watch : IT::Default_refinement_visitor
 {
-  explicit Distance_visitor(Progress& progress) : progress(progress) {}
-  bool go_further(std::uint64_t tests, std::uint64_t flips)
+  explicit Refinement_watch(Progress& progress) : progress(progress) {}
+  bool go_further(std::uint64_t points, std::uint64_t)
   {
-    progress.show_flips(tests, flips);
+    progress.show_points(points);
     return !is_interrupted();
   }
-  void after_flip(IT::Edge_index) {}
   Progress& progress;
 };
 
@@ -145,8 +145,7 @@ void find_distances(const Distance_options& options, IT::Heat_method<> heat, Dis
 void find_on_cover(const Distance_options& options, IT::Tufted_cover cover, Progress& progress, Stopwatch& stopwatch,
                    Distance_result& result)
 {
-  Distance_visitor visitor(progress);
-  const IT::Flip_report report = IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(std::ref(visitor)));
+  const IT::Flip_report report = IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
   require(report.status == IT::Flip_status::DELAUNAY);
   result.flips = report.flips;
   result.triangulation_seconds = stopwatch.restart();
@@ -186,15 +185,15 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
   set_number_of_vertices(options, complex.number_of_vertices(), result);
   result.read_seconds = stopwatch.restart();
   Progress progress(options.input);
-  Distance_visitor visitor(progress);
   Triangulation triangulation =
     surface.has_points() ? Triangulation(complex, surface.points) : Triangulation::from_lengths(complex, surface.lengths);
-  const IT::Flip_report report = IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(std::ref(visitor)));
+  const IT::Flip_report report = IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
   require(report.status == IT::Flip_status::DELAUNAY);
   result.flips = report.flips;
   if (options.is_refined) {
+    triangulation.set_interruption([] { return !is_interrupted(); }); // a single decision can take long
     const IT::Refinement_report refinement =
-      IT::refine_Delaunay(triangulation, IT::Refinement_criteria(), CGAL::parameters::visitor(std::ref(visitor)));
+      IT::refine_Delaunay(triangulation, IT::Refinement_criteria(), CGAL::parameters::visitor(Refinement_watch(progress)));
     require(refinement.status != IT::Refinement_status::CANCELLED);
     result.flips += refinement.flips;
     result.number_of_inserted_vertices = triangulation.connectivity().number_of_vertices() - complex.number_of_vertices();
@@ -248,7 +247,7 @@ Exit_status run_distance(const Distance_options& options)
     else
       find_on_surface(options, result);
     const std::string& output = options.output_path;
-    const std::string type = output.empty() ? "" : output.substr(output.rfind('.'));
+    const std::string type = std::filesystem::path(output).extension().string();
     if (result.surface.points.empty() && result.surface.number_of_vertices > 0 && !type.empty() && type != ".csv")
       throw Usage_error(output + ": " + path + " has lengths alone, no points: write a .csv file");
     write_file(output, [&](std::ostream& os) {
@@ -259,10 +258,7 @@ Exit_status run_distance(const Distance_options& options)
       else
         write_distances_vtp(os, result.surface);
     });
-    write_file(options.stats_path, [&](std::ostream& os) {
-      // A file name need not be valid UTF-8.
-      os << statistics(options, result).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    });
+    write_json(options.stats_path, statistics(options, result));
     write_report(std::cout, options, result);
     flush_standard_output();
     return Exit_status::DONE;

@@ -8,6 +8,7 @@
 #include "input/Surface.h"
 #include "input/mesh_file.h"
 #include "output/Output_file.h"
+#include "output/write_json.h"
 #include "system/Interruption.h"
 #include "system/Stopwatch.h"
 #include "system/text.h"
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -61,12 +63,6 @@ struct Curve
   std::optional<IT::Vertex_index> vertex; // where it was shrunk to, or ends
 };
 
-std::string extension(const std::string& path)
-{
-  const std::size_t dot = path.rfind('.');
-  return dot == std::string::npos ? std::string() : path.substr(dot);
-}
-
 void check(const Geodesic_options& options)
 {
   if (options.direction.has_value() != options.length.has_value())
@@ -79,7 +75,7 @@ void check(const Geodesic_options& options)
     throw Usage_error("--closed needs two of --via and --to beside --from: the curve begins as the one through these vertices");
   if (options.direction && (!std::isfinite(*options.direction) || !std::isfinite(*options.length) || *options.length < 0))
     throw Usage_error("--direction and --length have to be finite, and the length not negative");
-  const std::string type = extension(options.output_path);
+  const std::string type = std::filesystem::path(options.output_path).extension().string();
   if (!options.output_path.empty() && type != ".obj" && type != ".csv" && type != ".ply")
     throw Usage_error(options.output_path + ": a curve is written as a file whose name ends in .obj, .csv or .ply");
   check_output_paths({options.output_path, options.stats_path}, {options.input});
@@ -275,7 +271,7 @@ Exit_status run_geodesic(const Geodesic_options& options)
   check(options);
   return for_each_input({options.input}, [&](const std::string& path) {
     const Surface surface = load_surface(path, {std::nullopt, options.is_repaired});
-    const std::string type = extension(options.output_path);
+    const std::string type = std::filesystem::path(options.output_path).extension().string();
     if (!surface.has_points() && (type == ".obj" || type == ".ply"))
       throw Usage_error(options.output_path + ": " + path + " has lengths alone, no points: write a .csv file");
     const Stopwatch stopwatch;
@@ -296,10 +292,7 @@ Exit_status run_geodesic(const Geodesic_options& options)
       else
         write_csv(os, surface.connectivity, curve, points);
     });
-    write_file(options.stats_path, [&](std::ostream& os) {
-      // A file name need not be valid UTF-8.
-      os << json_value(options, curve, seconds).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    });
+    write_json(options.stats_path, json_value(options, curve, seconds));
     write_report(std::cout, options, curve, seconds);
     flush_standard_output();
     return curve.is_geodesic ? Exit_status::DONE : Exit_status::NOT_FINISHED;

@@ -3,11 +3,13 @@
 //
 // `idt laplacian`
 
+#include "commands/Flip_watch.h"
 #include "commands/commands.h"
 
 #include "input/Triangle_soup.h"
 #include "input/gluing_file.h"
 #include "output/Output_file.h"
+#include "output/write_json.h"
 #include "output/write_symmetric_matrix.h"
 #include "system/Interruption.h"
 #include "system/Progress.h"
@@ -67,18 +69,6 @@ IT::Tufted_Laplacian_options library_options(const Laplacian_options& options)
   result.mollification = options.mollification;
   return result;
 }
-
-// Shows how far the flips are, and ends them when asked to.
-struct Flip_watch
-{
-  Progress& progress;
-  bool go_further(std::uint64_t tests, std::uint64_t flips)
-  {
-    progress.show_flips(tests, flips);
-    return !is_interrupted();
-  }
-  void after_flip(IT::Edge_index) {}
-};
 
 void find_operator(const Laplacian_options& options, Laplacian_result& result)
 {
@@ -198,10 +188,7 @@ Exit_status run_Laplacian(const Laplacian_options& options)
                                                            : "mass of linear finite elements",
                              result.Laplacian.mass);
     });
-    write_file(options.stats_path, [&](std::ostream& os) {
-      // A file name need not be valid UTF-8.
-      os << statistics(options, result).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    });
+    write_json(options.stats_path, statistics(options, result));
     write_report(std::cout, options, result);
     flush_standard_output();
     return Exit_status::DONE;

@@ -5,6 +5,7 @@
 
 #include "system/Interruption.h"
 #include "output/Output_file.h"
+#include "output/write_json.h"
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
 #include "commands/commands.h"
@@ -230,13 +231,8 @@ void write_files(const Parameterize_options& options, const Result& result)
     write_distortion(file.stream(), result);
     file.commit();
   }
-  if (!options.json_path.empty()) {
-    Output_file file(options.json_path);
-    // A file name need not be valid UTF-8.
-    file.stream() << json_value(options, result).dump(2, ' ', false, Json::error_handler_t::replace)
-                  << '\n';
-    file.commit();
-  }
+  if (!options.json_path.empty())
+    write_json(options.json_path, json_value(options, result));
 }
 
 Exit_status run_parameterize(Parameterize_options options)

@@ -7,6 +7,7 @@
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "commands/triangulate.h"
+#include "input/flat_vertices.h"
 #include "input/sharp_edges.h"
 #include "output/Output_file.h"
 
@@ -26,6 +27,7 @@ struct Refine_options
   Refinement_options refinement;
   std::optional<double> constrained_angle;
   bool is_repaired = false;
+  bool removes_flat_vertices = false;
   bool is_verified = false;
   Result_files files;
 };
@@ -58,6 +60,8 @@ void constrain_sharp_edges(const Surface& surface, double degrees, Refinement_op
 Exit_status refine_file(const std::string& path, const Refine_options& options)
 {
   Surface surface = load_surface(path, {std::nullopt, options.is_repaired});
+  if (options.removes_flat_vertices)
+    remove_flat_vertices(surface);
   options.files.check_surface(surface);
   Kernel_options kernel;
   kernel.refinement = options.refinement;
@@ -116,6 +120,13 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
     .add_option("--constrain-angle", options->constrained_angle,
                 "keep the edges whose two faces have normals that differ by more than D degrees: they are split, and not flipped")
     ->type_name("D");
+  CLI::Option* const flat =
+    command.add_flag("--remove-flat-vertices", options->removes_flat_vertices,
+                     "first remove the vertices in flat sides and on straight edges, exactly: the surface stays the same, and its "
+                     "vertices and faces get other numbers");
+  command.add_option("--vertex-map", options->files.vertex_map, "write which vertices of the input are left, as CSV: vertex,input")
+    ->type_name("F.csv")
+    ->needs(flat);
   CLI::Option* const repair = add_repair_option(command, options->is_repaired);
   command.add_flag("--verify", options->is_verified,
                    "afterwards decide every interior edge that is not constrained once more, exactly and from the input alone; "
@@ -126,6 +137,7 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
                 "they are divided by their sum, the place in space is rounded")
     ->type_name("F.csv");
   options->files.add_options(command, repair);
+  command.get_option("--repair-map")->excludes(flat);
   command.callback([options, &selected] { selected = [options] { return run_refine(*options); }; });
 }
 

@@ -3,7 +3,7 @@
 //
 // `idt table`: the columns of Table 1 in Fisher, Springborn, Schroeder, Bobenko (2006).
 
-#include "output/Output_file.h"
+#include "output/write_json.h"
 #include "commands/commands.h"
 #include "output/finite_weights.h"
 #include "commands/paper_table.h"
@@ -234,10 +234,7 @@ Exit_status run_table(const Table_options& options)
     Json json = Json::array();
     for (const Row& row : rows)
       json.push_back(json_row(row));
-    Output_file file(options.json_path);
-    // A file name need not be valid UTF-8.
-    file.stream() << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    file.commit();
+    write_json(options.json_path, json);
   }
   return status;
 }

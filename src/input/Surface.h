@@ -47,7 +47,9 @@ struct Surface
   std::vector<std::array<double, 3>> points;
   std::vector<double> lengths;
   std::optional<CGAL::Intrinsic_triangulations::Mollification_report> mollification;
-  std::optional<Repair_report> repair; // if it was asked for
+  std::optional<Repair_report> repair;                    // if it was asked for
+  std::optional<std::vector<std::size_t>> input_vertices; // where the vertices come from, if flat ones were removed
+  std::size_t number_of_removed_vertices = 0;
   // What a user should know though the surface can be used.
   std::vector<std::string> notes;
   double read_seconds = 0;

@@ -94,7 +94,7 @@ Json refinement_statistics(const Triangulation_result& result)
   json["faces"] = result.counts.faces;
   json["inserted"] = report.insertions + report.segment_splits;
   json["segment_splits"] = report.segment_splits;
-  json["removed"] = 0;
+  json["removed"] = result.surface.number_of_removed_vertices;
   json["flips"] = outcome.report.flips + report.flips;
   json["minimum_angle_degrees"] = member(outcome.shapes, &Shape_summary::minimum_angle);
   json["minimum_angle_degrees_of_refined_faces"] = outcome.shapes ? number(outcome.shapes->minimum_refined_angle) : Json(nullptr);

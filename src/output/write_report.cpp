@@ -91,6 +91,8 @@ void write_report(std::ostream& os, const Triangulation_result& result)
                 counted(surface.mollification->number_of_changed_edges, "edge", "edges") +
                   " longer by at most " + in_short(surface.mollification->epsilon) + " (" +
                   in_short(100 * surface.mollification->largest_relative_change) + " %)");
+  if (surface.input_vertices)
+    report.line("flat sides", counted(surface.number_of_removed_vertices, "vertex", "vertices") + " removed");
   std::string number_type = name(result.options.number_type);
   if (result.options.number_type == Number_type::MPFR)
     number_type += ", " + std::to_string(result.options.precision) + " bits";

@@ -46,6 +46,36 @@ protected:
   }
 };
 
+TEST_F(Refine_command, removes_flat_vertices_first)
+{
+  // A box of 1 x 2 x 1: a vertex in the middle of one side, one in the middle of each long edge.
+  write("box.off", "OFF\n13 22 0\n"
+                   "0 0 0\n1 0 0\n1 0 1\n0 0 1\n0 2 0\n1 2 0\n1 2 1\n0 2 1\n"
+                   "0 1 0\n1 1 0\n1 1 1\n0 1 1\n0.5 0 0.5\n"
+                   "3 0 1 12\n3 1 2 12\n3 2 3 12\n3 3 0 12\n"
+                   "3 0 8 9\n3 0 9 1\n3 1 9 10\n3 1 10 2\n3 2 10 11\n3 2 11 3\n3 3 11 8\n3 3 8 0\n"
+                   "3 8 4 5\n3 8 5 9\n3 9 5 6\n3 9 6 10\n3 10 6 7\n3 10 7 11\n3 11 7 4\n3 11 4 8\n"
+                   "3 4 7 6\n3 4 6 5\n");
+  const Command_run run =
+    idt("refine box.off --minimum-angle 0 --remove-flat-vertices --vertex-map m.csv --verify --stats s.json --overlay o.off");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "flat sides      5 vertices removed")) << run.out;
+  EXPECT_EQ(stats()["removed"], 5);
+  EXPECT_EQ(stats()["vertices"], 8);
+  EXPECT_EQ(stats()["faces"], 12);
+  std::vector<double> inputs;
+  for (const std::vector<double>& row : rows("m.csv"))
+    inputs.push_back(row[1]);
+  std::sort(inputs.begin(), inputs.end());
+  EXPECT_EQ(inputs, (std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7}));
+  ASSERT_EQ(idt("refine box.off --minimum-angle 0 --stats s.json").status, 0);
+  EXPECT_EQ(stats()["removed"], 0);
+  EXPECT_EQ(idt("refine box.off --vertex-map m.csv").status, 2);
+  EXPECT_EQ(idt("refine box.off --remove-flat-vertices --repair --repair-map m.csv").status, 2);
+  ASSERT_EQ(idt("sample one-vertex-torus -o t").status, 0);
+  EXPECT_EQ(idt("refine t.gluing --remove-flat-vertices").status, 2);
+}
+
 TEST_F(Refine_command, counts_what_it_inserts)
 {
   ASSERT_EQ(idt("sample bad-torus -o t.off").status, 0);

@@ -3,6 +3,7 @@
 //
 // Refinement of surfaces that are made to be difficult: it ends, nothing is rounded, and what is below the bound is listed.
 
+#include "refined_surface.h"
 #include "samples/sample_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
@@ -12,7 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 
 #include <CGAL/number_type_config.h>
-#include <CGAL/property_map.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <gtest/gtest.h>
 
@@ -27,31 +29,12 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+using Triangulation = Refined_triangulation;
 
 Triangulation triangulation_of(const IT::Indexed_triangles& surface)
 {
   return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
 }
-
-double total_area(const Triangulation& t)
-{
-  long double sum = 0;
-  for (IT::Face_index f : t.connectivity().faces())
-    sum += t.area(f);
-  return double(sum);
-}
-
-// A flag for each edge; those that came later have none set.
-struct Edge_flags
-{
-  using key_type = IT::Edge_index;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-  friend bool get(const Edge_flags& map, key_type e) { return e.idx() < map.flags->size() && (*map.flags)[e.idx()]; }
-  const std::vector<bool>* flags;
-};
 
 // Whether an edge is a part of a flagged edge of the input.
 bool is_part(const Triangulation& t, IT::Edge_index e, const std::vector<bool>& flags)
@@ -68,8 +51,10 @@ IT::Refinement_report refine(Triangulation t, const std::vector<bool>& is_constr
   const double area = total_area(t);
   const IT::Delta_complex& complex = t.connectivity();
   const std::size_t number_of_input_vertices = complex.number_of_vertices();
+  const auto flags = boost::make_function_property_map<IT::Edge_index, bool>(
+    [&](IT::Edge_index e) { return e.idx() < is_constrained.size() && is_constrained[e.idx()]; });
   const IT::Refinement_report report =
-    IT::refine_Delaunay(t, {}, CGAL::parameters::edge_is_constrained_map(Edge_flags{&is_constrained}).maximum_number(100000));
+    IT::refine_Delaunay(t, {}, CGAL::parameters::edge_is_constrained_map(flags).maximum_number(100000));
   EXPECT_EQ(report.status, IT::Refinement_status::REFINED);
   EXPECT_TRUE(complex.is_valid());
   EXPECT_NEAR(total_area(t) / area, 1, 1e-13);
@@ -78,7 +63,7 @@ IT::Refinement_report refine(Triangulation t, const std::vector<bool>& is_constr
       EXPECT_NE(t.exact_geometry().sign_by_unfolding(complex, e), CGAL::NEGATIVE) << e.idx();
     }
   for (std::size_t v = number_of_input_vertices; v < complex.number_of_vertices(); ++v)
-    EXPECT_NEAR(IT::angle_defect(t, IT::Vertex_index(v)), 0, 1e-12) << v; // on the border, too
+    EXPECT_TRUE(is_exactly_flat(t, IT::Vertex_index(v))) << v;
   std::vector<bool> is_listed(complex.number_of_faces());
   for (const IT::Unrefined_face& f : report.unrefined) {
     EXPECT_NE(f.reason, IT::Refinement_obstacle::BUDGET);

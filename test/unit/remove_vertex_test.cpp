@@ -20,7 +20,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <boost/property_map/property_map.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <gtest/gtest.h>
 
@@ -140,40 +140,19 @@ TEST(Remove_vertex, between_insertions)
 }
 
 // By input edges: a half of a constrained edge coincides with it, and nothing else does.
-struct On_constrained_input_edge
+bool is_constrained(const Triangulation& triangulation, IT::Edge_index e)
 {
-  using key_type = IT::Edge_index;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-  friend bool get(const On_constrained_input_edge& map, IT::Edge_index e)
-  {
-    const IT::Correspondence& correspondence = map.triangulation->exact_geometry().correspondence();
-    const IT::Halfedge_index h = map.triangulation->connectivity().halfedge(e);
-    return correspondence.coordinates().is_original(e) &&
-           correspondence.input().edge(correspondence.input_halfedge(h)).idx() % 3 == 0;
-  }
-
-  const Triangulation* triangulation;
-};
-
-// As they were before a removal.
-struct Stored_constraints
-{
-  using key_type = IT::Edge_index;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-  friend bool get(const Stored_constraints& map, IT::Edge_index e) { return (*map.stored)[e.idx()]; }
-
-  const std::vector<bool>* stored;
-};
+  const IT::Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+  const IT::Halfedge_index h = triangulation.connectivity().halfedge(e);
+  return correspondence.coordinates().is_original(e) &&
+         correspondence.input().edge(correspondence.input_halfedge(h)).idx() % 3 == 0;
+}
 
 std::size_t number_of_constrained(const Triangulation& triangulation)
 {
   std::size_t result = 0;
   for (IT::Edge_index e : triangulation.connectivity().edges())
-    result += get(On_constrained_input_edge{&triangulation}, e) ? 1 : 0;
+    result += is_constrained(triangulation, e) ? 1 : 0;
   return result;
 }
 
@@ -183,7 +162,8 @@ TEST(Remove_vertex, joins_the_parts_of_border_and_constrained_edges)
   for (const IT::Indexed_triangles& surface : {IT::bumpy_dome(), IT::torus(8, 6), IT::cap()}) {
     Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
     const IT::Delta_complex input = triangulation.connectivity();
-    const auto fixed = CGAL::parameters::edge_is_constrained_map(On_constrained_input_edge{&triangulation});
+    const auto fixed = CGAL::parameters::edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>(
+      [&](IT::Edge_index e) { return is_constrained(triangulation, e); }));
     triangulation.exact_geometry();
     IT::flip_to_Delaunay(triangulation, fixed);
     const std::size_t before = number_of_constrained(triangulation);
@@ -206,9 +186,10 @@ TEST(Remove_vertex, joins_the_parts_of_border_and_constrained_edges)
     while (number_of_inserted_vertices(triangulation) > 0) {
       std::vector<bool> before_removal;
       for (IT::Edge_index e : triangulation.connectivity().edges())
-        before_removal.push_back(get(On_constrained_input_edge{&triangulation}, e));
+        before_removal.push_back(is_constrained(triangulation, e));
       IT::remove_vertex(triangulation, random_inserted_vertex(triangulation, random),
-                        CGAL::parameters::edge_is_constrained_map(Stored_constraints{&before_removal}));
+                        CGAL::parameters::edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>(
+                          [&](IT::Edge_index e) { return before_removal[e.idx()]; })));
       ASSERT_TRUE(triangulation.connectivity().is_valid(true));
     }
     EXPECT_EQ(number_of_constrained(triangulation), before);

@@ -47,36 +47,17 @@ struct Layered_heat
 };
 
 // What flows from the rows behind a front to the others, times a power of two.
-// \tparam Scalar real or complex
-template <class Scalar>
-Eigen::Matrix<Scalar, Eigen::Dynamic, 1> sent_on(const Eigen::SparseMatrix<Scalar>& matrix,
-                                                 const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& u,
-                                                 const std::vector<bool>& is_behind, int exponent)
+inline Eigen::VectorXd sent_on(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& u, const std::vector<bool>& is_behind,
+                               int exponent)
 {
-  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
   const double one_part = std::ldexp(1., exponent / 2), other_part = std::ldexp(1., exponent - exponent / 2);
-  Vector result = Vector::Zero(u.size());
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(u.size());
   for (Eigen::Index c = 0; c < matrix.outerSize(); ++c)
     if (is_behind[std::size_t(c)])
-      for (typename Eigen::SparseMatrix<Scalar>::InnerIterator i(matrix, c); i; ++i)
+      for (Eigen::SparseMatrix<double>::InnerIterator i(matrix, c); i; ++i)
         if (!is_behind[std::size_t(i.row())])
           result[i.row()] -= i.value() * (u[c] * one_part * other_part);
   return result;
-}
-
-// Sends other heat on in the same way, where that is known.
-// \param first its first layer
-// \param solve returns the solution of the linear system for a right-hand side
-template <class Scalar, class Solve>
-std::vector<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>
-spread_likewise(const Eigen::SparseMatrix<Scalar>& matrix, Eigen::Matrix<Scalar, Eigen::Dynamic, 1> first, const Layered_heat& other,
-                const Solve& solve)
-{
-  std::vector<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>> layers{std::move(first)};
-  for (std::size_t l = 0; l + 1 < other.layers.size(); ++l)
-    layers.push_back(
-      solve(sent_on(matrix, layers.back(), other.behind[l], other.exponents[l + 1] - other.exponents[l])));
-  return layers;
 }
 
 inline Eigen::SparseMatrix<double> heat_matrix(const Heat_surface& surface, double time)
@@ -120,8 +101,11 @@ public:
   // Other heat, to be divided by the first at each row; nothing is cold.
   std::vector<Vector> spread_likewise(const Vector& heat, const Layered_heat& other) const
   {
-    return internal::spread_likewise(system_.matrix(), system_.solve(heat), other,
-                                     [this](const Vector& right) { return system_.solve(right); });
+    std::vector<Vector> layers{system_.solve(heat)};
+    for (std::size_t l = 0; l + 1 < other.layers.size(); ++l)
+      layers.push_back(system_.solve(
+        sent_on(system_.matrix(), layers.back(), other.behind[l], other.exponents[l + 1] - other.exponents[l])));
+    return layers;
   }
 
   std::size_t number_of_factorizations() const { return system_.number_of_factorizations(); }

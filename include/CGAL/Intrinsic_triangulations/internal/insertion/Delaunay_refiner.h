@@ -21,7 +21,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
 
 #include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -96,16 +97,6 @@ private:
     {
       return circumradius != other.circumradius ? circumradius < other.circumradius : other.face.idx() < face.idx();
     }
-  };
-
-  struct Is_segment
-  {
-    using key_type = Edge_index;
-    using value_type = bool;
-    using reference = bool;
-    using category = boost::readable_property_map_tag;
-    friend bool get(const Is_segment& map, Edge_index e) { return map.is_segment[e.idx()]; }
-    const std::vector<bool>& is_segment;
   };
 
   bool goes_on()
@@ -478,7 +469,8 @@ private:
   {
     is_segment_.resize(complex_.number_of_edges(), false);
     flipped_.clear();
-    report_.flips += settle_around(triangulation_, v, Is_segment{is_segment_}, stack_, [&](Edge_index e) { flipped_.push_back(e); });
+    const auto is_fixed = boost::make_function_property_map<Edge_index, bool>([&](Edge_index e) { return is_segment_[e.idx()]; });
+    report_.flips += settle_around(triangulation_, v, is_fixed, stack_, [&](Edge_index e) { flipped_.push_back(e); });
     visitor_.after_insertion(v);
     lengths_.resize(complex_.number_of_edges());
     for (Edge_index e : flipped_)

@@ -18,7 +18,7 @@
 
 #include <CGAL/enum.h>
 
-#include <boost/property_map/property_map.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -72,26 +72,15 @@ public:
 private:
   static constexpr std::size_t most_turns = 200;
 
-  // A constraint by the descriptors after a removal.
-  struct Moved_constraints
-  {
-    using key_type = Edge_index;
-    using value_type = bool;
-    using reference = bool;
-    using category = boost::readable_property_map_tag;
-    friend bool get(const Moved_constraints& map, Edge_index e) { return get(*map.before, map.removed->edge_before(e)); }
-
-    const ConstraintMap* before;
-    const Removed_elements* removed;
-  };
-
   void settle_after(const Removed_elements& removed)
   {
     std::vector<Edge_index> stack;
     for (Edge_index e : changed_)
       if (std::find(removed.edges.begin(), removed.edges.end(), e) == removed.edges.end())
         stack.push_back(removed.edge_after(e));
-    settle(triangulation_, Moved_constraints{&is_constrained_, &removed}, stack, [](Edge_index) {});
+    const auto is_constrained =
+      boost::make_function_property_map<Edge_index, bool>([&](Edge_index e) { return get(is_constrained_, removed.edge_before(e)); });
+    settle(triangulation_, is_constrained, stack, [](Edge_index) {});
   }
 
   // Those that point to the vertex, clockwise.

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Linear systems with a sparse, symmetric or Hermitian, positive definite matrix.
+// Linear systems with a sparse, symmetric and positive definite matrix.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_SPARSE_CHOLESKY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_SPARSE_CHOLESKY_H
@@ -27,15 +27,13 @@ namespace internal {
 
 // With CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD the factors are those of SuiteSparse, which is
 // faster for large systems; whoever defines it links with cholmod.
-// \tparam Scalar real or complex
-template <class Scalar>
-class Basic_sparse_Cholesky
+class Sparse_Cholesky
 {
 public:
-  using Matrix = Eigen::SparseMatrix<Scalar>;
+  using Matrix = Eigen::SparseMatrix<double>;
 
   // \param what names the matrix in the message of the exception
-  Basic_sparse_Cholesky(const Matrix& matrix, const char* what) : what_(what)
+  Sparse_Cholesky(const Matrix& matrix, const char* what) : what_(what)
   {
     if (matrix.rows() > 0)
       solver_.analyzePattern(matrix);
@@ -72,8 +70,6 @@ private:
 #endif
   const char* what_;
 };
-
-using Sparse_Cholesky = Basic_sparse_Cholesky<double>;
 
 // The rows and columns of a matrix whose new number is not negative, renumbered. The order
 // of numbers must be that of the rows.

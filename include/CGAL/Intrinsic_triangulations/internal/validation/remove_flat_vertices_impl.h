@@ -1,0 +1,230 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Definitions of remove_flat_vertices.h.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REMOVE_FLAT_VERTICES_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REMOVE_FLAT_VERTICES_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/Removed_elements.h>
+#include <CGAL/Intrinsic_triangulations/remove_flat_vertices.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// The faces around an inner vertex. The spokes are the halfedges that leave it, counterclockwise; face i lies between the
+// spokes i and i + 1.
+class Flat_star
+{
+public:
+  Flat_star(Delta_complex& complex, const std::vector<std::array<double, 3>>& points) : complex_(complex), points_(points) {}
+
+  // Removes the vertex if it is flat.
+  std::optional<Removed_elements> remove(Vertex_index v)
+  {
+    if (!complex_.halfedge(v).is_valid() || !find_spokes(v) || !find_ridges())
+      return std::nullopt;
+    if (ridges_.empty())
+      return angle_is_smallest(0, 0) ? remove_from_plane() : std::nullopt;
+    const std::size_t a = ridges_[0], b = ridges_[1];
+    const Point p = end(a), q = end(b);
+    if (!collinear(p, center_, q) || !collinear_are_strictly_ordered_along_line(p, center_, q) || !angle_is_smallest(a, b) ||
+        !angle_is_smallest(b, a))
+      return std::nullopt;
+    link_spokes();
+    flip_away(b, a); // in the plane of the last question
+    look_at_face(a);
+    flip_away(a, b);
+    return unsplit(a);
+  }
+
+private:
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+  using Point = Kernel::Point_3;
+
+  Point point(Vertex_index v) const
+  {
+    const auto& p = points_[v.idx()];
+    return {p[0], p[1], p[2]};
+  }
+  std::size_t number_of_spokes() const { return spokes_.size(); }
+  std::size_t next(std::size_t i) const { return i + 1 == spokes_.size() ? 0 : i + 1; }
+  const Point& end(std::size_t i) const { return ends_[i]; }
+
+  // Returns whether the vertex is no border vertex and no face beside it has zero area.
+  bool find_spokes(Vertex_index v)
+  {
+    spokes_.clear();
+    ends_.clear();
+    center_ = point(v);
+    const Halfedge_index first = complex_.opposite(complex_.halfedge(v));
+    Halfedge_index h = first;
+    do {
+      if (complex_.is_border(h))
+        return false;
+      spokes_.push_back(h);
+      ends_.push_back(point(complex_.target(h)));
+      h = complex_.next_around_source(h);
+    } while (h != first);
+    return true;
+  }
+
+  // The spokes between faces in different planes, or folded onto each other. Returns whether there are none or two.
+  bool find_ridges()
+  {
+    ridges_.clear();
+    for (std::size_t i = 0, before = number_of_spokes() - 1; i < number_of_spokes(); before = i++) {
+      const std::size_t after = next(i);
+      if (collinear(center_, end(i), end(after)))
+        return false;
+      const bool is_ridge = !coplanar(center_, end(i), end(before), end(after)) ||
+                            coplanar_orientation(center_, end(i), end(before), end(after)) != NEGATIVE;
+      if (is_ridge)
+        ridges_.push_back(i);
+      if (ridges_.size() > 2)
+        return false;
+    }
+    return ridges_.size() != 1;
+  }
+
+  // Projects along a coordinate axis that is not parallel to the plane of face i, so that the face is counterclockwise.
+  void look_at_face(std::size_t i)
+  {
+    for (axis_ = 0; axis_ < 3; ++axis_) {
+      turn_ = POSITIVE;
+      turn_ = orientation(center_, end(i), end(next(i)));
+      if (turn_ != ZERO)
+        return;
+    }
+  }
+  Orientation orientation(const Point& p, const Point& q, const Point& r) const
+  {
+    const auto shadow = [this](const Point& p) { return Kernel::Point_2(p[(axis_ + 1) % 3], p[(axis_ + 2) % 3]); };
+    return CGAL::orientation(shadow(p), shadow(q), shadow(r)) * turn_;
+  }
+
+  // Whether the angle from one spoke to another, all in one plane, is no full turn larger than it has to be: one face alone has
+  // the direction of the first spoke, on its right side or inside. Looks at the plane.
+  bool angle_is_smallest(std::size_t from, std::size_t to)
+  {
+    look_at_face(from);
+    std::size_t count = 0, i = from;
+    do {
+      const std::size_t j = next(i);
+      if (orientation(center_, end(i), end(from)) != NEGATIVE && orientation(center_, end(from), end(j)) == POSITIVE)
+        ++count;
+      i = j;
+    } while (i != to);
+    return count == 1;
+  }
+
+  void link_spokes()
+  {
+    number_left_ = number_of_spokes();
+    left_.resize(number_left_);
+    right_.resize(number_left_);
+    is_gone_.assign(number_left_, false);
+    for (std::size_t i = 0; i < number_left_; ++i) {
+      left_[i] = next(i);
+      right_[next(i)] = i;
+    }
+  }
+
+  // Flips spokes away that are no ridges, from the first to before the last, all in the plane that is looked at. At the end of a spoke, the
+  // corner of the polygon around the vertex is cut off if it is convex and the vertex lies beyond the cut.
+  void flip_away(std::size_t first, std::size_t last)
+  {
+    candidates_.clear();
+    std::size_t i = first;
+    do {
+      candidates_.push_back(i);
+      i = next(i);
+    } while (i != last);
+    while (number_left_ > 3 && !candidates_.empty()) {
+      i = candidates_.back();
+      candidates_.pop_back();
+      const std::size_t right = right_[i], left = left_[i];
+      if (is_gone_[i] || is_ridge(i) || orientation(end(right), end(i), end(left)) != POSITIVE ||
+          orientation(center_, end(right), end(left)) != POSITIVE)
+        continue;
+      complex_.flip(complex_.edge(spokes_[i]));
+      is_gone_[i] = true;
+      --number_left_;
+      left_[right] = left;
+      right_[left] = right;
+      candidates_.push_back(right);
+      candidates_.push_back(left);
+    }
+  }
+  bool is_ridge(std::size_t i) const { return std::find(ridges_.begin(), ridges_.end(), i) != ridges_.end(); }
+
+  // Of the corners of the polygon, one can be cut off while there are more than four, or four of which no two are in line with
+  // the vertex: two ears of a polygon do not overlap, and the vertex can lie in one of them only, or on the cut.
+  std::optional<Removed_elements> remove_from_plane()
+  {
+    link_spokes();
+    flip_away(0, 0);
+    std::size_t i = 0;
+    while (is_gone_[i])
+      ++i;
+    if (number_left_ == 3)
+      return complex_.unsplit_face(complex_.source(spokes_[i]));
+    for (std::size_t k : {i, left_[i]})
+      if (number_left_ == 4 && orientation(center_, end(k), end(left_[left_[k]])) == ZERO)
+        return unsplit(k);
+    return std::nullopt;
+  }
+
+  // Removes the vertex from the straight line that ends with the spoke i.
+  Removed_elements unsplit(std::size_t i) { return complex_.unsplit_edge(complex_.opposite(spokes_[i])); }
+
+  Delta_complex& complex_;
+  const std::vector<std::array<double, 3>>& points_;
+  Point center_;
+  std::vector<Halfedge_index> spokes_;
+  std::vector<Point> ends_;
+  std::vector<std::size_t> ridges_, left_, right_, candidates_;
+  std::vector<bool> is_gone_;
+  std::size_t number_left_ = 0;
+  int axis_ = 0; // of the projection
+  Sign turn_ = POSITIVE;
+};
+
+} // namespace internal
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::vector<Vertex_index> remove_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points,
+                                               const Progress_function& progress)
+{
+  std::vector<Vertex_index> result(complex.vertices().begin(), complex.vertices().end());
+  const internal::Loop_progress loop(progress, "removing flat vertices", 0, 1, result.size());
+  internal::Flat_star star(complex, points);
+  const std::size_t number = result.size();
+  // The last vertex, which moves, has been looked at.
+  for (std::size_t v = number; v-- > 0;) {
+    loop.at(number - 1 - v);
+    if (const auto removed = star.remove(Vertex_index(std::uint32_t(v)))) {
+      remove_entries(points, removed->vertices);
+      remove_entries(result, removed->vertices);
+    }
+  }
+  return result;
+}
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REMOVE_FLAT_VERTICES_IMPL_H

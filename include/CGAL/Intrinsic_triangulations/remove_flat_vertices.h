@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Fewer vertices for the same surface: those in the middle of flat sides and of straight edges are removed.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_REMOVE_FLAT_VERTICES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_REMOVE_FLAT_VERTICES_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
+#include <CGAL/Intrinsic_triangulations/config.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsInsertion
+/// \brief removes vertices from a surface in space without moving a point of it.
+///
+/// A vertex is removed if it lies inside the surface, its angles sum to 2π, and its faces lie in one plane, or in two
+/// half-planes with a straight edge on either side of the vertex. That is decided exactly; a vertex that is off its plane by one unit in the last place
+/// stays. The plane is then triangulated without it, so that all edges join vertices and lie on the surface.
+/// Vertices of faces of zero area stay, and so does the border.
+///
+/// Other vertices whose angles happen to sum to 2π stay, too: an edge past such a vertex bends in space, and
+/// its length is no square root of a rational number.
+///
+/// \param complex the connectivity; its last elements take the place of those that are removed
+/// \param points the positions of the vertices, which follow them
+/// \param progress is called from time to time
+/// \return for each vertex that is left, its descriptor before
+///
+/// \pre there is one point for each vertex, and the coordinates are finite
+/// \exception Cancelled_error if `progress` returns `false`; then `complex` and `points` describe the surface with some vertices removed
+///
+/// O(number of halfedges), with filtered exact predicates.
+std::vector<Vertex_index> remove_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points,
+                                               const Progress_function& progress = {});
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/validation/remove_flat_vertices_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_REMOVE_FLAT_VERTICES_H

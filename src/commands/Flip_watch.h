@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A visitor of flips for the commands that run the library themselves.
+
+#ifndef IDT_FLIP_WATCH_H
+#define IDT_FLIP_WATCH_H
+
+#include "system/Interruption.h"
+#include "system/Progress.h"
+
+#include <CGAL/Intrinsic_triangulations/Index.h>
+
+#include <cstdint>
+
+namespace idt {
+
+// Shows how far the flips are, and ends them when asked to.
+struct Flip_watch
+{
+  Progress& progress;
+  bool go_further(std::uint64_t tests, std::uint64_t flips)
+  {
+    progress.show_flips(tests, flips);
+    return !is_interrupted();
+  }
+  void after_flip(CGAL::Intrinsic_triangulations::Edge_index) {}
+};
+
+} // namespace idt
+
+#endif // IDT_FLIP_WATCH_H

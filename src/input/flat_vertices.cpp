@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/flat_vertices.h"
+
+#include "system/Exit_status.h"
+#include "system/Interruption.h"
+#include "system/Progress.h"
+
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/remove_flat_vertices.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace idt {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+void remove_flat_vertices(Surface& surface)
+{
+  if (!surface.has_points())
+    throw Usage_error(surface.path + ": --remove-flat-vertices needs a surface in space, and this one has edge lengths alone");
+  Progress progress(surface.path);
+  const std::size_t number_before = surface.points.size();
+  std::vector<IT::Vertex_index> origins;
+  try {
+    origins = IT::remove_flat_vertices(surface.connectivity, surface.points, [&progress](double fraction) {
+      progress.show("removing flat vertices", fraction);
+      return !is_interrupted();
+    });
+  } catch (const IT::Cancelled_error& error) {
+    throw IT::Cancelled_error(surface.path + ": " + error.what());
+  }
+  surface.number_of_removed_vertices = number_before - origins.size();
+  surface.input_vertices.emplace();
+  for (IT::Vertex_index v : origins)
+    surface.input_vertices->push_back(surface.repair ? surface.repair->input_vertices[v.idx()] : v.idx());
+}
+
+void write_vertex_map(std::ostream& os, const Surface& surface)
+{
+  os << "vertex,input\n";
+  for (std::size_t v = 0; v < surface.input_vertices->size(); ++v)
+    os << v << ',' << (*surface.input_vertices)[v] << '\n';
+}
+
+} // namespace idt

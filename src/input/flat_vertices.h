@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef IDT_FLAT_VERTICES_H
+#define IDT_FLAT_VERTICES_H
+
+#include "input/Surface.h"
+
+#include <ostream>
+
+namespace idt {
+
+// Removes the vertices in flat sides and on straight edges.
+// \exception Usage_error if the surface has no points
+// \exception Cancelled_error if an interruption ends that
+void remove_flat_vertices(Surface& surface);
+
+// For each vertex its number in the input, as comma-separated values: `vertex,input`. \pre flat vertices were removed
+void write_vertex_map(std::ostream& os, const Surface& surface);
+
+} // namespace idt
+
+#endif // IDT_FLAT_VERTICES_H
