@@ -74,9 +74,10 @@ Triangulation cone(double angle, std::size_t sides, std::size_t rings, double ra
   std::vector<double> lengths;
   for (Edge_index e : complex.edges()) {
     const Halfedge_index h = complex.halfedge(e);
-    Complex a = place(complex.source(h)), b = place(complex.target(h));
+    const Complex a = place(complex.source(h)), b = place(complex.target(h));
     // Between neighbors, whatever the numbers say where the ring is closed.
-    const double turn = std::abs(a) == 0 || std::abs(b) == 0 ? 0 : (complex.source(h).idx() - 1) % sides == (complex.target(h).idx() - 1) % sides ? 0 : angle / double(sides);
+    const bool is_radial = std::abs(a) == 0 || std::abs(b) == 0 || (complex.source(h).idx() - complex.target(h).idx()) % sides == 0;
+    const double turn = is_radial ? 0 : angle / double(sides);
     lengths.push_back(std::abs(std::abs(a) - std::polar(std::abs(b), turn)));
   }
   Triangulation result = Triangulation::from_lengths(complex, lengths);

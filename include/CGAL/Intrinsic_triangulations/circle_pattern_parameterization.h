@@ -105,7 +105,7 @@ public:
       right[complex_.face(complex_.opposite(h)).idx()] -= pull;
     }
     const Sparse_Cholesky<> cholesky(Laplacian([&](Halfedge_index h) { return weight(h, wanted(h)); }),
-                                   "the system for the first radii");
+                                     "the system for the first radii");
     rho.tail(n - 1) = cholesky.solve(Eigen::VectorXd(right.tail(n - 1)));
     return rho;
   }

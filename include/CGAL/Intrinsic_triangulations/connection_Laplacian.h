@@ -42,8 +42,8 @@ inline std::complex<double> transport_to_source(const Delta_complex& complex, co
 // \param weight gives that of an edge
 template <class Weight>
 Eigen::SparseMatrix<std::complex<double>> assemble_connection_Laplacian(const Delta_complex& complex,
-                                                                       const std::vector<Planar_vector<double>>& vectors,
-                                                                       const Weight& weight)
+                                                                        const std::vector<Planar_vector<double>>& vectors,
+                                                                        const Weight& weight)
 {
   using Scalar = std::complex<double>;
   std::vector<Eigen::Triplet<Scalar>> entries;

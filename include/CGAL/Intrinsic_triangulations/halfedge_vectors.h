@@ -144,7 +144,7 @@ std::vector<Planar_vector<double>> halfedge_vectors_in_vertex(const Intrinsic_tr
       else
         sum += angle(triangulation, complex.next(h));
     });
-    const double scale = is_on_border ? 1 : sum > 0 ? 2 * CGAL_PI / sum : 0;
+    const double scale = is_on_border || sum == 0 ? 1 : 2 * CGAL_PI / sum;
     for (const auto& [h, direction] : directions)
       result[h.idx()] = internal::halfedge_vector(triangulation, h, scale * (direction - at_axis + direction_of_axis));
   }

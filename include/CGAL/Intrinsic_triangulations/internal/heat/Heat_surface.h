@@ -47,7 +47,7 @@ struct Heat_surface
   double mean_length = 0; // in units of 2^exponent units of the input
   int exponent = 0;
   std::vector<Heat_face> faces; // those that have an area
-  std::vector<double> weights; // half the sums of cotangents, for each edge of the triangulation
+  std::vector<double> weights;  // half the sums of cotangents, for each edge of the triangulation
   Eigen::SparseMatrix<double> stiffness;
   Eigen::VectorXd mass;                 // zero for a vertex without faces
   std::vector<bool> is_border;          // whether a row is a vertex of a border edge

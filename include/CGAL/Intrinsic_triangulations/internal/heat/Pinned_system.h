@@ -56,7 +56,10 @@ public:
 
   // Without pins. With a kernel, b has to sum to zero over each part; a constant is missing then. Each column is a system.
   template <class Columns>
-  Columns solve(const Columns& b) const { return solver_.solve(b); }
+  Columns solve(const Columns& b) const
+  {
+    return solver_.solve(b);
+  }
 
   // Has no meaning in parts without pins.
   Vector solve(const Vector& b, const Pins& pins)
