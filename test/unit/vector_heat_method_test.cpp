@@ -76,7 +76,7 @@ Triangulation cone(double angle, std::size_t sides, std::size_t rings, double ra
     const Halfedge_index h = complex.halfedge(e);
     const Complex a = place(complex.source(h)), b = place(complex.target(h));
     // Between neighbors, whatever the numbers say where the ring is closed.
-    const bool is_radial = std::abs(a) == 0 || std::abs(b) == 0 || (complex.source(h).idx() - complex.target(h).idx()) % sides == 0;
+    const bool is_radial = std::abs(a) == 0 || std::abs(b) == 0 || (complex.source(h).idx() + sides - 1) % sides == (complex.target(h).idx() + sides - 1) % sides;
     const double turn = is_radial ? 0 : angle / double(sides);
     lengths.push_back(std::abs(std::abs(a) - std::polar(std::abs(b), turn)));
   }
