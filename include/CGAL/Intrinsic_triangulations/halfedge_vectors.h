@@ -132,13 +132,13 @@ std::vector<Planar_vector<double>> halfedge_vectors_in_vertex(const Intrinsic_tr
     if (!complex.halfedge(v).is_valid())
       continue;
     directions.clear();
-    const auto [axis, direction_of_axis] = internal::halfedge_with_direction(triangulation, v);
-    double sum = 0, at_axis = 0;
+    const std::pair<Halfedge_index, double> known = internal::halfedge_with_direction(triangulation, v);
+    double sum = 0, at_known = 0;
     bool is_on_border = false;
     internal::for_each_halfedge_from(complex, v, [&](Halfedge_index h) {
       directions.emplace_back(h, sum);
-      if (h == axis)
-        at_axis = sum;
+      if (h == known.first)
+        at_known = sum;
       if (complex.is_border(h))
         is_on_border = true;
       else
@@ -146,7 +146,7 @@ std::vector<Planar_vector<double>> halfedge_vectors_in_vertex(const Intrinsic_tr
     });
     const double scale = is_on_border || sum == 0 ? 1 : 2 * CGAL_PI / sum;
     for (const auto& [h, direction] : directions)
-      result[h.idx()] = internal::halfedge_vector(triangulation, h, scale * (direction - at_axis + direction_of_axis));
+      result[h.idx()] = internal::halfedge_vector(triangulation, h, scale * (direction - at_known + known.second));
   }
   return result;
 }
