@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/prefetch.h>
 
 #include <Eigen/SparseCore>
 
@@ -53,17 +54,30 @@ public:
 
   void raise(Eigen::VectorXd& distances, const Pins& sources) const
   {
-    std::vector<std::uint32_t> order(surface_.size()), origins(surface_.size(), none);
-    for (std::size_t v = 0; v < order.size(); ++v)
-      order[v] = std::uint32_t(v);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t v, std::uint32_t w) {
-      return distances[v] < distances[w] || (distances[v] == distances[w] && v < w);
-    });
+    std::vector<std::pair<double, std::uint32_t>> order;
+    order.reserve(surface_.size());
+    for (std::size_t v = 0; v < surface_.size(); ++v)
+      order.push_back({distances[Eigen::Index(v)], std::uint32_t(v)});
+    std::sort(order.begin(), order.end());
+    std::vector<std::uint32_t> origins(surface_.size(), none);
     for (const auto& source : sources)
       origins[source.first] = source.first;
-    const Front front{distances, origins, joined_sources(origins)};
-    raise_once(distances, order, front, origins);
-    raise_once(distances, order, front, origins);
+    const bool has_points = std::any_of(sources.begin(), sources.end(), [](const auto& source) { return source.second > 0; });
+    const Front front{distances, origins, joined_sources(origins), has_points};
+    // The nearest first, so that the source of those is known.
+    Eigen::VectorXd raised = distances;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (i + ahead < order.size())
+        fetch_corners(order[i + ahead].second);
+      const std::uint32_t v = order[i].second;
+      if (origins[v] != v)
+        origins[v] = raise(v, front, raised);
+    }
+    distances = raised;
+    for (std::uint32_t v = 0; v < std::uint32_t(surface_.size()); ++v)
+      if (origins[v] != v)
+        raise(v, front, raised);
+    distances = raised;
   }
 
 private:
@@ -98,6 +112,7 @@ private:
     const Eigen::VectorXd& distances;
     const std::vector<std::uint32_t>& origins; // the source that the way to each vertex comes from; none if it comes later
     std::set<std::pair<std::uint32_t, std::uint32_t>> joined;
+    bool has_points; // whether there are sources inside of faces
 
     bool is_linear(std::uint32_t v, std::uint32_t w) const
     {
@@ -120,56 +135,68 @@ private:
     return result;
   }
 
-  // \param order the nearest first, so that the source of those is known
-  void raise_once(Eigen::VectorXd& distances, const std::vector<std::uint32_t>& order, const Front& front,
-                  std::vector<std::uint32_t>& origins) const
+  // Returns the source of the shortest way to v.
+  std::uint32_t raise(std::uint32_t v, const Front& front, Eigen::VectorXd& raised) const
   {
-    Eigen::VectorXd raised = distances;
-    for (std::uint32_t v : order) {
-      if (origins[v] == v)
-        continue;
-      const Way way = shortest_way(v, front);
-      if (way.origin == none)
-        continue;
-      raised[v] = (std::max)(distances[v], way.length);
-      origins[v] = way.origin;
-    }
-    distances = raised;
+    const Way way = shortest_way(v, front);
+    if (way.origin != none)
+      raised[v] = (std::max)(front.distances[v], way.length);
+    return way.origin;
   }
 
+  // Vertices at the same distance lie anywhere in memory. To ask for their corners some steps ahead takes half of the time.
+  static constexpr std::size_t ahead = 8;
+  void fetch_corners(std::uint32_t v) const
+  {
+    const char* const end = reinterpret_cast<const char*>(corners_.data() + first_[v + 1]);
+    for (const char* line = reinterpret_cast<const char*>(corners_.data() + first_[v]); line < end; line += 64)
+      prefetch(line);
+  }
+
+  // First over the vertices around v, then over the points between them: most sides of the star are too far away for these.
   Way shortest_way(std::uint32_t v, const Front& front) const
   {
     Way result;
-    for (std::uint32_t i = first_[v]; i < first_[v + 1]; ++i)
-      keep_shorter(corners_[i], front, result);
+    const Corner *const first = corners_.data() + first_[v], *const end = corners_.data() + first_[v + 1];
+    for (const Corner* corner = first; corner != end; ++corner) {
+      keep_shorter(result, front, corner->a, front.distances[corner->a] + corner->to_a);
+      keep_shorter(result, front, corner->b, front.distances[corner->b] + corner->to_b);
+    }
+    for (const Corner* corner = first; corner != end; ++corner) {
+      if (front.has_points && is_behind_point(*corner, front))
+        return {0, corner->a};
+      if ((std::min)(front.distances[corner->a], front.distances[corner->b]) + corner->height < result.length)
+        keep_shorter(result, front, *corner);
+    }
     return result;
   }
 
-  // Over all points of the side opposite to a corner; between two sources there is none.
-  static void keep_shorter(const Corner& corner, const Front& front, Way& way)
+  // Behind a side of the face of a source inside it, ways cross the side somewhere: nothing is raised there.
+  static bool is_behind_point(const Corner& corner, const Front& front)
   {
     const std::uint32_t a = corner.a, b = corner.b;
-    const auto keep = [&](std::uint32_t over, double length) {
-      if (front.origins[over] != none && length < way.length)
-        way = {length, front.origins[over]};
-    };
-    const double at_a = front.distances[a], at_b = front.distances[b];
-    // Behind a side of the face of a source inside it, ways cross the side somewhere: nothing is raised there.
-    if (front.origins[a] == a && front.origins[b] == b && (at_a > 0 || at_b > 0)) {
-      way = {0, a};
-      return;
-    }
-    keep(a, at_a + corner.to_a);
-    keep(b, at_b + corner.to_b);
+    return front.origins[a] == a && front.origins[b] == b && (front.distances[a] > 0 || front.distances[b] > 0);
+  }
+
+  static void keep_shorter(Way& way, const Front& front, std::uint32_t over, double length)
+  {
+    if (length < way.length && front.origins[over] != none)
+      way = {length, front.origins[over]};
+  }
+
+  // Over all points of the side opposite to a corner; between two sources there is none.
+  static void keep_shorter(Way& way, const Front& front, const Corner& corner)
+  {
+    const std::uint32_t a = corner.a, b = corner.b;
     if (!front.is_linear(a, b))
       return;
     // The point at which the way and the side form the angle whose cosine is the slope of the distance along the side.
-    const double slope = (at_b - at_a) / corner.side;
+    const double at_a = front.distances[a], at_b = front.distances[b], slope = (at_b - at_a) / corner.side;
     if (!(std::abs(slope) < 1))
       return;
     const double sine = std::sqrt((1 - slope) * (1 + slope)), s = corner.foot - slope * corner.height / sine;
     if (s > 0 && s < corner.side)
-      keep(2 * s < corner.side ? a : b, at_a + corner.foot * slope + corner.height * sine);
+      keep_shorter(way, front, 2 * s < corner.side ? a : b, at_a + corner.foot * slope + corner.height * sine);
   }
 
   const Heat_surface& surface_;

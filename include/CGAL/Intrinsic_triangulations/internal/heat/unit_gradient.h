@@ -51,7 +51,8 @@ inline Eigen::VectorXd flux_of_unit_gradient(const Heat_surface& surface, const 
     if (u[0] == 0 && u[1] == 0 && u[2] == 0)
       u = heat_of_face(instead, face);
     const double along = (u[1] - u[0]) / face.base, across = (u[2] - u[0] - along * face.x) / face.height,
-                 norm = std::hypot(along, across);
+                 square = along * along + across * across,
+                 norm = square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : std::hypot(along, across);
     if (norm > 0)
       add_flux(face, -along / norm, -across / norm, sums);
   }
