@@ -98,9 +98,8 @@ bool read_soup(const std::string& path, const std::string& extension, std::uintm
   }
 #endif
   Watched_file file(path, size, progress);
-  // CGAL's OBJ reader loses the corners of a face that stand behind a tab.
   if (extension == "obj")
-    file.turn_tabs_into_spaces();
+    file.filter_obj();
   file.look_with(prepared.check.get());
   return read_soup(file, prepared.check.get(), path, extension, points, polygons);
 }

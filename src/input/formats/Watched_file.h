@@ -6,6 +6,7 @@
 #ifndef IDT_FORMATS_WATCHED_FILE_H
 #define IDT_FORMATS_WATCHED_FILE_H
 
+#include "input/formats/Obj_filter.h"
 #include "input/formats/Text_check.h"
 
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
@@ -16,6 +17,7 @@
 #include <exception>
 #include <fstream>
 #include <ios>
+#include <optional>
 #include <streambuf>
 #include <string>
 #include <vector>
@@ -36,7 +38,8 @@ public:
     open(path, std::ios::in | std::ios::binary);
   }
 
-  void turn_tabs_into_spaces() { has_tabs_turned_ = true; }
+  // Takes out of an OBJ file what CGAL's reader does not understand.
+  void filter_obj() { obj_filter_.emplace(); }
 
   // Shows each piece to `check` before anyone else gets it. What this throws ends the file.
   void look_with(Text_check* const check) { check_ = check; }
@@ -59,8 +62,8 @@ protected:
     if (result == traits_type::eof())
       return result;
     taken_ += static_cast<double>(egptr() - gptr());
-    if (has_tabs_turned_)
-      std::replace(gptr(), egptr(), '\t', ' ');
+    if (obj_filter_)
+      (*obj_filter_)(gptr(), egptr());
     // An exception would not get through the functions of std::istream.
     try {
       if (check_ != nullptr)
@@ -76,6 +79,8 @@ protected:
     const pos_type result = std::filebuf::seekoff(offset, way, mode);
     if (offset == 0 && way == std::ios_base::beg) {
       taken_ = 0;
+      if (obj_filter_)
+        obj_filter_.emplace();
       if (check_ != nullptr)
         check_->restart();
     }
@@ -104,7 +109,7 @@ private:
   double size_;
   double taken_ = 0;
   const CGAL::Intrinsic_triangulations::Progress_function& progress_;
-  bool has_tabs_turned_ = false;
+  std::optional<Obj_filter> obj_filter_;
   bool is_cancelled_ = false;
   Text_check* check_ = nullptr;
   std::exception_ptr error_;

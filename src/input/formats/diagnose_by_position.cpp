@@ -3,8 +3,9 @@
 
 #include "input/formats/checks.h"
 
-#include "input/formats/text_file.h"
+#include "input/formats/Obj_filter.h"
 #include "input/formats/polygon_soup.h"
+#include "input/formats/text_file.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 
@@ -21,7 +22,7 @@ void diagnose_by_position(const std::string& path, const std::string& extension)
   std::string text = load(path);
   // As for the first attempt.
   if (extension == "obj")
-    std::replace(text.begin(), text.end(), '\t', ' ');
+    Obj_filter()(text.data(), text.data() + text.size());
   std::istringstream in(text);
   CGAL::IO::set_mode(in, extension == "ply" ? CGAL::IO::BINARY : CGAL::IO::ASCII);
   Points points;
