@@ -18,15 +18,16 @@ function(idt_compile_quickly target)
     $<$<AND:$<CONFIG:Release>,$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>>:-O1>)
 endfunction()
 
-# add_idt_test(NAME SOURCE... [SANITIZE] [THREADS] [LIBRARIES TARGET...] [DEFINITIONS DEF...]
+# add_idt_test(NAME SOURCE... [SANITIZE] [SANITIZE_AT_NIGHT] [THREADS] [LIBRARIES TARGET...] [DEFINITIONS DEF...]
 #              [TIMEOUT SECONDS] [PREFIX PREFIX] [OPTIMIZE])
 #
 # One GoogleTest executable, each of whose cases is a test of its own in CTest.
-# SANITIZE marks a test that the sanitizer lane of .ci/run builds and runs, THREADS one that
+# SANITIZE marks a test that the sanitizer lane of .ci/run builds and runs, SANITIZE_AT_NIGHT one that takes long to compile there
+# and that `scripts/test --all` runs, THREADS one that
 # has several threads, for the preset `thread-sanitize`. OPTIMIZE keeps all optimization of the build type:
 # for a test that computes for longer than its compilation takes.
 function(add_idt_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;THREADS;OPTIMIZE" "TIMEOUT;PREFIX" "LIBRARIES;DEFINITIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;SANITIZE_AT_NIGHT;THREADS;OPTIMIZE" "TIMEOUT;PREFIX" "LIBRARIES;DEFINITIONS")
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 300)
   endif()
@@ -54,6 +55,9 @@ function(add_idt_test name)
   if(arg_SANITIZE)
     set(label LABELS sanitize)
     add_dependencies(sanitize_tests ${name})
+  elseif(arg_SANITIZE_AT_NIGHT)
+    set(label LABELS night)
+    add_dependencies(night_tests ${name})
   elseif(arg_THREADS)
     set(label LABELS threads)
     add_dependencies(thread_tests ${name})
