@@ -142,11 +142,10 @@ class Triangulation:
 
         Examples
         --------
-        A flat torus with a single vertex, of two triangles:
+        A flat torus with a single vertex, of two right triangles:
 
-        >>> from math import sqrt
         >>> import intrinsic_triangulations as it
-        >>> t = it.Triangulation.from_gluing([[0, 3], [1, 4], [2, 5]], [[1, 1, sqrt(2)]] * 2)
+        >>> t = it.Triangulation.from_gluing([[0, 3], [1, 4], [2, 5]], [[3, 4, 5], [3, 4, 5]])
         >>> t.number_of_vertices, t.number_of_edges, t.verify().ties
         (1, 3, 1)
         """
