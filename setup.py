@@ -22,7 +22,7 @@ class BuildByCMake(build_ext):
         build = os.path.join(ROOT, "build", "python-package")
         subprocess.run(
             ["cmake", "-S", ROOT, "-B", build, "-DCMAKE_BUILD_TYPE=Release",
-             f"-DPython_EXECUTABLE={sys.executable}", f"-DPython3_EXECUTABLE={sys.executable}",
+             f"-DPython_EXECUTABLE={sys.executable}",
              f"-DINTRINSIC_TRIANGULATIONS_PYTHON_FOLDER={folder}",
              "-DINTRINSIC_TRIANGULATIONS_BUILD_PYTHON=ON"]
             + [f"-DINTRINSIC_TRIANGULATIONS_BUILD_{part}=OFF" for part in ("COMMAND", "TESTS", "BENCHMARKS")],

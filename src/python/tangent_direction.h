@@ -60,7 +60,9 @@ public:
   Tangent_direction at_vertex(IT::Vertex_index v, const Vector& vector) const
   {
     const Vector normal = normal_at(v);
-    const Vector projected = vector - normal * vector.dot(normal);
+    const Vector projected = in_plane(vector, normal);
+    if (!(projected.norm() > 0))
+      throw IT::Invalid_point_error("at vertex " + std::to_string(v.idx()) + ", the direction has no part along the surface");
     std::optional<Tangent_direction> found;
     IT::internal::for_each_halfedge_from(complex_, v, [&](IT::Halfedge_index h) {
       if (found || complex_.is_border(h))

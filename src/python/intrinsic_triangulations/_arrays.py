@@ -43,9 +43,9 @@ def doubles(value: Any, name: str, shape: Sequence[Optional[int]]) -> numpy.ndar
 
 def _are_equal(array: numpy.ndarray, result: numpy.ndarray) -> bool:
     if array.dtype.kind in "iu":
-        # A conversion back is undefined from 2**63 on, so that is excluded first.
+        # Beyond it, a conversion back is undefined.
         limit = float(numpy.iinfo(array.dtype).max)
-        return bool(numpy.all((result < limit) & (result.astype(array.dtype, casting="unsafe") == array)))
+        return bool((result < limit).all() and numpy.array_equal(result.astype(array.dtype, casting="unsafe"), array))
     return bool(numpy.all((result == array) | numpy.isnan(array)))
 
 
