@@ -10,6 +10,7 @@
 #include "python/tangent_direction.h"
 
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
+#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_points.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
@@ -19,6 +20,7 @@
 
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -62,7 +64,15 @@ public:
   Surface_in_space(Points points, const std::vector<std::array<std::uint32_t, 3>>& triangles)
     : points_(std::move(points)), surface_(Triangulation(IT::make_Delta_complex_from_triangles(points_.size(), triangles), points_))
   {
-    surface_.use([](const Triangulation& t) { return t.exact_geometry().correspondence().is_prepared(); });
+    edges_per_length_ = surface_.use([](const Triangulation& t) {
+      t.exact_geometry(); // prepared, for all copies
+      double length = 0, area = 0;
+      for (IT::Edge_index e : t.connectivity().edges())
+        length += std::sqrt(t.squared_length(e));
+      for (double a : IT::face_areas(t))
+        area += a;
+      return length / area;
+    });
   }
 
   // From vertex to vertex.
@@ -134,6 +144,11 @@ private:
 
   Path trace(const Triangulation& t, const Tangent_direction& start) const
   {
+    // So many on average, within a factor of two: else a typing error in the length would fill the memory.
+    const double number_of_edges = start.length * edges_per_length_;
+    if (!(number_of_edges <= most_edges))
+      throw IT::Invalid_point_error("the line would cross about " + std::to_string(number_of_edges) +
+                                    " edges, more than a million: the vector is too long");
     const IT::Traced_geodesic line = IT::trace_geodesic(t, start.direction, start.length);
     Path result;
     for (const IT::Surface_point& point : line.points)
@@ -154,8 +169,11 @@ private:
     path.points.append(input, point, surface_.input_sides()[input.face(point.halfedge).idx()]);
   }
 
+  static constexpr double most_edges = 1e6;
+
   Points points_;
   Surface surface_;
+  double edges_per_length_;
 };
 
 std::unique_ptr<Surface_in_space> surface_in_space(const Doubles& points, const Indices& triangles)

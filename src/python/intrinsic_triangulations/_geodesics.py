@@ -161,6 +161,7 @@ class GeodesicTracer(_Lines):
     """Straight lines on a surface from a point in a direction.
 
     Which edge a line crosses next is decided exactly. It ends after the length of the vector, at the border, or exactly in a vertex.
+    Vectors so long that the line would cross a million edges are refused.
 
     Parameters
     ----------
