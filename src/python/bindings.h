@@ -10,7 +10,7 @@
 
 namespace idt_python {
 
-void add_laplacian(pybind11::module_& module);
+void add_Laplacian(pybind11::module_& module);
 void add_triangulation(pybind11::module_& module);
 void add_subdivision(pybind11::module_& module);
 void add_heat(pybind11::module_& module);

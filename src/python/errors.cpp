@@ -23,22 +23,38 @@ const char* name_of(IT::Invalid_surface_error::Defect defect)
 {
   using Defect = IT::Invalid_surface_error::Defect;
   switch (defect) {
-  case Defect::EMPTY: return "EMPTY";
-  case Defect::BAD_INDEX: return "BAD_INDEX";
-  case Defect::NOT_A_TRIANGLE: return "NOT_A_TRIANGLE";
-  case Defect::REPEATED_CORNER: return "REPEATED_CORNER";
-  case Defect::DUPLICATE_FACE: return "DUPLICATE_FACE";
-  case Defect::NON_MANIFOLD_EDGE: return "NON_MANIFOLD_EDGE";
-  case Defect::INCONSISTENT_ORIENTATION: return "INCONSISTENT_ORIENTATION";
-  case Defect::NON_MANIFOLD_VERTEX: return "NON_MANIFOLD_VERTEX";
-  case Defect::INVALID_GLUING: return "INVALID_GLUING";
-  case Defect::NOT_FINITE: return "NOT_FINITE";
-  case Defect::OUT_OF_RANGE: return "OUT_OF_RANGE";
-  case Defect::ZERO_LENGTH_EDGE: return "ZERO_LENGTH_EDGE";
-  case Defect::TRIANGLE_INEQUALITY: return "TRIANGLE_INEQUALITY";
-  case Defect::DEGENERATE_FACE: return "DEGENERATE_FACE";
-  case Defect::WRONG_TOPOLOGY: return "WRONG_TOPOLOGY";
-  case Defect::UNREADABLE: return "UNREADABLE";
+  case Defect::EMPTY:
+    return "EMPTY";
+  case Defect::BAD_INDEX:
+    return "BAD_INDEX";
+  case Defect::NOT_A_TRIANGLE:
+    return "NOT_A_TRIANGLE";
+  case Defect::REPEATED_CORNER:
+    return "REPEATED_CORNER";
+  case Defect::DUPLICATE_FACE:
+    return "DUPLICATE_FACE";
+  case Defect::NON_MANIFOLD_EDGE:
+    return "NON_MANIFOLD_EDGE";
+  case Defect::INCONSISTENT_ORIENTATION:
+    return "INCONSISTENT_ORIENTATION";
+  case Defect::NON_MANIFOLD_VERTEX:
+    return "NON_MANIFOLD_VERTEX";
+  case Defect::INVALID_GLUING:
+    return "INVALID_GLUING";
+  case Defect::NOT_FINITE:
+    return "NOT_FINITE";
+  case Defect::OUT_OF_RANGE:
+    return "OUT_OF_RANGE";
+  case Defect::ZERO_LENGTH_EDGE:
+    return "ZERO_LENGTH_EDGE";
+  case Defect::TRIANGLE_INEQUALITY:
+    return "TRIANGLE_INEQUALITY";
+  case Defect::DEGENERATE_FACE:
+    return "DEGENERATE_FACE";
+  case Defect::WRONG_TOPOLOGY:
+    return "WRONG_TOPOLOGY";
+  case Defect::UNREADABLE:
+    return "UNREADABLE";
   }
   return "";
 }

@@ -87,7 +87,7 @@ def marks(value: Any, name: str, number: int) -> Optional[numpy.ndarray]:
         return None
     array = as_array(value, name, "b", "booleans")
     check_shape(array, name, (number,))
-    return array
+    return array.astype(bool, copy=False)
 
 
 def integer(value: Any, name: str, least: int = 0, largest: int = 2**64 - 1) -> int:

@@ -15,7 +15,7 @@ namespace idt_python {
 
 namespace {
 
-py::tuple laplacian(const Doubles& points, const Indices& triangles, double mollification, bool is_lumped)
+py::tuple Laplacian_of_triangles(const Doubles& points, const Indices& triangles, double mollification, bool is_lumped)
 {
   const Rows<double> rows(points);
   const auto faces = copied_rows(triangles);
@@ -29,9 +29,9 @@ py::tuple laplacian(const Doubles& points, const Indices& triangles, double moll
 
 } // namespace
 
-void add_laplacian(py::module_& module)
+void add_Laplacian(py::module_& module)
 {
-  module.def("laplacian", &laplacian, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
+  module.def("laplacian", &Laplacian_of_triangles, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
              py::arg("mollification"), py::arg("is_lumped"));
 }
 
