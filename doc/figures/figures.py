@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 
 from idt_files import read_obj
 from pages import page_of_images
-from scene import polygons, render, textured, tubes
+from scene import bands, polygons, render, textured, tubes
 
 WHITE, GREY, BLACK, RED = (1, 1, 1), (0.3, 0.36, 0.45), (0, 0, 0), (0.85, 0.05, 0.05)
 KEPT = (WHITE, "in both")
@@ -148,6 +148,20 @@ def geodesics(panels):
         before, after = (sum(report[key] for _, report in lines) for key in ("initial_length", "length"))
         titles.append(f"{surface.name}: length {after:.3f}, along edges {before:.3f}")
     return page_of_images(images, titles, columns=2)
+
+
+def distances(surface, values, axes, camera, radius):
+    """Isolines of the distance from a source, and the axis of the source, carried to all vertices."""
+    pairs, _ = surface.edges()
+    lengths = np.linalg.norm(surface.points[pairs[:, 0]] - surface.points[pairs[:, 1]], axis=1)
+    ends = surface.points + 0.6 * np.mean(lengths) * axes
+    size = radius * np.linalg.norm(np.ptp(surface.points, axis=0))
+    number = 24
+    shades = [pyplot.get_cmap("YlGnBu")(0.15 + 0.75 * (i % 2 + i / number) / 2) for i in range(number)]
+    images = [render([bands(surface.points, surface.faces, values, number, shades)], camera),
+              render([polygons(surface.points, surface.faces),
+                      tubes([[point, end] for point, end in zip(surface.points, ends)], RED, size)], camera)]
+    return page_of_images(images, ["the distance from a vertex", "a vector there, carried along shortest ways"], columns=2)
 
 
 def maps_to_the_plane(triangulation, maps):

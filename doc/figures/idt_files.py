@@ -181,6 +181,14 @@ class Idt:
             points = np.array([[float(row[axis]) for axis in "xyz"] for row in csv.DictReader(file)])
         return points, json.loads((self.folder / "line.json").read_text())
 
+    def distances(self, surface, source):
+        """For each vertex its distance from a source, and the axis of the source, carried there."""
+        self.run("distance", surface.path, "--source", source, "--cover", "none", "--vectors", "-o", "distances.csv")
+        with open(self.folder / "distances.csv") as file:
+            rows = list(csv.DictReader(file))
+        return (np.array([float(row["distance"]) for row in rows]),
+                np.array([[float(row[f"axis_{axis}"]) for axis in "xyz"] for row in rows]))
+
     def compare_samples(self, *number_types):
         """Runs number types on all built-in surfaces, for some minutes."""
         paths = [self.run("sample", name, "-o", name).strip() for name in self.run("sample", "--list").split()]

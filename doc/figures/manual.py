@@ -50,6 +50,7 @@ SAMPLES = {
     "refinement": Subject(DOME, Camera((1, -1.2, 0.9), size=(400, 360)), 0.0012),
     "geodesics": [Subject(sample("torus"), Camera((1, -1.2, 1.6)), 0.003),
                   Subject(sample("bumpy-sphere"), Camera((1, -1, 0.7)), 0.0022)],
+    "distances": Subject(sample("bumpy-sphere"), Camera((1, -1, 0.7)), 0.0016),
     "kernels": None,  # all samples, and no view
 }
 
@@ -123,6 +124,12 @@ def draw_geodesics(idt, subjects):
     return figures.geodesics(panels)
 
 
+def draw_distances(idt, subject):
+    surface = subject.surface(idt)
+    source = np.argmax(surface.points @ np.array(subject.camera.direction))
+    return figures.distances(surface, *idt.distances(surface, source), subject.camera, subject.radius)
+
+
 def draw_maps(idt, subject):
     surface = subject.surface(idt)
     maps = [(title, *(idt.parameterize(surface, f"{boundary}-{operator}", "--boundary", boundary,
@@ -149,10 +156,10 @@ def draw_kernels(idt, _):
         "filtered"))
 
 
-# The names of the pictures, in the order of the paper: figures 1, 2, 6, 7, 8, 9 and 10; and three more.
+# The names of the pictures, in the order of the paper: figures 1, 2, 6, 7, 8, 9 and 10; and four more.
 DRAW = {"edges": draw_edges, "thin-tube": draw_edges, "weights": draw_weights, "overlays": draw_overlays,
         "maps": draw_maps, "interpolation": draw_interpolation, "circle-patterns": draw_circle_patterns,
-        "refinement": draw_refinement, "geodesics": draw_geodesics, "kernels": draw_kernels}
+        "refinement": draw_refinement, "geodesics": draw_geodesics, "distances": draw_distances, "kernels": draw_kernels}
 LINE_DRAWINGS = ("weights", "maps", "kernels")  # these have few colors
 
 

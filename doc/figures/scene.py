@@ -66,6 +66,30 @@ def polygons(points, faces, colors=None):
     return actor
 
 
+def bands(points, faces, values, number, colors):
+    """A lit surface in so many bands of equal width, between 0 and the largest of the values at its points."""
+    data = vtk.vtkPolyData()
+    data.SetPoints(_points(points))
+    data.SetPolys(_cells(faces))
+    data.GetPointData().SetScalars(numpy_to_vtk(np.asarray(values), deep=True))
+    contours = vtk.vtkBandedPolyDataContourFilter()
+    contours.SetInputData(data)
+    contours.GenerateValues(number + 1, 0, float(np.max(values)))
+    contours.SetScalarModeToIndex()
+    contours.Update()
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(number)
+    for i, color in enumerate(colors):
+        table.SetTableValue(i, *color[:3], 1)
+    actor = _actor(contours.GetOutput())
+    mapper = actor.GetMapper()
+    mapper.SetScalarModeToUseCellData()
+    mapper.SetScalarRange(0, number - 1)
+    mapper.SetLookupTable(table)
+    _soften(actor)
+    return actor
+
+
 def tubes(paths, color, radius):
     """Lines on a surface, each the list of its points, as thin tubes that light does not change."""
     data = vtk.vtkPolyData()

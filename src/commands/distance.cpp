@@ -18,13 +18,16 @@
 #include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/vertex_frames.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -34,6 +37,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,7 +56,7 @@ struct Distance_options
   std::string output_path, stats_path;
   std::string cover = "tufted", boundary = "neumann";
   double time_coefficient = 1;
-  bool is_refined = false, is_repaired = false;
+  bool is_refined = false, is_repaired = false, has_vectors = false;
 };
 
 struct Distance_result
@@ -87,6 +91,10 @@ void check(const Distance_options& options)
     throw Usage_error("--refine needs --cover none");
   if (options.cover == "tufted" && options.is_repaired)
     throw Usage_error("--repair needs --cover none: the tufted cover takes any triangles");
+  if (options.cover == "tufted" && options.has_vectors)
+    throw Usage_error("--vectors needs --cover none: a vertex of the tufted cover has no tangent plane");
+  if (options.has_vectors && options.output_path.empty())
+    throw Usage_error("--vectors needs -o");
   if (!(options.time_coefficient > 0 && std::isfinite(options.time_coefficient)))
     throw Usage_error("--time: T is a positive number");
   const std::string& path = options.output_path;
@@ -140,6 +148,33 @@ void find_distances(const Distance_options& options, IT::Heat_method<> heat, Dis
   result.mean_edge_length = heat.mean_edge_length();
   result.surface.distances = heat.distances();
   result.surface.distances.resize(n); // without the vertices that a refinement inserted
+}
+
+// The first axis of the tangent plane of each source, carried to the vertices that are nearest to it; and for one source the logarithmic map.
+void find_vectors(const Distance_options& options, const Triangulation& triangulation, const std::vector<std::array<double, 3>>& points,
+                  Distance_result& result)
+{
+  const std::size_t n = result.surface.number_of_vertices;
+  const IT::Vector_heat_method heat(triangulation);
+  std::vector<std::pair<IT::Vertex_index, IT::Planar_vector<double>>> axes;
+  for (std::uint64_t v : std::set<std::uint64_t>(options.sources.begin(), options.sources.end()))
+    axes.push_back({IT::Vertex_index(IT::Vertex_index::size_type(v)), {1, 0}});
+  const auto transported = heat.transport_tangent_vectors(axes);
+  Point_values axis{"axis", {}, points.empty() ? std::size_t(2) : std::size_t(3)};
+  const auto frames = points.empty() ? std::vector<IT::Vertex_frame>() : IT::vertex_frames(triangulation, points);
+  for (std::size_t v = 0; v < n; ++v) {
+    const IT::Planar_vector<double>& z = transported[v];
+    const std::array<double, 3> vector = points.empty() ? std::array<double, 3>{z.x(), z.y(), 0} : frames[v].in_space(z);
+    axis.values.insert(axis.values.end(), vector.begin(), vector.begin() + std::ptrdiff_t(axis.components));
+  }
+  result.surface.vectors.push_back(std::move(axis));
+  if (axes.size() > 1)
+    return;
+  Point_values log{"log", {}, 2};
+  const auto map = heat.log_map(axes.front().first);
+  for (std::size_t v = 0; v < n; ++v)
+    log.values.insert(log.values.end(), {map[v].x(), map[v].y()});
+  result.surface.vectors.push_back(std::move(log));
 }
 
 void find_on_cover(const Distance_options& options, IT::Tufted_cover cover, Progress& progress, Stopwatch& stopwatch,
@@ -200,6 +235,8 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
   }
   result.triangulation_seconds = stopwatch.restart();
   find_distances(options, IT::Heat_method<>(triangulation, library_options(options)), result);
+  if (options.has_vectors)
+    find_vectors(options, triangulation, surface.points, result);
   result.distance_seconds = stopwatch.seconds();
   for (IT::Face_index f : complex.faces()) {
     const IT::Halfedge_index h = complex.halfedge(f);
@@ -300,6 +337,8 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
                 "for how long heat spreads, in units of the squared mean length of the edges: the larger, the smoother")
     ->type_name("T")
     ->capture_default_str();
+  command.add_flag("--vectors", options->has_vectors,
+                   "also write the first axis of the source, carried parallelly to each vertex, and for one source its logarithmic map");
   add_repair_option(command, options->is_repaired);
   command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")->type_name("F.json");
   command.callback([options, &selected] { selected = [options] { return run_distance(*options); }; });

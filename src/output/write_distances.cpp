@@ -3,12 +3,13 @@
 
 #include "output/write_distances.h"
 
-#include "input/formats/vtp.h"
 #include "system/text.h"
 
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace idt {
 namespace {
@@ -28,24 +29,52 @@ void write_double(std::ostream& os, double x)
   write_bytes(os, bits);
 }
 
+// The name of each coordinate, vertex values one after the other.
+std::vector<std::string> column_names(const Surface_with_distances& surface)
+{
+  std::vector<std::string> result;
+  for (const Point_values& at : surface.vectors)
+    for (std::size_t c = 0; c < at.components; ++c)
+      result.push_back(at.name + '_' + "xyz"[c]);
+  return result;
+}
+
+// Calls `visit(x)` for each coordinate at a vertex, in the order of their names.
+template <class Visit>
+void for_each_coordinate(const Surface_with_distances& surface, std::size_t v, const Visit& visit)
+{
+  for (const Point_values& at : surface.vectors)
+    for (std::size_t c = 0; c < at.components; ++c)
+      visit(at.values[v * at.components + c]);
+}
+
 } // namespace
 
 void write_distances_csv(std::ostream& os, const Surface_with_distances& surface)
 {
-  os << "vertex,distance\n";
-  for (std::size_t v = 0; v < surface.number_of_vertices; ++v)
-    os << v << ',' << in_full(surface.distances[v]) << '\n';
+  os << "vertex,distance";
+  for (const std::string& name : column_names(surface))
+    os << ',' << name;
+  os << '\n';
+  for (std::size_t v = 0; v < surface.number_of_vertices; ++v) {
+    os << v << ',' << in_full(surface.distances[v]);
+    for_each_coordinate(surface, v, [&os](double x) { os << ',' << in_full(x); });
+    os << '\n';
+  }
 }
 
 void write_distances_ply(std::ostream& os, const Surface_with_distances& surface)
 {
   os << "ply\nformat binary_little_endian 1.0\nelement vertex " << surface.number_of_vertices
-     << "\nproperty double x\nproperty double y\nproperty double z\nproperty double distance\nelement face "
-     << surface.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+     << "\nproperty double x\nproperty double y\nproperty double z\nproperty double distance\n";
+  for (const std::string& name : column_names(surface))
+    os << "property double " << name << '\n';
+  os << "element face " << surface.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
   for (std::size_t v = 0; v < surface.number_of_vertices; ++v) {
     for (double x : surface.points[v])
       write_double(os, x);
     write_double(os, surface.distances[v]);
+    for_each_coordinate(surface, v, [&os](double x) { write_double(os, x); });
   }
   for (const auto& triangle : surface.triangles) {
     os.put(3);
@@ -56,15 +85,17 @@ void write_distances_ply(std::ostream& os, const Surface_with_distances& surface
 
 void write_distances_vtp(std::ostream& os, const Surface_with_distances& surface)
 {
-  std::vector<double> finite = surface.distances;
-  for (double& d : finite)
-    d = (std::min)(d, (std::numeric_limits<double>::max)());
+  std::vector<Point_values> finite{{"distance", surface.distances}};
+  finite.insert(finite.end(), surface.vectors.begin(), surface.vectors.end());
+  for (Point_values& at : finite)
+    for (double& x : at.values)
+      x = (std::min)(x, (std::numeric_limits<double>::max)());
   Flat_polygons polygons;
   for (const auto& triangle : surface.triangles) {
     polygons.corners.insert(polygons.corners.end(), triangle.begin(), triangle.end());
     polygons.ends.push_back(polygons.corners.size());
   }
-  write_vtp(os, surface.points, polygons, Point_values{"distance", &finite});
+  write_vtp(os, surface.points, polygons, finite);
 }
 
 } // namespace idt

@@ -7,9 +7,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
+#include <complex>
 #include <cstring>
 #include <limits>
+#include <sstream>
 
 namespace {
 
@@ -77,6 +80,58 @@ TEST_F(Distance_command, writes_meshes_with_values)
     EXPECT_EQ(std::stod(vtp.at(6 + v)), d[v]);
 }
 
+// The kite is flat: the logarithmic map is the identity but for a turn, and an axis that is carried remains what it is in the plane.
+TEST_F(Distance_command, writes_vectors)
+{
+  write_kite("kite.off");
+  for (const char* name : {"d.csv", "d.ply", "d.vtp"}) {
+    const Command_run run = idt(std::string("distance kite.off --source 1 --cover none --vectors -o ") + name);
+    ASSERT_EQ(run.status, 0) << run.err;
+  }
+  ASSERT_EQ(idt("distance kite.off --source 1,3 --cover none --vectors -o two.csv").status, 0);
+  std::vector<std::array<double, 5>> rows;
+  const std::vector<std::string> csv = lines(content(folder_ / "d.csv"));
+  ASSERT_EQ(csv.at(0), "vertex,distance,axis_x,axis_y,axis_z,log_x,log_y");
+  for (std::size_t v = 0; v < 4; ++v) {
+    std::istringstream row(csv.at(1 + v));
+    std::string cell;
+    std::getline(row, cell, ',');
+    std::getline(row, cell, ',');
+    rows.emplace_back();
+    for (double& x : rows.back()) {
+      std::getline(row, cell, ',');
+      x = std::stod(cell);
+    }
+  }
+  const std::array<std::array<double, 2>, 4> points = {{{0, 0}, {1, -0.25}, {2, 0}, {1, 0.25}}};
+  const std::complex<double> axis(rows[1][0], rows[1][1]);
+  EXPECT_NEAR(std::abs(axis), 1, 1e-14);
+  for (std::size_t v = 0; v < 4; ++v) {
+    EXPECT_NEAR(rows[v][0], axis.real(), 1e-12);
+    EXPECT_NEAR(rows[v][1], axis.imag(), 1e-12);
+    EXPECT_EQ(rows[v][2], 0);
+    const std::complex<double> log(rows[v][3], rows[v][4]), wanted(points[v][0] - points[1][0], points[v][1] - points[1][1]);
+    EXPECT_LT(std::abs(log * axis - wanted), 1e-12) << v;
+  }
+  EXPECT_EQ(lines(content(folder_ / "two.csv")).at(0), "vertex,distance,axis_x,axis_y,axis_z");
+  const std::string ply = content(folder_ / "d.ply");
+  EXPECT_TRUE(contains(ply, "property double distance\nproperty double axis_x\nproperty double axis_y\nproperty double axis_z\n"
+                            "property double log_x\nproperty double log_y\nelement face 2\n"));
+  ASSERT_EQ(ply.size(), ply.find("end_header\n") + 11 + 4 * 72 + 2 * 13);
+  for (std::size_t v = 0; v < 4; ++v) {
+    double value;
+    std::memcpy(&value, &ply[ply.find("end_header\n") + 11 + 72 * v + 56], sizeof value);
+    EXPECT_EQ(value, rows[v][3]);
+  }
+  EXPECT_EQ(idt("triangulate d.ply").status, 0);
+  const std::string vtp = content(folder_ / "d.vtp");
+  EXPECT_TRUE(contains(vtp, "Name=\"axis\" NumberOfComponents=\"3\""));
+  EXPECT_TRUE(contains(vtp, "Name=\"log\" NumberOfComponents=\"2\""));
+  ASSERT_EQ(idt("sample one-vertex-torus -o t").status, 0);
+  ASSERT_EQ(idt("distance t.gluing --source 0 --cover none --vectors -o t.csv").status, 0);
+  EXPECT_EQ(lines(content(folder_ / "t.csv")).at(0), "vertex,distance,axis_x,axis_y,log_x,log_y");
+}
+
 TEST_F(Distance_command, is_infinite_where_no_source_is_connected)
 {
   write("two.off", "OFF\n7 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n9 9 9\n3 0 1 2\n3 3 4 5\n");
@@ -134,7 +189,7 @@ TEST_F(Distance_command, refuses_what_makes_no_sense)
 {
   write_kite("kite.off");
   for (const char* const options : {"", "--source 4", "--source -1", "--source 0 --boundary average", "--source 0 --refine", "--source 0 --repair",
-                                    "--source 0 --time 0", "--source 0 --time nan", "--source 0 -o d.txt",
+                                    "--source 0 --time 0", "--source 0 --time nan", "--source 0 -o d.txt", "--source 0 -o d.csv --vectors", "--source 0 --cover none --vectors",
                                     "--source 0 -o kite.off", "--source 0 --cover two"}) {
     const Command_run run = idt(std::string("distance kite.off ") + options);
     EXPECT_EQ(run.status, 2) << options;

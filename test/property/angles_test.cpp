@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/angles.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/halfedge_vectors.h>
+#include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/is_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
@@ -26,6 +27,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace {
@@ -206,37 +208,119 @@ TEST(Angles, an_isolated_vertex_has_none)
   EXPECT_DOUBLE_EQ(IT::angle_defect(t, Vertex_index(0)), pi / 2);
 }
 
-// Where the surface is flat, vectors are differences of coordinates, turned so that the first is on the axis.
+// Vectors in the plane z = 0.
+Vector in_plane(const IT::Indexed_triangles& surface, Vertex_index v, Vertex_index w)
+{
+  const auto &p = surface.points[v.idx()], &q = surface.points[w.idx()];
+  return Vector(q[0] - p[0], q[1] - p[1]);
+}
+
+// Where the surface is flat, vectors are differences of coordinates, turned so that the first axis is that of the input.
 TEST(Halfedge_vectors, at_flat_vertices_are_those_of_the_plane)
 {
   const IT::Indexed_triangles surface = sheared_sheet(5, 2.25, 1);
   Triangulation t = make_triangulation(surface);
+  const Delta_complex input = t.connectivity();
   ASSERT_GT(IT::flip_to_Delaunay(t).flips, 0u);
   const Delta_complex& c = t.connectivity();
   const std::vector<Vector> vectors = IT::halfedge_vectors_in_vertex(t);
-  const auto in_plane = [&](Halfedge_index h) {
-    const auto &p = surface.points[c.source(h).idx()], &q = surface.points[c.target(h).idx()];
-    return Vector(q[0] - p[0], q[1] - p[1]);
-  };
-  std::size_t inside = 0;
-  for (Vertex_index v : c.vertices()) {
-    const Halfedge_index first = c.opposite(c.halfedge(v));
-    EXPECT_EQ(vectors[first.idx()].y(), 0);
-    EXPECT_EQ(vectors[first.idx()].x(), t.length(c.edge(first)));
-    if (c.is_border(c.halfedge(v))) { // the last one points backwards
-      const Halfedge_index last = c.next(c.halfedge(v));
-      EXPECT_TRUE(c.is_border(last));
-      EXPECT_NEAR(vectors[last.idx()].x(), -t.length(c.edge(last)), 1e-12);
-      continue;
-    }
-    ++inside;
-    for (Halfedge_index h = c.next_around_source(first); h != first; h = c.next_around_source(h)) {
-      const Vector turned = times_conjugate(in_plane(h), in_plane(first));
-      EXPECT_NEAR(vectors[h.idx()].x(), turned.x() / t.length(c.edge(first)), 1e-12);
-      EXPECT_NEAR(vectors[h.idx()].y(), turned.y() / t.length(c.edge(first)), 1e-12);
-    }
+  for (Halfedge_index h : c.halfedges()) {
+    const Vertex_index v = c.source(h);
+    Halfedge_index axis = input.opposite(input.halfedge(v));
+    if (!input.is_border(input.halfedge(v)))
+      for (Halfedge_index g : input.halfedges())
+        if (input.source(g) == v)
+          axis = std::min(axis, g);
+    const Vector along = in_plane(surface, v, input.target(axis)),
+                 turned = times_conjugate(in_plane(surface, v, c.target(h)), along);
+    EXPECT_NEAR(vectors[h.idx()].x(), turned.x() / std::sqrt(squared_norm(along)), 1e-12);
+    EXPECT_NEAR(vectors[h.idx()].y(), turned.y() / std::sqrt(squared_norm(along)), 1e-12);
   }
-  EXPECT_EQ(inside, 16u);
+}
+
+TEST(Halfedge_vectors, remain_the_same_whatever_is_flipped_and_inserted)
+{
+  for (const IT::Indexed_triangles& surface : {IT::bumpy_sphere(14, 9), IT::bumpy_dome(12, 9), IT::bad_torus(11, 9), IT::disk_with_spike(12, 6)}) {
+    Triangulation t = make_triangulation(surface);
+    const std::vector<Vector> before = IT::halfedge_vectors_in_vertex(t);
+    ASSERT_GT(IT::flip_to_Delaunay(t).flips, 0u);
+    const auto expect_same = [&] {
+      const std::vector<Vector> after = IT::halfedge_vectors_in_vertex(t);
+      const Delta_complex& c = t.connectivity();
+      const IT::Correspondence& correspondence = t.exact_geometry().correspondence();
+      std::size_t kept = 0;
+      for (Halfedge_index h : c.halfedges())
+        if (correspondence.coordinates().crossings(c.edge(h)) < 0 && !correspondence.is_inserted(c.source(h)) &&
+            !correspondence.is_inserted(c.target(h))) {
+          const Halfedge_index g = correspondence.input_halfedge(h);
+          const double length = t.length(c.edge(h));
+          EXPECT_NEAR(after[h.idx()].x(), before[g.idx()].x(), 1e-12 * length);
+          EXPECT_NEAR(after[h.idx()].y(), before[g.idx()].y(), 1e-12 * length);
+          ++kept;
+        }
+      EXPECT_GT(kept, 0u);
+    };
+    expect_same();
+    for (std::uint32_t h = 0; h < 90; h += 9)
+      if (!t.exact_geometry().correspondence().input().is_border(Halfedge_index(h)))
+        IT::insert_vertex(t, {Halfedge_index(h), {0.25, 0.5, 0.25}});
+    IT::flip_to_Delaunay(t);
+    expect_same();
+  }
+}
+
+// ... where no edge of the input is left at a vertex.
+TEST(Halfedge_vectors, are_found_over_crossed_edges)
+{
+  const IT::Indexed_triangles surface = sheared_sheet(9, 4.25, 1);
+  Triangulation t = make_triangulation(surface);
+  IT::flip_to_Delaunay(t);
+  const Delta_complex& c = t.connectivity();
+  const IT::Correspondence& correspondence = t.exact_geometry().correspondence();
+  const auto crossings = [&](Halfedge_index h) { return correspondence.coordinates().crossings(c.edge(h)); };
+  std::size_t number = 0;
+  for (Halfedge_index h : c.halfedges())
+    if (crossings(h) > 0) {
+      const Halfedge_index axis = IT::internal::first_axis(correspondence.input(), c.source(h));
+      const Vector turned = times_conjugate(in_plane(surface, c.source(h), c.target(h)),
+                                            in_plane(surface, c.source(h), correspondence.input().target(axis)));
+      const double difference =
+        IT::internal::direction_on_input(c, t.exact_geometry(), h) - std::atan2(turned.y(), turned.x());
+      EXPECT_NEAR(std::remainder(difference, 2 * pi), 0, 1e-12);
+      ++number;
+    }
+  EXPECT_GT(number, 100u);
+}
+
+TEST(Halfedge_vectors, at_inserted_vertices_have_the_axis_of_their_location)
+{
+  const IT::Indexed_triangles surface = sheared_sheet(5, 2.25, 1);
+  const Triangulation before = make_triangulation(surface);
+  const Delta_complex& input = before.connectivity();
+  for (Halfedge_index location : input.halfedges())
+    for (std::array<double, 3> at : {std::array<double, 3>{0.25, 0.25, 0.5}, {0.125, 0.875, 0}, {0, 0.5, 0.5}, {0.75, 0, 0.25}}) {
+      if (input.is_border(location))
+        continue;
+      Triangulation t = before;
+      const Vertex_index v = IT::insert_vertex(t, {location, at});
+      IT::flip_to_Delaunay(t);
+      const Delta_complex& c = t.connectivity();
+      const Halfedge_index stored = t.exact_geometry().correspondence().location(v).halfedge;
+      const auto point = [&](Vertex_index w) { return surface.points[w.idx()]; };
+      std::array<double, 2> p{0, 0};
+      Halfedge_index h = location;
+      for (std::size_t i = 0; i < 3; ++i, h = input.next(h))
+        for (std::size_t k = 0; k < 2; ++k)
+          p[k] += at[i] * point(input.source(h))[k];
+      const Vector axis = in_plane(surface, input.source(stored), input.target(stored));
+      const std::vector<Vector> vectors = IT::halfedge_vectors_in_vertex(t);
+      IT::internal::for_each_halfedge_from(c, v, [&](Halfedge_index g) {
+        const auto q = point(c.target(g));
+        const Vector turned = times_conjugate(Vector(q[0] - p[0], q[1] - p[1]), axis);
+        EXPECT_NEAR(vectors[g.idx()].x(), turned.x() / std::sqrt(squared_norm(axis)), 1e-12);
+        EXPECT_NEAR(vectors[g.idx()].y(), turned.y() / std::sqrt(squared_norm(axis)), 1e-12);
+      });
+    }
 }
 
 // The apex of a cube's corner has a cone angle of 3π/2, scaled to 2π.
@@ -248,7 +332,7 @@ TEST(Halfedge_vectors, at_a_cone_have_their_angles_scaled)
   const Triangulation t = make_triangulation(surface);
   const Delta_complex& c = t.connectivity();
   const std::vector<Vector> vectors = IT::halfedge_vectors_in_vertex(t);
-  Halfedge_index h = c.opposite(c.halfedge(Vertex_index(0)));
+  Halfedge_index h = IT::internal::first_axis(c, Vertex_index(0));
   for (int i = 0; i < 3; ++i, h = c.next_around_source(h)) {
     const double l = t.length(c.edge(h));
     EXPECT_NEAR(vectors[h.idx()].x(), l * std::cos(2 * pi * i / 3), 1e-14);

@@ -190,7 +190,7 @@ TEST(Heat_method, pinned_values_solve_the_system)
 {
   const Grid grid(10, 10);
   const IT::internal::Heat_surface surface = IT::internal::make_heat_surface(Delaunay(grid.points, grid.triangles));
-  using System = IT::internal::Pinned_system<IT::internal::Sparse_Cholesky>;
+  using System = IT::internal::Pinned_system<IT::internal::Sparse_Cholesky<>>;
   for (std::uint32_t number : {1, 2, 20, 32, 33, 70}) {
     IT::internal::Pins pins;
     for (std::uint32_t i = 0; i < number; ++i)

@@ -21,6 +21,7 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
+#include <array>
 #include <atomic>
 #include <complex>
 #include <cstddef>
@@ -219,13 +220,16 @@ public:
   // For work that makes many short decisions.
   const internal::Interruption& interruption() const;
 
-  // As `edge_beginning()` of `Unfolding`, rounded.
+  // As `edge_beginning()` of `Unfolding`, with errors of at most 2^-50 of the vector, or of the source if that is longer.
   struct Edge_beginning
   {
     std::complex<double> source, vector;
     Halfedge_index reference;
   };
   Edge_beginning edge_beginning(const Delta_complex& complex, Halfedge_index h) const;
+
+  // The angle at the source of an input halfedge, in its face, up to 2^-50. \pre `prepare()` was called, h is not a border halfedge
+  double input_angle(Halfedge_index h) const;
 
   // The input as the images of its metric see it; the caller's own as long as the lease lives. \pre `prepare()` was called
   using Surface_lease = internal::Scratch_pool<internal::Input_surface>::Lease;
@@ -251,6 +255,9 @@ private:
   template <class FindImage>
   std::optional<Sign> sign_by_images(const Delta_complex& complex, Edge_index e, const Opposite_corners& corners,
                                      internal::Input_surface& surface, const FindImage& find_image) const;
+
+  template <std::size_t N, class Evaluate>
+  static std::array<std::complex<double>, N> rounded_vectors(internal::Input_surface& surface, const Evaluate& evaluate);
 
   // As the public ones, with memory that the caller has taken.
   Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e, internal::Input_surface& surface) const;

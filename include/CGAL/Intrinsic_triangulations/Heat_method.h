@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Ridge_keeper.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/point_source.h>
@@ -85,7 +86,7 @@ struct Heat_method_options
 ///   sparse Cholesky factorization of Eigen, or that of CHOLMOD if `CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD` is defined
 ///
 /// Source: K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in heat", 2013.
-template <class LinearSolver = internal::Sparse_Cholesky>
+template <class LinearSolver = internal::Sparse_Cholesky<>>
 class Heat_method
 {
 public:
@@ -183,14 +184,11 @@ public:
       weighted[row_of(v)] += value;
     }
     const std::vector<bool> is_reachable = reachable(sources);
-    const internal::Layered_heat spread = diffusion_->spread(heat, is_reachable);
-    const auto layers = diffusion_->spread_likewise(weighted, spread);
+    const std::vector<double> quotients = diffusion_->quotients(diffusion_->spread(heat, is_reachable), weighted, is_reachable);
     std::vector<double> result(surface_->size(), elsewhere);
-    for (std::size_t v = 0; v < result.size(); ++v) {
-      const std::uint32_t row = row_of_input(v);
-      if (is_reachable[row] && spread[row] != 0)
-        result[v] = layers[spread.layer_of[row]][row] / spread[row];
-    }
+    for (std::size_t v = 0; v < result.size(); ++v)
+      if (is_reachable[row_of_input(v)])
+        result[v] = quotients[row_of_input(v)];
     for (const auto& [v, value] : values)
       result[v.idx()] = value;
     return result;
@@ -240,12 +238,10 @@ private:
   // The rows in the components of the sources.
   std::vector<bool> reachable(const internal::Pins& sources) const
   {
-    std::vector<bool> components(surface_->size()), result(surface_->size());
+    std::vector<std::uint32_t> rows;
     for (const auto& source : sources)
-      components[surface_->component[source.first]] = true;
-    for (std::size_t v = 0; v < surface_->size(); ++v)
-      result[v] = components[surface_->component[v]];
-    return result;
+      rows.push_back(source.first);
+    return surface_->connected_with(rows);
   }
 
   // The distances of the sources: zero, and for points those of the corners of their faces.

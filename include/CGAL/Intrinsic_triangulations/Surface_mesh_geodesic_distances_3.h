@@ -140,7 +140,7 @@ class Surface_mesh_geodesic_distances_3
 {
   static_assert(std::is_same<Mode, Direct>::value || std::is_same<Mode, Intrinsic_Delaunay>::value,
                 "the mode is Direct or Intrinsic_Delaunay");
-  using Solver = std::conditional_t<std::is_same<LA, Default>::value, Intrinsic_triangulations::internal::Sparse_Cholesky,
+  using Solver = std::conditional_t<std::is_same<LA, Default>::value, Intrinsic_triangulations::internal::Sparse_Cholesky<>,
                                     Intrinsic_triangulations::internal::Solver_traits_adaptor<LA>>;
   using Numbers = typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type;
 

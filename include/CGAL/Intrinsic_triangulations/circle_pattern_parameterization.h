@@ -104,8 +104,8 @@ public:
       right[complex_.face(h).idx()] += pull;
       right[complex_.face(complex_.opposite(h)).idx()] -= pull;
     }
-    const Sparse_Cholesky cholesky(Laplacian([&](Halfedge_index h) { return weight(h, wanted(h)); }),
-                                   "the system for the first radii");
+    const Sparse_Cholesky<> cholesky(Laplacian([&](Halfedge_index h) { return weight(h, wanted(h)); }),
+                                     "the system for the first radii");
     rho.tail(n - 1) = cholesky.solve(Eigen::VectorXd(right.tail(n - 1)));
     return rho;
   }
@@ -181,7 +181,7 @@ inline void minimize(const Circle_pattern_energy& energy, Eigen::VectorXd& rho,
   if (rho.size() == 1)
     return;
   const Eigen::Index n = rho.size() - 1;
-  Sparse_Cholesky cholesky(energy.hessian(rho), "the Hessian of the circle pattern energy");
+  Sparse_Cholesky<> cholesky(energy.hessian(rho), "the Hessian of the circle pattern energy");
   const double first_gradient = result.gradient;
   for (; result.gradient > circle_pattern_tolerance; ++result.iterations) {
     report_progress(progress, fraction_of_digits(first_gradient, result.gradient, circle_pattern_tolerance),

@@ -336,7 +336,7 @@ private:
   std::vector<Edge_index> edges_;                     // those with two sides
   Array given_, lowest_, highest_, sums_, tolerance_; // the sums over the sides of edges have highest_
   Matrix equations_, inverse_;
-  std::optional<Sparse_Cholesky> cholesky_;
+  std::optional<Sparse_Cholesky<>> cholesky_;
   // The iterate: angles, multipliers of the equations, and slacks and multipliers of the
   // inequalities.
   Array x_, y_, slack_, edge_slack_, dual_, edge_dual_;

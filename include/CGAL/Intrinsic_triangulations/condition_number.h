@@ -168,7 +168,7 @@ public:
 
 private:
   const Spectrum_domain& domain_;
-  Sparse_Cholesky cholesky_;
+  Sparse_Cholesky<> cholesky_;
 };
 
 template <class Operator>

@@ -69,7 +69,7 @@ inline void solve_with_fixed_values(const Eigen::SparseMatrix<double>& matrix,
   for (std::size_t i = 0; i < is_fixed.size(); ++i)
     if (is_fixed[i])
       fixed.row(fixed_row[i]) = x.row(Eigen::Index(i));
-  const Sparse_Cholesky cholesky(
+  const Sparse_Cholesky<> cholesky(
     submatrix(matrix, free_row, free_row, number_of_free, number_of_free), what);
   const Eigen::MatrixXd right =
     -(submatrix(matrix, free_row, fixed_row, number_of_free, number_of_fixed) * fixed);

@@ -48,7 +48,7 @@ public:
 
 private:
   Eigen::Index rows_;
-  Sparse_Cholesky cholesky_;
+  Sparse_Cholesky<> cholesky_;
 };
 
 // Of a connected part. \pre the diagonal of the mass matrix is positive

@@ -29,16 +29,17 @@ struct Flat_polygons
   std::vector<std::size_t> ends;
 };
 
-// A number at each point.
+// A number, or a vector of two or three, at each point.
 struct Point_values
 {
   std::string name;
-  const std::vector<double>* values = nullptr; // none
+  std::vector<double> values;
+  std::size_t components = 1;
 };
 
 // Writes text, coordinates and values as Float64 with all their digits.
 void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& points, const Flat_polygons& polygons,
-               const Point_values& at_points = {});
+               const std::vector<Point_values>& at_points = {});
 
 } // namespace idt
 

@@ -9,7 +9,7 @@ namespace idt {
 
 // CGAL's writer is for triangles alone: it announces three corners for each face, whatever there are.
 void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& points, const Flat_polygons& polygons,
-               const Point_values& at_points)
+               const std::vector<Point_values>& at_points)
 {
   os << "<?xml version=\"1.0\"?>\n"
         "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
@@ -17,12 +17,18 @@ void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& point
      << points.size() << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\""
      << polygons.ends.size()
      << "\">\n";
-  if (at_points.values != nullptr) {
-    os << "<PointData Scalars=\"" << at_points.name << "\">\n<DataArray type=\"Float64\" Name=\"" << at_points.name
-       << "\" format=\"ascii\">\n";
-    for (double value : *at_points.values)
-      os << in_full(value) << '\n';
-    os << "</DataArray>\n</PointData>\n";
+  if (!at_points.empty()) {
+    os << "<PointData Scalars=\"" << at_points.front().name << "\">\n";
+    for (const Point_values& at : at_points) {
+      os << "<DataArray type=\"Float64\" Name=\"" << at.name << '"';
+      if (at.components > 1)
+        os << " NumberOfComponents=\"" << at.components << '"';
+      os << " format=\"ascii\">\n";
+      for (std::size_t i = 0; i < at.values.size(); ++i)
+        os << in_full(at.values[i]) << ((i + 1) % at.components == 0 ? '\n' : ' ');
+      os << "</DataArray>\n";
+    }
+    os << "</PointData>\n";
   }
   os << "<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
   for (const auto& [x, y, z] : points)

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_HEAT_DIFFUSION_H
 
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
 
 #include <Eigen/SparseCore>
@@ -23,42 +24,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
-
-// Heat, layer by layer: each is, far from where it was sent on, a large multiple of the one before.
-struct Layered_heat
-{
-  std::vector<Eigen::VectorXd> layers;
-  std::vector<int> exponents;            // for each layer, the exponent of 2 in that multiple, from the first layer on
-  std::vector<std::uint32_t> layer_of;   // for each row, the first layer in which it is not lost
-  std::vector<std::vector<bool>> behind; // for each layer that was sent on, the rows where it was sent on from
-
-  double operator[](std::size_t row) const { return layers[layer_of[row]][Eigen::Index(row)]; }
-
-  // The mean of this and less heat with the same sources.
-  void average_with(const Layered_heat& less)
-  {
-    for (std::size_t l = 0; l < layers.size(); ++l)
-      for (std::size_t v = 0; v < layer_of.size(); ++v) {
-        double& u = layers[l][Eigen::Index(v)];
-        const std::uint32_t k = less.layer_of[v];
-        u = (u + std::ldexp(less.layers[k][Eigen::Index(v)], exponents[l] - less.exponents[k])) / 2;
-      }
-  }
-};
-
-// What flows from the rows behind a front to the others, times a power of two.
-inline Eigen::VectorXd sent_on(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& u, const std::vector<bool>& is_behind,
-                               int exponent)
-{
-  const double one_part = std::ldexp(1., exponent / 2), other_part = std::ldexp(1., exponent - exponent / 2);
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(u.size());
-  for (Eigen::Index c = 0; c < matrix.outerSize(); ++c)
-    if (is_behind[std::size_t(c)])
-      for (Eigen::SparseMatrix<double>::InnerIterator i(matrix, c); i; ++i)
-        if (!is_behind[std::size_t(i.row())])
-          result[i.row()] -= i.value() * (u[c] * one_part * other_part);
-  return result;
-}
 
 inline Eigen::SparseMatrix<double> heat_matrix(const Heat_surface& surface, double time)
 {
@@ -98,14 +63,24 @@ public:
     return send_on(system_.solve(heat), is_reachable);
   }
 
-  // Other heat, to be divided by the first at each row; nothing is cold.
-  std::vector<Vector> spread_likewise(const Vector& heat, const Layered_heat& other) const
+  // Other heat that is sent on where the first one is; nothing is cold. Several columns are spread at once.
+  // \param also as for the function of that name
+  template <class Heat, class Also>
+  std::vector<Heat> spread_likewise(const Heat& heat, const Layered_heat& other, const Also& also) const
   {
-    std::vector<Vector> layers{system_.solve(heat)};
-    for (std::size_t l = 0; l + 1 < other.layers.size(); ++l)
-      layers.push_back(system_.solve(
-        sent_on(system_.matrix(), layers.back(), other.behind[l], other.exponents[l + 1] - other.exponents[l])));
-    return layers;
+    return internal::spread_likewise(
+      heat, other, system_.matrix(), [this](const Heat& b) { return system_.solve(b); }, also);
+  }
+
+  // Other heat divided by the first, at each row; 0 where there is none.
+  std::vector<double> quotients(const Layered_heat& heat, const Vector& other, const std::vector<bool>& is_reachable) const
+  {
+    const std::vector<Vector> layers = spread_likewise(other, heat, [](Vector&, std::size_t) {});
+    std::vector<double> result(is_reachable.size(), 0);
+    for (std::size_t row = 0; row < result.size(); ++row)
+      if (is_reachable[row] && heat[row] != 0)
+        result[row] = layers[heat.layer_of[row]][Eigen::Index(row)] / heat[row];
+    return result;
   }
 
   std::size_t number_of_factorizations() const { return system_.number_of_factorizations(); }

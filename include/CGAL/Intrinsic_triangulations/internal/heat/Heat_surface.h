@@ -47,6 +47,7 @@ struct Heat_surface
   double mean_length = 0; // in units of 2^exponent units of the input
   int exponent = 0;
   std::vector<Heat_face> faces; // those that have an area
+  std::vector<double> weights;  // half the sums of cotangents, for each edge of the triangulation
   Eigen::SparseMatrix<double> stiffness;
   Eigen::VectorXd mass;                 // zero for a vertex without faces
   std::vector<bool> is_border;          // whether a row is a vertex of a border edge
@@ -56,6 +57,17 @@ struct Heat_surface
   // A length in the unit of the input.
   double in_input_unit(double length) const { return std::ldexp(length * mean_length, exponent); }
   double from_input_unit(double length) const { return std::ldexp(length, -exponent) / mean_length; }
+
+  // Which rows are in the components of these.
+  std::vector<bool> connected_with(const std::vector<std::uint32_t>& rows) const
+  {
+    std::vector<bool> components(size()), result(size());
+    for (std::uint32_t row : rows)
+      components[component[row]] = true;
+    for (std::size_t v = 0; v < size(); ++v)
+      result[v] = components[component[v]];
+    return result;
+  }
 };
 
 // \tparam Row gives the row of a vertex, as Row_of_vertex
@@ -158,20 +170,22 @@ private:
   {
     const Cotangent_weight<Traits> weight(triangulation_); // its sign is right
     result_.is_border.resize(row_.number_of_rows());
-    result_.stiffness = assemble_symmetric_matrix(
-      complex_, row_,
-      [&](Edge_index e) {
-        const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
-        const bool is_left = has_area(h), is_right = has_area(g);
-        if (is_left && is_right)
-          return -0.5 * share(complex_.face(h)) *
-                 (cotangents_.count(h) + cotangents_.count(g) > 0 ? cotangent(h) + cotangent(g) : weight(e));
-        if (!is_left && !is_right)
-          return 0.;
+    result_.weights.reserve(complex_.number_of_edges());
+    for (Edge_index e : complex_.edges()) {
+      const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+      const bool is_left = has_area(h), is_right = has_area(g);
+      double cotangents = 0;
+      if (is_left && is_right)
+        cotangents = share(complex_.face(h)) * (cotangents_.count(h) + cotangents_.count(g) > 0 ? cotangent(h) + cotangent(g) : weight(e));
+      else if (is_left || is_right) {
         const Halfedge_index side = is_left ? h : g;
         result_.is_border[row_(complex_.source(h))] = result_.is_border[row_(complex_.target(h))] = true;
-        return -0.5 * share(complex_.face(side)) * cotangent(side);
-      },
+        cotangents = share(complex_.face(side)) * cotangent(side);
+      }
+      result_.weights.push_back(cotangents / 2);
+    }
+    result_.stiffness = assemble_symmetric_matrix(
+      complex_, row_, [&](Edge_index e) { return -result_.weights[e.idx()]; },
       [](int, double sum_of_others) { return 0 - sum_of_others; });
   }
 

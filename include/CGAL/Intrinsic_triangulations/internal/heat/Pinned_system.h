@@ -54,8 +54,12 @@ public:
   const Matrix& matrix() const { return matrix_; }
   bool is_cold(std::size_t row) const { return !cold_.empty() && cold_[row]; }
 
-  // Without pins. With a kernel, b has to sum to zero over each part; a constant is missing then.
-  Vector solve(const Vector& b) const { return solver_.solve(b); }
+  // Without pins. With a kernel, b has to sum to zero over each part; a constant is missing then. Each column is a system.
+  template <class Columns>
+  Columns solve(const Columns& b) const
+  {
+    return solver_.solve(b);
+  }
 
   // Has no meaning in parts without pins.
   Vector solve(const Vector& b, const Pins& pins)

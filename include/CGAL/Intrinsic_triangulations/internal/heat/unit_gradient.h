@@ -8,8 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_UNIT_GRADIENT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_UNIT_GRADIENT_H
 
-#include <CGAL/Intrinsic_triangulations/internal/heat/Heat_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
 
 #include <Eigen/SparseCore>
 

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Linear systems with a sparse, symmetric and positive definite matrix.
+// Linear systems with a sparse and positive definite matrix, symmetric or Hermitian.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_SPARSE_CHOLESKY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_SPARSE_CHOLESKY_H
@@ -27,10 +27,13 @@ namespace internal {
 
 // With CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD the factors are those of SuiteSparse, which is
 // faster for large systems; whoever defines it links with cholmod.
+//
+// \tparam Scalar `double`, or `std::complex<double>` for Hermitian matrices
+template <class Scalar = double>
 class Sparse_Cholesky
 {
 public:
-  using Matrix = Eigen::SparseMatrix<double>;
+  using Matrix = Eigen::SparseMatrix<Scalar>;
 
   // \param what names the matrix in the message of the exception
   Sparse_Cholesky(const Matrix& matrix, const char* what) : what_(what)

@@ -1,0 +1,223 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Tangent vectors carried over a surface, and logarithmic maps, by the vector heat method.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_VECTOR_HEAT_METHOD_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_VECTOR_HEAT_METHOD_H
+
+#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Planar_vector.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Heat_diffusion.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Vector_diffusion.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/without_obtuse_border.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+///
+/// \brief carries tangent vectors from some vertices to all others, along shortest ways, and finds logarithmic maps.
+///
+///     Vector_heat_method heat(triangulation);
+///     const auto parallel = heat.transport_tangent_vectors({{v, {1, 0}}});
+///     const auto coordinates = heat.log_map(v);
+///
+/// A vector at a vertex belongs to the tangent plane of `halfedge_vectors_in_vertex()`, whose axes depend on the input alone, so that
+/// results before and after flips can be compared. `vertex_frames()` gives these axes in space.
+///
+/// The matrices are factorized once, by the constructor. Each function then solves two or three linear systems. All are const: any number of
+/// threads may call them at once.
+///
+/// The matrix for vectors is positive definite if no weight is negative. An intrinsic Delaunay triangulation guarantees that except on the
+/// border, opposite to obtuse angles. If there are any, a copy is made in which vertices on the border make these angles smaller; results are
+/// for the vertices of the triangulation that was given. A weight that is negative all the same, since doubles are too coarse for such
+/// a vertex, counts as zero.
+///
+/// Source: N. Sharp, Y. Soliman, K. Crane, "The vector heat method", 2019.
+class Vector_heat_method
+{
+public:
+  /// a tangent vector
+  using Vector = Planar_vector<double>;
+
+  /// \brief factorizes the matrices.
+  ///
+  /// The triangulation is not needed any more afterwards.
+  /// \param triangulation a Delaunay triangulation; its traits have to use exact geometry
+  /// \param time_coefficient the time for which heat spreads, in units of the squared mean length of the edges
+  /// \exception Invalid_surface_error if a length or weight is beyond the range of `double`, or the time coefficient is not positive
+  ///   and finite
+  /// \exception Numerical_error if a matrix cannot be factorized
+  /// \exception Undecided_error as `angle()`
+  template <class Traits>
+  explicit Vector_heat_method(const Intrinsic_triangulation<Traits>& triangulation, double time_coefficient = 0.5)
+    : number_of_vertices_(triangulation.connectivity().number_of_vertices())
+  {
+    static_assert(Intrinsic_triangulation<Traits>::uses_exact_geometry,
+                  "Vector_heat_method needs traits with exact geometry, as Filtered_edge_length_traits");
+    if (!(time_coefficient > 0 && std::isfinite(time_coefficient)))
+      throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, 0, 1,
+                                  "the time coefficient has to be a positive number");
+    if (const auto refined = internal::without_obtuse_border(triangulation))
+      build(*refined, time_coefficient);
+    else
+      build(triangulation, time_coefficient);
+  }
+
+  /// returns how many vertices were inserted on the border, in a copy, as its opposite angles were obtuse.
+  std::size_t number_of_border_vertices() const { return surface_->size() - number_of_vertices_; }
+
+  /// \brief returns at each vertex the vector of the nearest source, carried there parallelly along the shortest way.
+  ///
+  /// Where the ways to several sources are about equally long, direction and length are averages. The field is smooth elsewhere, and
+  /// vanishes where there is no mean direction.
+  /// \param sources vertices, and vectors there; a vertex may not appear twice
+  /// \return a vector for each vertex: at the sources that which was given, and (0, 0) where no source is connected
+  /// \exception Invalid_surface_error if there is no such vertex, or a coordinate is not finite
+  /// \exception Numerical_error if a linear system cannot be solved
+  std::vector<Vector> transport_tangent_vectors(const std::vector<std::pair<Vertex_index, Vector>>& sources) const
+  {
+    Eigen::VectorXcd directions = Eigen::VectorXcd::Zero(rows());
+    Eigen::VectorXd heat = Eigen::VectorXd::Zero(rows()), lengths = heat;
+    std::vector<std::uint32_t> from;
+    for (const auto& [v, vector] : sources) {
+      require_vertex(v);
+      const Complex z(vector.x(), vector.y());
+      if (!std::isfinite(z.real()) || !std::isfinite(z.imag()))
+        throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, v.idx(), 1,
+                                    "the vector at vertex " + std::to_string(v.idx()) + " is not finite");
+      from.push_back(std::uint32_t(v.idx()));
+      const double length = std::hypot(z.real(), z.imag());
+      heat[from.back()] += 1;
+      lengths[from.back()] += length;
+      if (length > 0)
+        directions[from.back()] += Complex(z.real() / length, z.imag() / length);
+    }
+    const std::vector<bool> is_reachable = surface_->connected_with(from);
+    const internal::Layered_heat spread = scalars_->spread(heat, is_reachable);
+    const std::vector<Eigen::VectorXcd> vectors = vectors_->spread_likewise(directions, spread);
+    const std::vector<double> length = scalars_->quotients(spread, lengths, is_reachable);
+    std::vector<Vector> result;
+    result.reserve(number_of_vertices_);
+    for (std::size_t v = 0; v < number_of_vertices_; ++v) {
+      const Complex z = vectors[spread.layer_of[v]][Eigen::Index(v)];
+      const double norm = std::abs(z);
+      if (is_reachable[v] && norm > 0)
+        result.push_back({z.real() / norm * length[v], z.imag() / norm * length[v]});
+      else
+        result.push_back({0, 0});
+    }
+    for (const auto& [v, vector] : sources)
+      result[v.idx()] = vector;
+    return result;
+  }
+
+  /// \brief returns the logarithmic map at a vertex: for each vertex, the vector in the tangent plane of `source` that points to it along
+  /// the shortest way and is as long as that.
+  ///
+  /// Where the surface is flat, and all ways between two vertices lead to the same vector, the result is exact up to rounding. Elsewhere it
+  /// is an average over the ways that are about as short as the shortest one.
+  /// \return a vector for each vertex, in the unit of the input: (0, 0) at the source, infinite where it is not connected
+  /// \exception Invalid_surface_error if there is no such vertex
+  /// \exception Numerical_error if a linear system cannot be solved
+  ///
+  /// Source: Y. Soliman, N. Sharp, "The affine heat method", 2025. Their matrix with three rows for each vertex is triangular by blocks if
+  /// positions are seen from the source: the factors for vectors and for numbers suffice.
+  std::vector<Vector> log_map(Vertex_index source) const
+  {
+    require_vertex(source);
+    const auto row = std::uint32_t(source.idx());
+    const std::vector<bool> is_reachable = surface_->connected_with(std::vector<std::uint32_t>{row});
+    Eigen::VectorXcd direction = Eigen::VectorXcd::Zero(rows());
+    Eigen::VectorXd heat = Eigen::VectorXd::Zero(rows());
+    direction[row] = 1;
+    heat[row] = 1;
+    const internal::Layered_heat spread = scalars_->spread(heat, is_reachable);
+    const std::vector<Eigen::VectorXcd> axis = vectors_->spread_likewise(direction, spread);
+    // What comes over an edge has gone further by that edge, which is turned back on all the ways from the source.
+    const auto add_steps = [&](Positions& right, std::size_t layer) {
+      const auto turned_back = [&](const Complex& step, std::size_t l, std::uint32_t v) { return step * std::conj(axis[l][v]); };
+      for (const auto& edge : vectors_->edges()) {
+        const auto add = [&](std::uint32_t to, std::uint32_t from, const Complex& vector) {
+          Complex step = turned_back(vector, layer, from);
+          if (layer > 0 && spread.behind[layer - 1][from] && !spread.behind[layer - 1][to]) {
+            const Complex before = turned_back(vector, layer - 1, from);
+            step += Complex(std::ldexp(before.real(), spread.factor(layer - 1)), std::ldexp(before.imag(), spread.factor(layer - 1)));
+          }
+          right(to, 0) += edge.weight * step.real();
+          right(to, 1) += edge.weight * step.imag();
+        };
+        add(edge.j, edge.i, edge.ij);
+        add(edge.i, edge.j, edge.ji);
+      }
+    };
+    const std::vector<Positions> positions = scalars_->spread_likewise(Positions(Positions::Zero(rows(), 2)), spread, add_steps);
+    std::vector<Vector> result;
+    result.reserve(number_of_vertices_);
+    for (std::size_t v = 0; v < number_of_vertices_; ++v) {
+      const double infinite = std::numeric_limits<double>::infinity();
+      if (!is_reachable[v]) {
+        result.push_back({infinite, infinite});
+        continue;
+      }
+      const Positions& p = positions[spread.layer_of[v]];
+      result.push_back({surface_->in_input_unit(p(Eigen::Index(v), 0) / spread[v]), surface_->in_input_unit(p(Eigen::Index(v), 1) / spread[v])});
+    }
+    result[source.idx()] = {0, 0};
+    return result;
+  }
+
+private:
+  using Complex = std::complex<double>;
+  using Positions = Eigen::MatrixX2d;
+
+  template <class Traits>
+  void build(const Intrinsic_triangulation<Traits>& triangulation, double time)
+  {
+    surface_ = std::make_unique<internal::Heat_surface>(internal::make_heat_surface(triangulation));
+    scalars_ = std::make_unique<internal::Heat_diffusion<internal::Sparse_Cholesky<>>>(*surface_, time);
+    vectors_ = std::make_unique<internal::Vector_diffusion>(triangulation, *surface_, time);
+  }
+
+  Eigen::Index rows() const { return Eigen::Index(surface_->size()); }
+
+  void require_vertex(Vertex_index v) const
+  {
+    if (!(v.idx() < number_of_vertices_))
+      throw Invalid_surface_error(Invalid_surface_error::Defect::BAD_INDEX, v.idx(), 1,
+                                  "there is no vertex " + std::to_string(v.idx()) + ": there are " +
+                                    std::to_string(number_of_vertices_) + " vertices, counted from 0");
+  }
+
+  std::size_t number_of_vertices_;
+  std::unique_ptr<const internal::Heat_surface> surface_; // the solvers refer to it
+  std::unique_ptr<const internal::Heat_diffusion<internal::Sparse_Cholesky<>>> scalars_;
+  std::unique_ptr<const internal::Vector_diffusion> vectors_;
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_VECTOR_HEAT_METHOD_H
