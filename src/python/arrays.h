@@ -152,12 +152,13 @@ py::array_t<T> to_array(std::vector<T>&& values, std::size_t number_of_columns)
 }
 
 // Data, row indices, beginnings of columns, and shape: what SciPy makes a csc_matrix of.
-inline py::tuple to_sparse(Eigen::SparseMatrix<double>&& matrix)
+template <class Number>
+py::tuple to_sparse(Eigen::SparseMatrix<Number>&& matrix)
 {
   matrix.makeCompressed();
   auto [kept, owner] = handed_over(std::move(matrix));
   const py::ssize_t n = kept->nonZeros();
-  return py::make_tuple(py::array_t<double>(n, kept->valuePtr(), owner), py::array_t<int>(n, kept->innerIndexPtr(), owner),
+  return py::make_tuple(py::array_t<Number>(n, kept->valuePtr(), owner), py::array_t<int>(n, kept->innerIndexPtr(), owner),
                         py::array_t<int>(py::ssize_t(kept->cols() + 1), kept->outerIndexPtr(), owner),
                         py::make_tuple(kept->rows(), kept->cols()));
 }

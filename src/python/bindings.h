@@ -15,6 +15,7 @@ void add_triangulation(pybind11::module_& module);
 void add_subdivision(pybind11::module_& module);
 void add_heat(pybind11::module_& module);
 void add_geodesics(pybind11::module_& module);
+void add_vectors(pybind11::module_& module);
 
 } // namespace idt_python
 

@@ -196,6 +196,20 @@ def call_geodesics(make):
             pass
 
 
+def call_vectors(make):
+    solver = it.MeshVectorHeatSolver(*make.surface(), *([make.number()] if make.chance(0.2) else []))
+    solver.get_tangent_frames()
+    solver.get_connection_laplacian()
+    for _ in range(3):
+        try:
+            make.pick((lambda: solver.transport_tangent_vector(make.index(), make.vector(2)),
+                       lambda: solver.transport_tangent_vectors(make.vertices(), make.vector((make.random.integers(4), 2))),
+                       lambda: solver.compute_log_map(make.index(), *([make.number()] if make.chance(0.2) else [])),
+                       lambda: solver.extend_scalar(make.vertices(), make.vector(make.random.integers(4)))))()
+        except ALLOWED:
+            pass
+
+
 def resident_memory():
     with open("/proc/self/statm") as file:
         return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
@@ -231,7 +245,7 @@ def run(first, last, calls):
 
 @pytest.mark.skipif(not os.path.exists("/proc/self/statm"), reason="there is no /proc")
 def test_random_arguments():
-    calls = (call_laplacians, call_triangulation, call_heat, call_geodesics)
+    calls = (call_laplacians, call_triangulation, call_heat, call_geodesics, call_vectors)
     before = signal.signal(signal.SIGALRM, interrupt)
     try:
         check_calls(calls)

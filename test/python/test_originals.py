@@ -50,6 +50,18 @@ def test_distances(surface):
     assert abs(ours - theirs).max() < 1e-3 * theirs.max()
 
 
+def test_tangent_vectors(surface):
+    potpourri3d = pytest.importorskip("potpourri3d")
+    ours, theirs = it.MeshVectorHeatSolver(*surface), potpourri3d.MeshVectorHeatSolver(*surface)
+    # The normals are the same; the axes are not.
+    frames, their_frames = ours.get_tangent_frames(), theirs.get_tangent_frames()
+    vector = 0.6 * frames[0][7] + 0.8 * frames[1][7]
+    one = ours.transport_tangent_vector(7, [0.6, 0.8])
+    two = theirs.transport_tangent_vector(7, [vector @ their_frames[0][7], vector @ their_frames[1][7]])
+    a, b = (v[:, :1] * f[0] + v[:, 1:] * f[1] for v, f in ((one, frames), (two, their_frames)))
+    assert numpy.median((a * b).sum(axis=1)) > 0.99
+
+
 def test_lines(surface):
     potpourri3d = pytest.importorskip("potpourri3d")
     one, two = it.EdgeFlipGeodesicSolver(*surface), potpourri3d.EdgeFlipGeodesicSolver(*surface)

@@ -20,6 +20,7 @@ from ._heat import MeshHeatMethodDistanceSolver, compute_distance, compute_dista
 from ._laplacian import laplacian, mesh_laplacian, point_cloud_laplacian
 from ._subdivision import CommonSubdivision
 from ._triangulation import FlipReport, RefinementReport, Triangulation, VerificationReport
+from ._vectors import MeshVectorHeatSolver
 
 __all__ = [
     "CancelledError",
@@ -33,6 +34,7 @@ __all__ = [
     "InvalidPointError",
     "InvalidSurfaceError",
     "MeshHeatMethodDistanceSolver",
+    "MeshVectorHeatSolver",
     "NumericalError",
     "RefinementReport",
     "Triangulation",
