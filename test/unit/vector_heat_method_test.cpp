@@ -362,6 +362,19 @@ TEST(Vector_heat_method, inserts_vertices_where_the_border_has_obtuse_angles)
   EXPECT_EQ(IT::Vector_heat_method(Delaunay(IT::random_diagonal_grid(5, 5))).number_of_border_vertices(), 0u);
 }
 
+// A strip that is a hundred thousand times as long as it is wide would ask for as many.
+TEST(Vector_heat_method, inserts_no_more_than_some_vertices_for_each)
+{
+  const std::vector<std::array<double, 3>> points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1e-5, 0}, {1, 1e-5, 0}, {2, 1e-5, 0}, {0, 2e-5, 0}, {7, 2e-5, 0}, {2, 2e-5, 0}};
+  const std::vector<std::array<int, 3>> triangles = {{0, 1, 4}, {1, 2, 5}, {3, 4, 7}, {4, 5, 8}, {0, 4, 3}, {1, 5, 4}, {3, 7, 6}, {4, 8, 7}};
+  IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> triangulation(
+    IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
+  IT::flip_to_Delaunay(triangulation);
+  const IT::Vector_heat_method heat(triangulation);
+  EXPECT_GT(heat.number_of_border_vertices(), 0u);
+  EXPECT_LE(heat.number_of_border_vertices(), 10 * points.size() + 1000);
+}
+
 TEST(Vector_heat_method, gives_numbers_or_infinity_everywhere)
 {
   IT::Indexed_triangles surface = IT::random_diagonal_grid(3, 3);

@@ -53,7 +53,7 @@ namespace Intrinsic_triangulations {
 /// The matrix for vectors is positive definite if no weight is negative. An intrinsic Delaunay triangulation guarantees that except on the
 /// border, opposite to obtuse angles. If there are any, a copy is made in which vertices on the border make these angles smaller; results are
 /// for the vertices of the triangulation that was given. A weight that is negative all the same, since doubles are too coarse for such
-/// a vertex, counts as zero.
+/// a vertex or more than ten for each vertex would be needed, counts as zero.
 ///
 /// Source: N. Sharp, Y. Soliman, K. Crane, "The vector heat method", 2019.
 class Vector_heat_method

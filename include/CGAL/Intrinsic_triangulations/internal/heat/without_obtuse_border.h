@@ -13,6 +13,9 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 
+#include <CGAL/Named_function_parameters.h>
+
+#include <cstdint>
 #include <optional>
 
 namespace CGAL {
@@ -30,7 +33,8 @@ bool has_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation)
   return false;
 }
 
-// A copy in which the border has so many vertices that no angle opposite to it is obtuse; nothing, if there is none before.
+// A copy in which the border has so many vertices that no angle opposite to it is obtuse; nothing, if there is none before. A
+// needle on the border asks for as many as it is longer than wide: beyond some for each vertex, its angles stay obtuse.
 template <class Traits>
 std::optional<Intrinsic_triangulation<Traits>> without_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation)
 {
@@ -39,7 +43,8 @@ std::optional<Intrinsic_triangulation<Traits>> without_obtuse_border(const Intri
   std::optional<Intrinsic_triangulation<Traits>> result(triangulation);
   Refinement_criteria none;
   none.minimum_angle = 0;
-  refine_Delaunay(*result, none);
+  const std::uint64_t most = 10 * std::uint64_t(triangulation.connectivity().number_of_vertices()) + 1000;
+  refine_Delaunay(*result, none, parameters::maximum_number(most));
   return result;
 }
 

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The parts of the extension module, one for each source.
+
+#ifndef INTRINSIC_TRIANGULATIONS_PYTHON_BINDINGS_H
+#define INTRINSIC_TRIANGULATIONS_PYTHON_BINDINGS_H
+
+#include <pybind11/pybind11.h>
+
+namespace idt_python {
+
+void add_Laplacian(pybind11::module_& module);
+void add_triangulation(pybind11::module_& module);
+void add_subdivision(pybind11::module_& module);
+void add_heat(pybind11::module_& module);
+void add_geodesics(pybind11::module_& module);
+void add_vectors(pybind11::module_& module);
+
+} // namespace idt_python
+
+#endif // INTRINSIC_TRIANGULATIONS_PYTHON_BINDINGS_H

@@ -1,0 +1,205 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Straight lines: paths that are shortened by flips, and lines in a direction.
+
+#include "python/Surface.h"
+#include "python/arrays.h"
+#include "python/bindings.h"
+#include "python/surface_points.h"
+#include "python/tangent_direction.h"
+
+#include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
+#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_points.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
+#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+namespace idt_python {
+
+namespace {
+
+using Points = Tangent_directions::Points;
+
+// A path, as long as nothing of Python may be touched.
+struct Path
+{
+  std::vector<double> positions;
+  Point_table points;
+  double initial_length = 0, length = 0;
+  bool is_geodesic = false;
+  const char* status = "";
+  std::uint64_t flips = 0;
+};
+
+py::tuple to_tuple(Path&& path)
+{
+  return py::make_tuple(to_array(std::move(path.positions), 3), path.points.to_arrays(), path.length, path.initial_length,
+                        path.is_geodesic, path.status, path.flips);
+}
+
+const char* name_of(IT::Geodesic_status status)
+{
+  using Status = IT::Geodesic_status;
+  return status == Status::GEODESIC         ? "geodesic"
+         : status == Status::CONTRACTIBLE   ? "contractible"
+         : status == Status::BLOCKED        ? "blocked"
+         : status == Status::NOT_IMPROVABLE ? "not_improvable"
+                                            : "unfinished";
+}
+
+// A surface in space, and lines on it. Nothing changes it: each path flips a copy.
+class Surface_in_space
+{
+public:
+  Surface_in_space(Points points, const std::vector<std::array<std::uint32_t, 3>>& triangles)
+    : points_(std::move(points)), surface_(Triangulation(IT::make_Delta_complex_from_triangles(points_.size(), triangles), points_))
+  {
+    edges_per_length_ = surface_.use([](const Triangulation& t) {
+      t.exact_geometry(); // prepared, for all copies
+      double length = 0, area = 0;
+      for (IT::Edge_index e : t.connectivity().edges())
+        length += std::sqrt(t.squared_length(e));
+      for (double a : IT::face_areas(t))
+        area += a;
+      return length / area;
+    });
+  }
+
+  // From vertex to vertex.
+  Path path(const std::vector<std::uint32_t>& stops, bool is_closed, std::uint64_t maximum_number)
+  {
+    Surface copy = surface_;
+    return copy.use([&](Triangulation& t) {
+      IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(t);
+      const std::vector<IT::Halfedge_index> start = edge_path(t, stops, is_closed);
+      const std::size_t p = is_closed ? network.add_closed_path(start) : network.add_path(start);
+      Path result;
+      result.initial_length = network.length(p);
+      result.flips = network.shorten(CGAL::parameters::visitor(Signal_visitor()).maximum_number(maximum_number)).flips;
+      Signal_watch::check();
+      result.length = network.length(p);
+      result.is_geodesic = network.is_geodesic(p);
+      result.status = name_of(network.status(p));
+      if (network.status(p) == IT::Geodesic_status::CONTRACTIBLE)
+        append(t, at_input_vertex(t, network.contraction(p)), result);
+      for (const IT::Surface_point& point : IT::geodesic_points(t, network.halfedges(p)))
+        append(t, point, result);
+      return result;
+    });
+  }
+
+  Path trace_from_vertex(std::uint32_t v, const std::array<double, 3>& vector)
+  {
+    return surface_.use([&](const Triangulation& t) {
+      const IT::Delta_complex& complex = t.connectivity();
+      if (v >= complex.number_of_vertices() || !complex.halfedge(IT::Vertex_index(v)).is_valid())
+        throw IT::Invalid_point_error("there is no vertex " + std::to_string(v) + " with faces: there are " +
+                                      std::to_string(complex.number_of_vertices()) + " vertices, counted from 0");
+      return trace(t, Tangent_directions(complex, points_).at_vertex(IT::Vertex_index(v), Eigen::Vector3d(vector.data())));
+    });
+  }
+
+  Path trace_from_face(std::uint32_t f, const std::array<double, 3>& coordinates, const std::array<double, 3>& vector)
+  {
+    return surface_.use([&](const Triangulation& t) {
+      const IT::Delta_complex& complex = t.connectivity();
+      if (f >= complex.number_of_faces())
+        throw IT::Invalid_point_error("there is no face " + std::to_string(f) + ": there are " +
+                                      std::to_string(complex.number_of_faces()) + ", counted from 0");
+      const IT::Surface_point start = {complex.halfedge(IT::Face_index(f)), coordinates};
+      return trace(t, Tangent_directions(complex, points_).in_face(start, Eigen::Vector3d(vector.data())));
+    });
+  }
+
+private:
+  static std::vector<IT::Halfedge_index> edge_path(const Triangulation& t, const std::vector<std::uint32_t>& stops, bool is_closed)
+  {
+    std::vector<IT::Halfedge_index> result;
+    for (std::size_t i = 0; i + (is_closed ? 0 : 1) < stops.size(); ++i) {
+      const std::uint32_t from = stops[i], to = stops[(i + 1) % stops.size()];
+      if (from == to)
+        throw IT::Invalid_point_error("the path leads from vertex " + std::to_string(from) + " to itself");
+      const auto part = IT::shortest_edge_path(t, IT::Vertex_index(from), IT::Vertex_index(to));
+      result.insert(result.end(), part.begin(), part.end());
+    }
+    return result;
+  }
+
+  // A border halfedge may point to the vertex, but its opposite has a face.
+  static IT::Surface_point at_input_vertex(const Triangulation& t, IT::Vertex_index v)
+  {
+    const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
+    return {input.opposite(input.halfedge(v)), {1, 0, 0}};
+  }
+
+  Path trace(const Triangulation& t, const Tangent_direction& start) const
+  {
+    // So many on average, within a factor of two: else a typing error in the length would fill the memory.
+    const double number_of_edges = start.length * edges_per_length_;
+    if (!(number_of_edges <= most_edges))
+      throw IT::Invalid_point_error("the line would cross about " + std::to_string(number_of_edges) +
+                                    " edges, more than a million: the vector is too long");
+    const IT::Traced_geodesic line = IT::trace_geodesic(t, start.direction, start.length);
+    Path result;
+    for (const IT::Surface_point& point : line.points)
+      append(t, point, result);
+    result.length = line.length;
+    result.is_geodesic = true;
+    result.status = line.status == IT::Trace_status::AT_LENGTH   ? "at_length"
+                    : line.status == IT::Trace_status::AT_BORDER ? "at_border"
+                                                                 : "at_vertex";
+    return result;
+  }
+
+  void append(const Triangulation& t, const IT::Surface_point& point, Path& path) const
+  {
+    const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
+    for (double x : IT::point_in_space(input, points_, point))
+      path.positions.push_back(x);
+    path.points.append(input, point, surface_.input_sides()[input.face(point.halfedge).idx()]);
+  }
+
+  static constexpr double most_edges = 1e6;
+
+  Points points_;
+  Surface surface_;
+  double edges_per_length_;
+};
+
+std::unique_ptr<Surface_in_space> surface_in_space(const Doubles& points, const Indices& triangles)
+{
+  Points p = copied_rows(points);
+  const auto faces = copied_rows(triangles);
+  return without_lock([&] { return std::make_unique<Surface_in_space>(std::move(p), faces); });
+}
+
+} // namespace
+
+void add_geodesics(py::module_& module)
+{
+  py::class_<Surface_in_space>(module, "SurfaceInSpace")
+    .def(py::init(&surface_in_space), py::arg("points").noconvert(), py::arg("triangles").noconvert())
+    .def(
+      "path",
+      [](Surface_in_space& s, const Indices& stops, bool is_closed, std::uint64_t maximum_number) {
+        const auto vertices = copied(stops);
+        return to_tuple(without_lock([&] { return s.path(vertices, is_closed, maximum_number); }));
+      },
+      py::arg("stops").noconvert(), py::arg("is_closed"), py::arg("maximum_number"))
+    .def("trace_from_vertex", [](Surface_in_space& s, std::uint32_t v,
+                                 const std::array<double, 3>& vector) { return to_tuple(s.trace_from_vertex(v, vector)); })
+    .def("trace_from_face", [](Surface_in_space& s, std::uint32_t f, const std::array<double, 3>& coordinates,
+                               const std::array<double, 3>& vector) { return to_tuple(s.trace_from_face(f, coordinates, vector)); });
+}
+
+} // namespace idt_python

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Distances by the heat method, and functions that spread from vertices.
+
+#include "python/Surface.h"
+#include "python/arrays.h"
+#include "python/bindings.h"
+
+#include <CGAL/Intrinsic_triangulations/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <memory>
+#include <mutex>
+
+namespace idt_python {
+
+namespace {
+
+IT::Heat_method_options heat_options(double time_coefficient, int boundary, bool keeps_ridges)
+{
+  IT::Heat_method_options options;
+  options.time_coefficient = time_coefficient;
+  options.boundary = boundary == 0   ? IT::Heat_boundary::NEUMANN
+                     : boundary == 1 ? IT::Heat_boundary::DIRICHLET
+                                     : IT::Heat_boundary::AVERAGED;
+  options.keeps_ridges = keeps_ridges;
+  return options;
+}
+
+// Calls from several threads of Python wait for each other.
+class Heat
+{
+public:
+  explicit Heat(IT::Heat_method<> method) : method_(std::move(method)) {}
+
+  std::vector<double> distances(const std::vector<std::uint32_t>& sources)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    method_.clear_sources();
+    for (std::uint32_t v : sources)
+      method_.add_source(IT::Vertex_index(v));
+    return method_.distances();
+  }
+  std::vector<double> extend(const std::vector<std::pair<IT::Vertex_index, double>>& values, double elsewhere)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return method_.extend(values, elsewhere);
+  }
+
+private:
+  IT::Heat_method<> method_;
+  std::mutex mutex_;
+};
+
+std::unique_ptr<Heat> heat_on_any_triangles(const Doubles& points, const Indices& triangles, double time_coefficient, int boundary,
+                                            bool keeps_ridges)
+{
+  const Rows<double> rows(points);
+  const auto faces = copied_rows(triangles);
+  const IT::Heat_method_options options = heat_options(time_coefficient, boundary, keeps_ridges);
+  return without_lock([&] {
+    IT::Tufted_cover cover = IT::make_tufted_cover(rows, faces);
+    const IT::Flip_report report = IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(Signal_visitor()));
+    if (report.status == IT::Flip_status::CANCELLED)
+      throw IT::Cancelled_error("cancelled while edges were flipped");
+    return std::make_unique<Heat>(IT::Heat_method<>(cover, options));
+  });
+}
+
+std::unique_ptr<Heat> heat_on_surface(Surface& surface, double time_coefficient, int boundary, bool keeps_ridges)
+{
+  const IT::Heat_method_options options = heat_options(time_coefficient, boundary, keeps_ridges);
+  return surface.use([&](const Triangulation& t) { return std::make_unique<Heat>(IT::Heat_method<>(t, options)); });
+}
+
+py::array distances(Heat& heat, const Indices& sources)
+{
+  const auto vertices = copied(sources);
+  return to_array(without_lock([&] { return heat.distances(vertices); }));
+}
+
+py::array extend(Heat& heat, const Indices& vertices, const Doubles& values, double elsewhere)
+{
+  const auto v = copied(vertices);
+  const auto x = copied(values);
+  require(v.size() == x.size(), "there are not as many values as vertices");
+  std::vector<std::pair<IT::Vertex_index, double>> pairs;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    pairs.emplace_back(IT::Vertex_index(v[i]), x[i]);
+  return to_array(without_lock([&] { return heat.extend(pairs, elsewhere); }));
+}
+
+} // namespace
+
+void add_heat(py::module_& module)
+{
+  module.def("heat_on_any_triangles", &heat_on_any_triangles, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
+             py::arg("time_coefficient"), py::arg("boundary"), py::arg("keeps_ridges"));
+  module.def("heat_on_surface", &heat_on_surface, py::arg("surface"), py::arg("time_coefficient"), py::arg("boundary"),
+             py::arg("keeps_ridges"));
+  py::class_<Heat>(module, "Heat")
+    .def("distances", &distances, py::arg("sources").noconvert())
+    .def("extend", &extend, py::arg("vertices").noconvert(), py::arg("values").noconvert(), py::arg("elsewhere"));
+}
+
+} // namespace idt_python

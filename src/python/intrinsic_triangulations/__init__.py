@@ -1,0 +1,49 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# The public names.
+
+"""Intrinsic Delaunay triangulations of triangulated surfaces, with exact decisions.
+
+Arrays of NumPy in, arrays of NumPy and matrices of SciPy out. `laplacian(V, F)` and `Triangulation(V, F)` are where to begin.
+
+Arrays may have any type of integers or floats whose numbers doubles can hold, any order and any strides, and are never changed; what is
+not of the type or the shape that is asked for raises `ValueError`. Long calls let other threads run, and Ctrl-C ends them.
+
+The package is under the LGPL, but for `point_cloud_laplacian`, which is under the GPL.
+"""
+
+from ._errors import (CancelledError, Error, IntegerOverflowError, InvalidPointError, InvalidSurfaceError, NumericalError,
+                      UndecidedError)
+from ._geodesics import EdgeFlipGeodesicSolver, GeodesicPath, GeodesicTracer, geodesic_path
+from ._heat import MeshHeatMethodDistanceSolver, compute_distance, compute_distance_multisource
+from ._laplacian import laplacian, mesh_laplacian, point_cloud_laplacian
+from ._subdivision import CommonSubdivision
+from ._triangulation import FlipReport, RefinementReport, Triangulation, VerificationReport
+from ._vectors import MeshVectorHeatSolver
+
+__all__ = [
+    "CancelledError",
+    "CommonSubdivision",
+    "EdgeFlipGeodesicSolver",
+    "Error",
+    "FlipReport",
+    "GeodesicPath",
+    "GeodesicTracer",
+    "IntegerOverflowError",
+    "InvalidPointError",
+    "InvalidSurfaceError",
+    "MeshHeatMethodDistanceSolver",
+    "MeshVectorHeatSolver",
+    "NumericalError",
+    "RefinementReport",
+    "Triangulation",
+    "UndecidedError",
+    "VerificationReport",
+    "compute_distance",
+    "compute_distance_multisource",
+    "geodesic_path",
+    "laplacian",
+    "mesh_laplacian",
+    "point_cloud_laplacian",
+]

@@ -1,0 +1,138 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# Arguments are checked here, and become arrays of the very type that the extension modules take.
+
+"""Arguments: what callers give becomes an array of the type that the extension module takes, or an exception."""
+
+from __future__ import annotations
+
+import operator
+from typing import Any, Optional, Sequence, Tuple
+
+import numpy
+import scipy.sparse
+
+from ._errors import InvalidPointError, InvalidSurfaceError
+
+LARGEST_INDEX = 2**32 - 2
+
+
+def as_array(value: Any, name: str, kinds: str, what: str) -> numpy.ndarray:
+    """an array of numbers, as it was given. `kinds` are letters of NumPy for types of numbers."""
+    try:
+        array = numpy.asarray(value)
+    except Exception as error:
+        raise ValueError(f"{name} is not an array: {error}") from error
+    if array.dtype.kind not in kinds and not (array.size == 0 and array.dtype.kind == "f"):
+        raise ValueError(f"{name} has to contain {what}, not {array.dtype}")
+    return array
+
+
+def doubles(value: Any, name: str, shape: Sequence[Optional[int]]) -> numpy.ndarray:
+    """an array of doubles of this shape, where None stands for any size. Nothing is rounded, and copied only if need be."""
+    array = as_array(value, name, "iuf", "real numbers")
+    check_shape(array, name, shape)
+    if array.dtype == numpy.float64 and array.dtype.isnative:
+        return array
+    result = array.astype(numpy.float64)
+    if array.dtype.itemsize >= 8 and not _are_equal(array, result):
+        raise ValueError(f"{name} of type {array.dtype} has numbers that doubles cannot hold: round it first")
+    return result
+
+
+def _are_equal(array: numpy.ndarray, result: numpy.ndarray) -> bool:
+    if array.dtype.kind in "iu":
+        # Beyond it, a conversion back is undefined.
+        limit = float(numpy.iinfo(array.dtype).max)
+        return bool((result < limit).all() and numpy.array_equal(result.astype(array.dtype, casting="unsafe"), array))
+    return bool(numpy.all((result == array) | numpy.isnan(array)))
+
+
+def indices(value: Any, name: str, shape: Sequence[Optional[int]], number: Optional[int] = None,
+            of_what: str = "vertex") -> numpy.ndarray:
+    """an array of 32-bit indices. What is negative or too large is refused with the number of the row."""
+    array = as_array(value, name, "iu", "integers")
+    check_shape(array, name, shape)
+    if array.size > 0:
+        limit = LARGEST_INDEX if number is None else number - 1
+        is_bad = (array < 0) | (array > limit) if array.dtype.kind == "i" else array > limit
+        if is_bad.any():
+            row = int(numpy.argwhere(is_bad)[0][0])
+            bad = int(array[is_bad][0])
+            message = f"{name}[{row}] names {of_what} {bad}, but "
+            message += "indices are not negative" if bad < 0 else f"there are only {limit + 1}"
+            if of_what == "vertex" and len(shape) == 2:
+                raise InvalidSurfaceError(message, "BAD_INDEX", row, int(is_bad.any(axis=1).sum()))
+            raise InvalidPointError(message)
+    return array.astype(numpy.uint32, copy=False)
+
+
+def check_shape(array: numpy.ndarray, name: str, shape: Sequence[Optional[int]]) -> None:
+    if array.ndim != len(shape) or any(n is not None and n != m for n, m in zip(shape, array.shape)):
+        wanted = ", ".join("n" if n is None else str(n) for n in shape) + ("," if len(shape) == 1 else "")
+        raise ValueError(f"{name} should have shape ({wanted}), but has {array.shape}")
+
+
+def points_and_faces(V: Any, F: Any) -> Tuple[numpy.ndarray, numpy.ndarray]:
+    points = doubles(V, "V", (None, 3))
+    if len(points) > LARGEST_INDEX:
+        raise InvalidSurfaceError("there are too many vertices for 32-bit indices", "OUT_OF_RANGE", 0, 1)
+    return points, indices(F, "F", (None, 3), len(points))
+
+
+def marks(value: Any, name: str, number: int) -> Optional[numpy.ndarray]:
+    """an array of booleans, or None."""
+    if value is None:
+        return None
+    array = as_array(value, name, "b", "booleans")
+    check_shape(array, name, (number,))
+    return array.astype(bool, copy=False)
+
+
+def integer(value: Any, name: str, least: int = 0, largest: int = 2**64 - 1) -> int:
+    try:
+        result = operator.index(value)
+    except TypeError:
+        raise ValueError(f"{name} has to be an integer, not {type(value).__name__}") from None
+    if not least <= result <= largest:
+        raise ValueError(f"{name} is {result}, but has to be from {least} to {largest}")
+    return result
+
+
+def vertex(value: Any, name: str, number: int) -> int:
+    result = integer(value, name, -2**63, 2**64)
+    if not 0 <= result < number:
+        raise InvalidPointError(f"there is no vertex {result}: there are {number} vertices, counted from 0")
+    return result
+
+
+def number(value: Any, name: str) -> float:
+    if isinstance(value, (str, bytes)):
+        raise ValueError(f"{name} has to be a number, not {type(value).__name__}")
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise ValueError(f"{name} has to be a number, not {type(value).__name__}") from None
+
+
+def choice(value: Any, name: str, choices: Sequence[str]) -> int:
+    if not isinstance(value, str) or value not in choices:
+        raise ValueError(f"{name} has to be one of {', '.join(map(repr, choices))}, not {value!r}")
+    return choices.index(value)
+
+
+def vector(value: Any, name: str) -> Tuple[float, float, float]:
+    """three finite numbers."""
+    array = doubles(value, name, (3,))
+    if not numpy.isfinite(array).all():
+        raise InvalidPointError(f"{name} is not finite")
+    return (float(array[0]), float(array[1]), float(array[2]))
+
+
+def sparse(parts: Tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray, Tuple[int, int]]) -> scipy.sparse.csc_matrix:
+    """the matrix that owns these arrays."""
+    data, rows, columns, shape = parts
+    matrix = scipy.sparse.csc_matrix((data, rows, columns), shape=shape)
+    matrix.has_sorted_indices = True
+    return matrix

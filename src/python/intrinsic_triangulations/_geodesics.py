@@ -1,0 +1,230 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# Straight lines on a surface.
+
+"""Straight lines on a surface: paths that are shortened by flips, and lines in a direction; with the names of potpourri3d."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Optional
+
+import numpy
+
+from . import _arrays, _core
+
+
+class GeodesicPath(NamedTuple):
+    """A line on a surface in space."""
+
+    positions: numpy.ndarray
+    """(k, 3) array: its points in space, where it crosses edges, in the unit of the input."""
+    faces: numpy.ndarray
+    """(k,) array of int64: a face of the input for each point; for all but the last, the one that the line enters there."""
+    coordinates: numpy.ndarray
+    """(k, 3) array: the barycentric coordinates of each point in its face."""
+    length: float
+    """The length of the line, in the unit of the input."""
+    initial_length: float
+    """The length of the path along edges at the beginning; zero for a traced line."""
+    is_geodesic: bool
+    """Whether it is locally shortest, by an exact decision. A path that ends early need not be."""
+    status: str
+    """For paths: "geodesic", "contractible" (a closed curve that was shrunk to a point), "blocked", "not_improvable" or "unfinished".
+    For traced lines: "at_length", "at_border" or "at_vertex"."""
+    flips: int
+    """The number of flips."""
+
+
+def _path(parts: tuple) -> GeodesicPath:
+    positions, (faces, coordinates), length, initial_length, is_geodesic, status, flips = parts
+    return GeodesicPath(positions, faces, coordinates, length, initial_length, is_geodesic, status, flips)
+
+
+class _Lines:
+    def __init__(self, V: Any, F: Any) -> None:
+        points, faces = _arrays.points_and_faces(V, F)
+        self._number_of_vertices = len(points)
+        self._number_of_faces = len(faces)
+        self._surface = _core.SurfaceInSpace(points, faces)
+
+
+class EdgeFlipGeodesicSolver(_Lines):
+    """Locally shortest paths and closed curves, by flipping edges.
+
+    A path begins along edges, and is shortened until the angles on both sides are at least π at each vertex that it passes, which is
+    decided exactly. It need not be the shortest of all. A query does not depend on those before; it costs a copy of the
+    triangulation.
+
+    Parameters
+    ----------
+    V : (n, 3) array of integers or floats
+        The positions of the vertices.
+    F : (m, 3) array of integers
+        The corners of the triangles, counted from 0: an oriented manifold.
+    t_coef : float
+        Without meaning; for programs that were written for potpourri3d.
+    """
+
+    def __init__(self, V: Any, F: Any, t_coef: float = 1.0) -> None:
+        super().__init__(V, F)
+
+    def find_geodesic_path(self, v_start: int, v_end: int, max_iterations: Optional[int] = None,
+                           max_relative_length_decrease: Optional[float] = None) -> numpy.ndarray:
+        """A locally shortest path between two vertices.
+
+        Parameters
+        ----------
+        v_start, v_end : int
+            Its ends.
+        max_iterations : int, optional
+            The number of flips after which to stop.
+        max_relative_length_decrease : float, optional
+            Only 0, the default of potpourri3d, is possible: the path is not left before it is straight.
+
+        Returns
+        -------
+        (k, 3) array
+            The points of the path in space.
+        """
+        return self.find_path([v_start, v_end], False, max_iterations, max_relative_length_decrease).positions
+
+    def find_geodesic_path_poly(self, v_list: Any, max_iterations: Optional[int] = None,
+                                max_relative_length_decrease: Optional[float] = None) -> numpy.ndarray:
+        """As `find_geodesic_path`; the path begins along edges from each vertex of `v_list` to the next, and need not pass
+        through those in between at the end."""
+        return self.find_path(v_list, False, max_iterations, max_relative_length_decrease).positions
+
+    def find_geodesic_loop(self, v_list: Any, max_iterations: Optional[int] = None,
+                           max_relative_length_decrease: Optional[float] = None) -> numpy.ndarray:
+        """A locally shortest closed curve, which begins along edges from each vertex of `v_list` to the next, and from the last
+        to the first. The last point is the first. A curve that can be shrunk to a point becomes one."""
+        return self.find_path(v_list, True, max_iterations, max_relative_length_decrease).positions
+
+    def find_path(self, v_list: Any, is_closed: bool = False, max_iterations: Optional[int] = None,
+                  max_relative_length_decrease: Optional[float] = None) -> GeodesicPath:
+        """As the other functions, with all that is known of the path.
+
+        Parameters
+        ----------
+        v_list : (k,) array of integers
+            The vertices, at least two; consecutive ones are different.
+        is_closed : bool
+            Whether the curve returns to its first vertex.
+        max_iterations, max_relative_length_decrease
+            As for `find_geodesic_path`.
+
+        Returns
+        -------
+        GeodesicPath
+
+        Raises
+        ------
+        InvalidPointError
+            If there is no such vertex, or no path along edges.
+        """
+        if max_relative_length_decrease not in (None, 0):
+            raise ValueError("max_relative_length_decrease has to be None or 0: paths are straightened completely")
+        maximum = 2**64 - 1 if max_iterations is None else _arrays.integer(max_iterations, "max_iterations")
+        stops = _arrays.indices(v_list, "v_list", (None,), self._number_of_vertices)
+        if len(stops) < 2:
+            raise ValueError("a path needs two vertices")
+        return _path(self._surface.path(stops, bool(is_closed), maximum))
+
+
+def geodesic_path(V: Any, F: Any, source: int, target: int) -> GeodesicPath:
+    """A locally shortest path between two vertices, in one call.
+
+    Parameters
+    ----------
+    V, F
+        As for `EdgeFlipGeodesicSolver`.
+    source, target : int
+        Its ends.
+
+    Returns
+    -------
+    GeodesicPath
+
+    Examples
+    --------
+    >>> import intrinsic_triangulations as it
+    >>> V = [[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]]
+    >>> path = it.geodesic_path(V, [[0, 1, 2], [1, 0, 3]], 2, 3)
+    >>> path.length, path.is_geodesic, path.positions[1]
+    (2.0, True, array([2., 0., 0.]))
+    """
+    return EdgeFlipGeodesicSolver(V, F).find_path([source, target])
+
+
+class GeodesicTracer(_Lines):
+    """Straight lines on a surface from a point in a direction.
+
+    Which edge a line crosses next is decided exactly. It ends after the length of the vector, at the border, or exactly in a vertex.
+    Vectors so long that the line would cross a million edges are refused.
+
+    Parameters
+    ----------
+    V : (n, 3) array of integers or floats
+        The positions of the vertices.
+    F : (m, 3) array of integers
+        The corners of the triangles, counted from 0: an oriented manifold.
+    t_coef : float
+        Without meaning; for programs that were written for potpourri3d.
+    """
+
+    def __init__(self, V: Any, F: Any, t_coef: float = 1.0) -> None:
+        super().__init__(V, F)
+
+    def trace_geodesic_from_vertex(self, start_vert: int, direction_xyz: Any, max_iterations: Optional[int] = None) -> numpy.ndarray:
+        """The line from a vertex.
+
+        Parameters
+        ----------
+        start_vert : int
+            The vertex.
+        direction_xyz : (3,) array of integers or floats
+            A vector, which is projected to the tangent plane at the vertex. Between two neighboring edges, angles there and on the
+            surface are proportional.
+        max_iterations : int, optional
+            The number of faces after which the line is cut off.
+
+        Returns
+        -------
+        (k, 3) array
+            The points of the line in space.
+        """
+        start = _arrays.vertex(start_vert, "start_vert", self._number_of_vertices)
+        line = _path(self._surface.trace_from_vertex(start, _arrays.vector(direction_xyz, "direction_xyz")))
+        return _cut(line.positions, max_iterations)
+
+    def trace_geodesic_from_face(self, start_face: int, bary_coords: Any, direction_xyz: Any,
+                                 max_iterations: Optional[int] = None) -> numpy.ndarray:
+        """The line from a point in a face.
+
+        Parameters
+        ----------
+        start_face : int
+            The face.
+        bary_coords : (3,) array of integers or floats
+            The coordinates of the point, for the corners of the face in order: not negative.
+        direction_xyz : (3,) array of integers or floats
+            A vector, which is projected to the plane of the face.
+        max_iterations : int, optional
+            The number of faces after which the line is cut off.
+
+        Returns
+        -------
+        (k, 3) array
+            The points of the line in space.
+        """
+        start = _arrays.integer(start_face, "start_face", 0, self._number_of_faces - 1)
+        coordinates = _arrays.vector(bary_coords, "bary_coords")
+        line = _path(self._surface.trace_from_face(start, coordinates, _arrays.vector(direction_xyz, "direction_xyz")))
+        return _cut(line.positions, max_iterations)
+
+
+def _cut(positions: numpy.ndarray, max_iterations: Optional[int]) -> numpy.ndarray:
+    if max_iterations is None:
+        return positions
+    return positions[:_arrays.integer(max_iterations, "max_iterations") + 1]

@@ -1,0 +1,146 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# Distances by the heat method.
+
+"""Distances by the heat method, with the names of potpourri3d."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy
+
+from . import _arrays, _core
+from ._triangulation import Triangulation
+
+BOUNDARIES = ("neumann", "dirichlet", "averaged")
+
+
+class MeshHeatMethodDistanceSolver:
+    """Distances of all vertices from some of them, by the heat method.
+
+    The matrices are factorized once; then each set of sources costs two solutions of linear systems, or three. Calls from several
+    threads are allowed; they wait for each other.
+
+    Parameters
+    ----------
+    V : (n, 3) array of integers or floats
+        The positions of the vertices.
+    F : (m, 3) array of integers
+        The corners of the triangles, counted from 0.
+    t_coef : float
+        For how long heat spreads, in units of the squared mean length of the edges: the larger, the smoother.
+    use_robust : bool
+        True: on the intrinsic Delaunay triangulation of the tufted cover, which takes any triangles and has no border. False: on the
+        triangles themselves, which have to be an oriented manifold.
+    boundary : {"neumann", "dirichlet", "averaged"}
+        What heat does at the border, without the cover: none leaves, it is cold there, or the mean of both.
+    keeps_ridges : bool
+        Whether distances are raised where they are less than those of the vertices around allow. Without that, as in potpourri3d,
+        the method rounds off ridges where fronts meet.
+
+    Raises
+    ------
+    InvalidSurfaceError
+        If there is no face, an index is out of range, a coordinate is not finite, or, without the cover, the triangles are no oriented
+        manifold.
+    NumericalError
+        If a matrix cannot be factorized.
+    """
+
+    def __init__(self, V: Any, F: Any, t_coef: float = 1.0, use_robust: bool = True, *, boundary: str = "neumann",
+                 keeps_ridges: bool = True) -> None:
+        points, faces = _arrays.points_and_faces(V, F)
+        options = _options(t_coef, boundary, keeps_ridges)
+        self._number_of_vertices = len(points)
+        if use_robust:
+            self._heat = _core.heat_on_any_triangles(points, faces, *options)
+        else:
+            self._heat = _core.heat_on_surface(_core.Surface.from_points(points, faces), *options)
+
+    @classmethod
+    def from_triangulation(cls, triangulation: Triangulation, t_coef: float = 1.0, *, boundary: str = "neumann",
+                           keeps_ridges: bool = True) -> "MeshHeatMethodDistanceSolver":
+        """Distances on a triangulation as it is now: flipped, refined, or given by lengths.
+
+        Parameters
+        ----------
+        triangulation : Triangulation
+            It should be Delaunay. Later flips do not change the solver.
+        t_coef, boundary, keeps_ridges
+            As for the constructor.
+        """
+        if not isinstance(triangulation, Triangulation):
+            raise ValueError(f"triangulation has to be a Triangulation, not {type(triangulation).__name__}")
+        result = cls.__new__(cls)
+        result._number_of_vertices = triangulation.number_of_vertices
+        result._heat = _core.heat_on_surface(triangulation._surface, *_options(t_coef, boundary, keeps_ridges))
+        return result
+
+    def compute_distance(self, v_ind: int) -> numpy.ndarray:
+        """The distance of each vertex from one of them.
+
+        Parameters
+        ----------
+        v_ind : int
+            The source.
+
+        Returns
+        -------
+        (n,) array
+            In the unit of the input: zero at the source, and infinite where no source is connected.
+        """
+        source = _arrays.vertex(v_ind, "v_ind", self._number_of_vertices)
+        return self._heat.distances(numpy.array([source], dtype=numpy.uint32))
+
+    def compute_distance_multisource(self, v_inds: Any) -> numpy.ndarray:
+        """The distance of each vertex from the nearest of several.
+
+        Parameters
+        ----------
+        v_inds : (k,) array of integers
+            The sources; all distances are infinite if there is none.
+
+        Returns
+        -------
+        (n,) array
+            As for `compute_distance`: exactly zero at each source.
+        """
+        return self._heat.distances(_arrays.indices(v_inds, "v_inds", (None,), self._number_of_vertices))
+
+    def extend_scalar(self, v_inds: Any, values: Any) -> numpy.ndarray:
+        """A function with given values at some vertices, and elsewhere about the value at the nearest of them.
+
+        Parameters
+        ----------
+        v_inds : (k,) array of integers
+            The vertices.
+        values : (k,) array of integers or floats
+            Their values.
+
+        Returns
+        -------
+        (n,) array
+            Zero where none of the vertices can be reached.
+        """
+        vertices = _arrays.indices(v_inds, "v_inds", (None,), self._number_of_vertices)
+        return self._heat.extend(vertices, _arrays.doubles(values, "values", (len(vertices),)), 0.0)
+
+
+def compute_distance(V: Any, F: Any, v_ind: int) -> numpy.ndarray:
+    """As `MeshHeatMethodDistanceSolver.compute_distance`, in one call."""
+    return MeshHeatMethodDistanceSolver(V, F).compute_distance(v_ind)
+
+
+def compute_distance_multisource(V: Any, F: Any, v_inds: Any) -> numpy.ndarray:
+    """As `MeshHeatMethodDistanceSolver.compute_distance_multisource`, in one call."""
+    return MeshHeatMethodDistanceSolver(V, F).compute_distance_multisource(v_inds)
+
+
+def _options(t_coef: Any, boundary: Any, keeps_ridges: Any) -> tuple:
+    time = _arrays.number(t_coef, "t_coef")
+    if not (time > 0 and math.isfinite(time)):
+        raise ValueError(f"t_coef has to be positive and finite, not {t_coef!r}")
+    return time, _arrays.choice(boundary, "boundary", BOUNDARIES), bool(keeps_ridges)

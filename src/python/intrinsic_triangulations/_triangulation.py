@@ -1,0 +1,350 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# A triangulation of a surface by straight lines on it.
+
+"""A triangulation of a surface by straight lines on it."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, List, NamedTuple, Optional, Tuple
+
+import numpy
+import scipy.sparse
+
+from . import _arrays, _core
+from ._subdivision import CommonSubdivision
+
+
+class FlipReport(NamedTuple):
+    """What `Triangulation.flip_to_delaunay` did."""
+
+    is_delaunay: bool
+    """Whether every edge that is not constrained is Delaunay; False if `max_flips` did not suffice."""
+    flips: int
+    """The number of flips."""
+    tests: int
+    """The number of Delaunay tests."""
+
+
+class VerificationReport(NamedTuple):
+    """What `Triangulation.verify` found."""
+
+    is_delaunay: bool
+    """Whether all edges are Delaunay, and all faces are triangles with the right orientation."""
+    tests: int
+    """The number of edges that were tested."""
+    ties: int
+    """The number of edges whose opposite angles sum to exactly π."""
+    not_delaunay: numpy.ndarray
+    """The numbers of the edges whose opposite angles sum to more than π."""
+    inverted: numpy.ndarray
+    """The numbers of the faces with the wrong orientation: there is none."""
+
+
+class RefinementReport(NamedTuple):
+    """What `Triangulation.refine` did."""
+
+    is_refined: bool
+    """Whether all faces meet the criteria, but those in `unrefined`; False if `max_insertions` did not suffice."""
+    insertions: int
+    """The number of vertices inserted into faces."""
+    segment_splits: int
+    """The number of vertices inserted on edges."""
+    flips: int
+    """The number of flips."""
+    unrefined: numpy.ndarray
+    """The numbers of the faces that do not meet the criteria."""
+    reasons: List[str]
+    """Why not, for each of them: "cone", "small_input_angle", "unrepresentable" or "budget"."""
+
+
+class Triangulation:
+    """A triangulation of a surface in space, or of one that is given by lengths.
+
+    Edges are straight lines on the surface: flips change the triangulation, but not the surface. Every decision is the one that
+    exact arithmetic makes on the numbers that were given. Faces need not have three different corners, and several edges may
+    join the same two vertices: so edges and faces are known by their numbers, which a flip does not change.
+
+    Calls from several threads are allowed; they wait for each other.
+
+    Parameters
+    ----------
+    V : (n, 3) array of integers or floats
+        The positions of the vertices.
+    F : (m, 3) array of integers
+        The corners of the triangles, counted from 0: an oriented manifold, with or without border.
+
+    Raises
+    ------
+    InvalidSurfaceError
+        If the triangles are no oriented manifold, an edge has length zero, or a coordinate is not finite.
+
+    Examples
+    --------
+    >>> import intrinsic_triangulations as it
+    >>> t = it.Triangulation([[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]], [[0, 1, 2], [1, 0, 3]])
+    >>> t.flip_to_delaunay().flips
+    1
+    >>> t.edges[0], t.lengths[0]
+    (array([3, 2]), 2.0)
+    """
+
+    def __init__(self, V: Any, F: Any) -> None:
+        points, faces = _arrays.points_and_faces(V, F)
+        # Kept for positions: a copy, which nobody can change.
+        self._points: Optional[numpy.ndarray] = numpy.array(points)
+        self._points.flags.writeable = False
+        self._surface = _core.Surface.from_points(points, faces)
+
+    @classmethod
+    def from_lengths(cls, F: Any, lengths: Any) -> "Triangulation":
+        """A surface given by triangles and the lengths of their sides.
+
+        Parameters
+        ----------
+        F : (m, 3) array of integers
+            The corners of the triangles.
+        lengths : (m, 3) array of integers or floats
+            The length of side i of a triangle, from corner i to corner i + 1. The two sides at an edge have the same length.
+
+        Raises
+        ------
+        InvalidSurfaceError
+            If the triangles are no oriented manifold, a length is not positive and finite, two sides at an edge have different
+            lengths, or three lengths violate the triangle inequality. Equality is accepted.
+        """
+        faces = _arrays.indices(F, "F", (None, 3))
+        sides = _arrays.doubles(lengths, "lengths", (len(faces), 3))
+        number = int(faces.max()) + 1 if faces.size else 0
+        # Else a single face could ask for any amount of memory.
+        if number > 3 * len(faces):
+            raise ValueError(f"F names vertex {number - 1}, but {len(faces)} triangles have at most {3 * len(faces)} vertices")
+        return cls._of(_core.Surface.from_lengths(faces, sides, number))
+
+    @classmethod
+    def from_gluing(cls, glued_sides: Any, lengths: Any) -> "Triangulation":
+        """A surface of triangles that are glued in any way, even a triangle to itself.
+
+        Parameters
+        ----------
+        glued_sides : (k, 2) array of integers
+            Pairs of sides. Side `3 f + i` runs from corner i of triangle f to corner i + 1; glued sides run in opposite
+            directions. Sides that are not glued form the border.
+        lengths : (m, 3) array of integers or floats
+            As for `from_lengths`.
+
+        Raises
+        ------
+        InvalidSurfaceError
+            If a side is glued twice or to itself, or as `from_lengths`.
+
+        Examples
+        --------
+        A flat torus with a single vertex, of two right triangles:
+
+        >>> import intrinsic_triangulations as it
+        >>> t = it.Triangulation.from_gluing([[0, 3], [1, 4], [2, 5]], [[3, 4, 5], [3, 4, 5]])
+        >>> t.number_of_vertices, t.number_of_edges, t.verify().ties
+        (1, 3, 1)
+        """
+        sides = _arrays.doubles(lengths, "lengths", (None, 3))
+        pairs = _arrays.as_array(glued_sides, "glued_sides", "iu", "integers")
+        if pairs.size == 0:
+            pairs = numpy.zeros((0, 2), dtype=numpy.int64)
+        pairs = _arrays.indices(pairs, "glued_sides", (None, 2), 3 * len(sides), "side")
+        return cls._of(_core.Surface.from_gluing(pairs[:, 0], pairs[:, 1], sides))
+
+    @classmethod
+    def _of(cls, surface: Any, points: Optional[numpy.ndarray] = None) -> "Triangulation":
+        result = cls.__new__(cls)
+        result._points = points
+        result._surface = surface
+        return result
+
+    def copy(self) -> "Triangulation":
+        """Another object with the same triangulation and the same input."""
+        return Triangulation._of(self._surface.copy(), self._points)
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: Any) -> "Triangulation":
+        return self.copy()
+
+    def __repr__(self) -> str:
+        return (f"<Triangulation: {self.number_of_vertices} vertices, {self.number_of_edges} edges, "
+                f"{self.number_of_faces} faces>")
+
+    @property
+    def number_of_vertices(self) -> int:
+        """The number of vertices: those of the input, with their numbers, and then those that were inserted."""
+        return self._surface.number_of_vertices()
+
+    @property
+    def number_of_edges(self) -> int:
+        """The number of edges."""
+        return self._surface.number_of_edges()
+
+    @property
+    def number_of_faces(self) -> int:
+        """The number of faces."""
+        return self._surface.number_of_faces()
+
+    @property
+    def faces(self) -> numpy.ndarray:
+        """(m, 3) array of int64: the corners of the faces, counterclockwise. They need not be different."""
+        return self._surface.faces()
+
+    @property
+    def face_edges(self) -> numpy.ndarray:
+        """(m, 3) array of int64: the edge from corner i to corner i + 1 of each face."""
+        return self._surface.edges_of_faces()
+
+    @property
+    def edges(self) -> numpy.ndarray:
+        """(k, 2) array of int64: the two ends of each edge. They need not be different, and several edges may have the same."""
+        return self._surface.edges()
+
+    @property
+    def lengths(self) -> numpy.ndarray:
+        """(k,) array: the length of each edge, in the unit of the input; within 1 ulp of the exact one."""
+        return self._surface.lengths()
+
+    @property
+    def weights(self) -> numpy.ndarray:
+        """(k,) array, without unit: (cot α + cot β) / 2 with the angles opposite to each edge, of which a border edge has one.
+
+        If the triangulation is Delaunay, weights of edges inside the surface are not negative. Off the diagonal, L has the
+        negative sum of the weights of the edges that join the two vertices.
+        """
+        return self._surface.weights()
+
+    @property
+    def areas(self) -> numpy.ndarray:
+        """(m,) array: the area of each face, in the squared unit of the input."""
+        return self._surface.areas()
+
+    @property
+    def angles(self) -> numpy.ndarray:
+        """(m, 3) array: the angle at each corner of each face, in radians, as in `faces`."""
+        return self._surface.corner_angles()
+
+    def flip_to_delaunay(self, max_flips: Optional[int] = None, constrained: Any = None) -> FlipReport:
+        """Flip edges until the triangulation is Delaunay.
+
+        Parameters
+        ----------
+        max_flips : int, optional
+            The number of flips after which to give up. Without, it ends all the same: that is proven.
+        constrained : (k,) array of bool, optional
+            Which edges are not flipped.
+
+        Returns
+        -------
+        FlipReport
+        """
+        maximum = 2**64 - 1 if max_flips is None else _arrays.integer(max_flips, "max_flips")
+        return FlipReport(*self._surface.flip_to_delaunay(self._constrained(constrained), maximum))
+
+    def verify(self, constrained: Any = None) -> VerificationReport:
+        """Decide of every edge, exactly and from the input alone, whether it is Delaunay.
+
+        Parameters
+        ----------
+        constrained : (k,) array of bool, optional
+            Which edges are left out.
+
+        Returns
+        -------
+        VerificationReport
+        """
+        return VerificationReport(*self._surface.verify(self._constrained(constrained)))
+
+    def refine(self, minimum_angle: float = 25, maximum_circumradius: float = math.inf, maximum_edge_length: float = math.inf,
+               constrained: Any = None, max_insertions: Optional[int] = None) -> RefinementReport:
+        """Flip edges, and insert vertices until no face is too thin or too large. The surface does not change.
+
+        Parameters
+        ----------
+        minimum_angle : float
+            No corner is to be smaller, in degrees; from 0 to 30.
+        maximum_circumradius, maximum_edge_length : float
+            No circumradius and no edge is to be larger, in the unit of the input.
+        constrained : (k,) array of bool, optional
+            Which edges are not flipped, but may be split. They have to be edges of the input, not flipped yet.
+        max_insertions : int, optional
+            The largest number of new vertices; without, ten for each vertex, and a million.
+
+        Returns
+        -------
+        RefinementReport
+
+        Examples
+        --------
+        >>> import numpy
+        >>> import intrinsic_triangulations as it
+        >>> t = it.Triangulation([[0, 0, 0], [10, 0, 0], [10, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
+        >>> report = t.refine(minimum_angle=25)
+        >>> report.is_refined, bool(numpy.degrees(t.angles).min() >= 25)
+        (True, True)
+        """
+        angle = _arrays.number(minimum_angle, "minimum_angle")
+        circumradius = _arrays.number(maximum_circumradius, "maximum_circumradius")
+        edge_length = _arrays.number(maximum_edge_length, "maximum_edge_length")
+        maximum = None if max_insertions is None else _arrays.integer(max_insertions, "max_insertions")
+        return RefinementReport(*self._surface.refine(angle, circumradius, edge_length, self._constrained(constrained), maximum))
+
+    def _constrained(self, constrained: Any) -> Optional[numpy.ndarray]:
+        return _arrays.marks(constrained, "constrained", self.number_of_edges)
+
+    def laplacian(self, mass: str = "lumped") -> Tuple[scipy.sparse.csc_matrix, scipy.sparse.csc_matrix]:
+        """The Laplace-Beltrami operator of this triangulation, flipped or not.
+
+        Parameters
+        ----------
+        mass : {"lumped", "galerkin"}
+            Which mass matrix is returned.
+
+        Returns
+        -------
+        L, M : (n, n) scipy.sparse.csc_matrix
+            As those of `intrinsic_triangulations.laplacian`, but there border edges are flipped, too, in a second layer of
+            the surface. Here, the entries of border edges can be positive.
+        """
+        is_lumped = _arrays.choice(mass, "mass", ("lumped", "galerkin")) == 0
+        return _arrays.sparse(self._surface.stiffness()), _arrays.sparse(self._surface.mass(is_lumped))
+
+    @property
+    def mass(self) -> numpy.ndarray:
+        """(n,) array: a third of the area of the faces at each vertex, in the squared unit of the input."""
+        return self._surface.mass(True)[0]
+
+    @property
+    def inserted_vertices(self) -> Tuple[numpy.ndarray, numpy.ndarray]:
+        """Where the inserted vertices lie: (i,) array of faces of the input, and (i, 3) array of coordinates in them."""
+        return self._surface.inserted_vertices()
+
+    @property
+    def positions(self) -> numpy.ndarray:
+        """(n, 3) array: the positions of all vertices in space, in the unit of the input.
+
+        Raises
+        ------
+        ValueError
+            If the surface is given by lengths alone.
+        """
+        if self._points is None:
+            raise ValueError("the surface is given by lengths: its vertices have no positions")
+        subdivision = self.common_subdivision() if self.number_of_vertices > len(self._points) else None
+        return self._points.copy() if subdivision is None else subdivision.positions[:self.number_of_vertices]
+
+    def common_subdivision(self) -> CommonSubdivision:
+        """The common subdivision of the input and this triangulation, as it is now.
+
+        Returns
+        -------
+        CommonSubdivision
+            It carries values and points from one to the other. Later flips do not change it.
+        """
+        return CommonSubdivision(_core.subdivision(self._surface), self._points)

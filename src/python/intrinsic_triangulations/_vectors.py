@@ -1,0 +1,154 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# Tangent vectors by the vector heat method.
+
+"""Tangent vectors that are carried over a surface, and logarithmic maps; with the names of potpourri3d."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Tuple
+
+import numpy
+import scipy.sparse
+
+from . import _arrays, _core
+
+STRATEGIES = ("VectorHeat", "AffineLocal", "AffineAdaptive")
+
+
+class MeshVectorHeatSolver:
+    """Tangent vectors carried along shortest ways, and logarithmic maps, by the vector heat method.
+
+    The matrices are factorized once. A tangent vector has two coordinates in the frame of its vertex, which `get_tangent_frames`
+    gives in space. Calls from several threads are allowed.
+
+    Parameters
+    ----------
+    V : (n, 3) array of integers or floats
+        The positions of the vertices.
+    F : (m, 3) array of integers
+        The corners of the triangles, counted from 0: an oriented manifold.
+    t_coef : float
+        For how long heat spreads, in units of the squared mean length of the edges: the larger, the smoother.
+    use_intrinsic_delaunay : bool
+        Only True is possible: on other triangulations, the method has no guarantees.
+
+    Raises
+    ------
+    InvalidSurfaceError
+        As `Triangulation`.
+    NumericalError
+        If a matrix cannot be factorized.
+    """
+
+    def __init__(self, V: Any, F: Any, t_coef: float = 1.0, use_intrinsic_delaunay: bool = True) -> None:
+        if not use_intrinsic_delaunay:
+            raise ValueError("use_intrinsic_delaunay has to be True: on other triangulations, the method has no guarantees")
+        time = _arrays.number(t_coef, "t_coef")
+        if not (time > 0 and math.isfinite(time)):
+            raise ValueError(f"t_coef has to be positive and finite, not {t_coef!r}")
+        points, faces = _arrays.points_and_faces(V, F)
+        surface = _core.Surface.from_points(points, faces)
+        surface.flip_to_delaunay(None, 2**64 - 1)
+        self._number_of_vertices = len(points)
+        self._frames = _core.tangent_frames(surface, points)
+        self._connection_laplacian = _core.connection_laplacian(surface)
+        self._heat = _core.vector_heat(surface, time)
+
+    def get_tangent_frames(self) -> Tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray]:
+        """The tangent planes in space.
+
+        Returns
+        -------
+        basis_x, basis_y, basis_n : (n, 3) arrays
+            For each vertex, the two axes and the normal: unit vectors at right angles. The vector with the coordinates (a, b) is
+            `a * basis_x[v] + b * basis_y[v]`.
+        """
+        x, y, normal = self._frames
+        return x.copy(), y.copy(), normal.copy()
+
+    def get_connection_laplacian(self) -> scipy.sparse.csc_matrix:
+        """The connection Laplacian for tangent vectors as complex numbers, without unit: Hermitian.
+
+        Returns
+        -------
+        (n, n) scipy.sparse.csc_matrix of complex numbers
+        """
+        return _arrays.sparse(self._connection_laplacian).copy()
+
+    def transport_tangent_vector(self, v_ind: int, vector: Any) -> numpy.ndarray:
+        """A tangent vector at one vertex, carried to all others along shortest ways.
+
+        Parameters
+        ----------
+        v_ind : int
+            The vertex.
+        vector : (2,) array of integers or floats
+            Its coordinates in the frame of the vertex.
+
+        Returns
+        -------
+        (n, 2) array
+            The coordinates in the frame of each vertex; (0, 0) where nothing is connected with the source.
+        """
+        source = _arrays.vertex(v_ind, "v_ind", self._number_of_vertices)
+        return self.transport_tangent_vectors([source], _arrays.doubles(vector, "vector", (2,))[None])
+
+    def transport_tangent_vectors(self, v_inds: Any, vectors: Any) -> numpy.ndarray:
+        """Tangent vectors at several vertices; each other one gets that of the nearest.
+
+        Parameters
+        ----------
+        v_inds : (k,) array of integers
+            Different vertices.
+        vectors : (k, 2) array of integers or floats
+            The coordinates in their frames.
+
+        Returns
+        -------
+        (n, 2) array
+            As for `transport_tangent_vector`.
+        """
+        vertices = _arrays.indices(v_inds, "v_inds", (None,), self._number_of_vertices)
+        if len(numpy.unique(vertices)) < len(vertices):
+            raise ValueError("v_inds names a vertex twice")
+        array = _arrays.doubles(vectors, "vectors", (len(vertices), 2))
+        return self._heat.transport(vertices, array[:, 0], array[:, 1])
+
+    def compute_log_map(self, v_ind: int, strategy: str = "AffineLocal") -> numpy.ndarray:
+        """The logarithmic map at a vertex: in which direction, and how far, each other one lies.
+
+        Parameters
+        ----------
+        v_ind : int
+            The vertex.
+        strategy : {"VectorHeat", "AffineLocal", "AffineAdaptive"}
+            Without meaning; for programs that were written for potpourri3d. The method is that of Soliman and Sharp (2025).
+
+        Returns
+        -------
+        (n, 2) array
+            In the frame of the vertex and in the unit of the input: (0, 0) at the vertex, infinite where it is not connected.
+        """
+        _arrays.choice(strategy, "strategy", STRATEGIES)
+        return self._heat.log_map(_arrays.vertex(v_ind, "v_ind", self._number_of_vertices))
+
+    def extend_scalar(self, v_inds: Any, values: Any) -> numpy.ndarray:
+        """A function with given values at some vertices, and elsewhere about the value at the nearest of them.
+
+        Parameters
+        ----------
+        v_inds : (k,) array of integers
+            The vertices.
+        values : (k,) array of integers or floats
+            Their values.
+
+        Returns
+        -------
+        (n,) array
+            Zero where none of the vertices can be reached.
+        """
+        vertices = _arrays.indices(v_inds, "v_inds", (None,), self._number_of_vertices)
+        return self._heat.extend(vertices, _arrays.doubles(values, "values", (len(vertices),)))

@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The extension module below the Python package, which checks arguments and has the documentation. It includes
+// LGPL headers only.
+
+#include "python/bindings.h"
+#include "python/errors.h"
+
+PYBIND11_MODULE(_core, module)
+{
+  module.doc() = "What the package intrinsic_triangulations calls.";
+  idt_python::register_errors();
+  idt_python::add_Laplacian(module);
+  idt_python::add_triangulation(module);
+  idt_python::add_subdivision(module);
+  idt_python::add_heat(module);
+  idt_python::add_geodesics(module);
+  idt_python::add_vectors(module);
+}

@@ -1,0 +1,354 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The triangulation: how it is made, flipped, refined and checked, and what it tells.
+
+#include "python/Surface.h"
+#include "python/arrays.h"
+#include "python/bindings.h"
+#include "python/surface_points.h"
+
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
+#include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace idt_python {
+
+namespace {
+
+namespace parameters = CGAL::parameters;
+
+using Numbers = std::vector<std::int64_t>;
+
+// ------------------------------------------------------------- construction
+
+std::unique_ptr<Surface> from_points(const Doubles& points, const Indices& triangles)
+{
+  const Rows<double> rows(points);
+  const auto faces = copied_rows(triangles);
+  return without_lock([&] {
+    return std::make_unique<Surface>(Triangulation(IT::make_Delta_complex_from_triangles(rows.size(), faces), rows));
+  });
+}
+
+// The length of each edge. \param lengths those of the sides of the faces
+std::vector<double> edge_lengths(const IT::Delta_complex& complex, const std::vector<std::array<double, 3>>& lengths)
+{
+  std::vector<double> result(complex.number_of_edges(), -1);
+  for (IT::Face_index f : complex.faces()) {
+    IT::Halfedge_index h = complex.halfedge(f);
+    for (int i = 0; i < 3; ++i, h = complex.next(h)) {
+      double& length = result[complex.edge(h).idx()];
+      const double given = lengths[f.idx()][std::size_t(i)];
+      // Not so if either is not a number: the library says which edge that is.
+      if (length >= 0 && given >= 0 && length != given)
+        throw IT::Invalid_surface_error(
+          IT::Invalid_surface_error::Defect::INVALID_GLUING, f.idx(), 1,
+          "side " + std::to_string(i) + " of face " + std::to_string(f.idx()) + " has length " + std::to_string(given) +
+            ", but the side of another face that it is glued to has length " + std::to_string(length));
+      length = given;
+    }
+  }
+  return result;
+}
+
+std::unique_ptr<Surface> from_lengths_of(IT::Delta_complex complex, const std::vector<std::array<double, 3>>& lengths)
+{
+  std::vector<double> of_edges = edge_lengths(complex, lengths);
+  return std::make_unique<Surface>(Triangulation::from_lengths(std::move(complex), std::move(of_edges)));
+}
+
+std::unique_ptr<Surface> from_lengths(const Indices& triangles, const Doubles& lengths, std::size_t number_of_vertices)
+{
+  const auto faces = copied_rows(triangles);
+  const auto sides = copied_rows(lengths);
+  require(faces.size() == sides.size(), "there are not as many rows of lengths as faces");
+  return without_lock(
+    [&] { return from_lengths_of(IT::make_Delta_complex_from_triangles(number_of_vertices, faces), sides); });
+}
+
+std::unique_ptr<Surface> from_gluing(const Indices& first, const Indices& second, const Doubles& lengths)
+{
+  const auto one = copied(first), two = copied(second);
+  const auto sides = copied_rows(lengths);
+  require(one.size() == two.size(), "the sides are no pairs");
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (std::size_t i = 0; i < one.size(); ++i)
+    pairs.push_back({one[i], two[i]});
+  return without_lock([&] { return from_lengths_of(IT::make_Delta_complex_from_gluing(sides.size(), pairs), sides); });
+}
+
+// ------------------------------------------------------------- connectivity
+
+py::array faces(Surface& surface)
+{
+  return to_array(surface.use([](const Triangulation& t) {
+    Numbers result;
+    result.reserve(3 * std::size_t(t.connectivity().number_of_faces()));
+    for (IT::Face_index f : t.connectivity().faces())
+      append_corners(t.connectivity(), f, result);
+    return result;
+  }),
+                  3);
+}
+
+py::array edges_of_faces(Surface& surface)
+{
+  return to_array(surface.use([](const Triangulation& t) {
+    const IT::Delta_complex& complex = t.connectivity();
+    Numbers result;
+    for (IT::Face_index f : complex.faces()) {
+      IT::Halfedge_index h = complex.halfedge(f);
+      for (int i = 0; i < 3; ++i, h = complex.next(h))
+        result.push_back(complex.edge(h).idx());
+    }
+    return result;
+  }),
+                  3);
+}
+
+py::array edges(Surface& surface)
+{
+  return to_array(surface.use([](const Triangulation& t) {
+    const IT::Delta_complex& complex = t.connectivity();
+    Numbers result;
+    for (IT::Edge_index e : complex.edges()) {
+      result.push_back(complex.source(complex.halfedge(e)).idx());
+      result.push_back(complex.target(complex.halfedge(e)).idx());
+    }
+    return result;
+  }),
+                  2);
+}
+
+// ------------------------------------------------------------------- metric
+
+py::array lengths(Surface& surface)
+{
+  return to_array(surface.use([](const Triangulation& t) {
+    std::vector<double> result;
+    for (IT::Edge_index e : t.connectivity().edges())
+      result.push_back(t.length(e));
+    return result;
+  }));
+}
+
+py::array weights(Surface& surface)
+{
+  return to_array(surface.use([](const Triangulation& t) {
+    std::vector<double> result = IT::cotangent_weights(t);
+    for (double& w : result)
+      w /= 2;
+    return result;
+  }));
+}
+
+py::array areas(Surface& surface)
+{
+  return to_array(surface.use([](const Triangulation& t) { return IT::face_areas(t); }));
+}
+
+py::array corner_angles(Surface& surface)
+{
+  return to_array(surface.use([](const Triangulation& t) {
+    const IT::Delta_complex& complex = t.connectivity();
+    std::vector<double> result;
+    for (IT::Face_index f : complex.faces()) {
+      IT::Halfedge_index h = complex.halfedge(f);
+      for (int i = 0; i < 3; ++i, h = complex.next(h))
+        result.push_back(IT::angle(t, complex.next(h)));
+    }
+    return result;
+  }),
+                  3);
+}
+
+// --------------------------------------------------------------- algorithms
+
+// Which edges stay, as a property map.
+class Constrained_edges
+{
+public:
+  using key_type = IT::Edge_index;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+
+  // \param is_constrained a value for each edge, or none
+  explicit Constrained_edges(const std::vector<bool>& is_constrained) : is_constrained_(&is_constrained) {}
+  friend bool get(const Constrained_edges& map, IT::Edge_index e)
+  {
+    return !map.is_constrained_->empty() && (*map.is_constrained_)[e.idx()];
+  }
+
+private:
+  const std::vector<bool>* is_constrained_;
+};
+
+std::vector<bool> copied_marks(const std::optional<Booleans>& marks)
+{
+  if (!marks)
+    return {};
+  require(marks->ndim() == 1, "marks of edges have one dimension");
+  const auto items = marks->unchecked<1>();
+  std::vector<bool> result;
+  for (py::ssize_t i = 0; i < items.shape(0); ++i)
+    result.push_back(items(i));
+  return result;
+}
+
+// Only here the number of edges cannot change any more.
+void check_marks(const Triangulation& t, const std::vector<bool>& is_constrained)
+{
+  const std::size_t n = t.connectivity().number_of_edges();
+  if (!is_constrained.empty() && is_constrained.size() != n)
+    throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::BAD_INDEX, 0, 1,
+                                    "there are " + std::to_string(is_constrained.size()) + " marks of constrained edges for " +
+                                      std::to_string(n) + " edges");
+}
+
+py::tuple flip_to_Delaunay(Surface& surface, const std::optional<Booleans>& constrained, std::uint64_t maximum_number)
+{
+  const std::vector<bool> is_constrained = copied_marks(constrained);
+  const IT::Flip_report report = surface.use([&](Triangulation& t) {
+    check_marks(t, is_constrained);
+    return IT::flip_to_Delaunay(t, parameters::edge_is_constrained_map(Constrained_edges(is_constrained))
+                                     .visitor(Signal_visitor())
+                                     .maximum_number(maximum_number));
+  });
+  return py::make_tuple(report.status == IT::Flip_status::DELAUNAY, report.flips, report.tests);
+}
+
+py::tuple verify(Surface& surface, const std::optional<Booleans>& constrained)
+{
+  const std::vector<bool> is_constrained = copied_marks(constrained);
+  const IT::Delaunay_verification found = surface.use([&](const Triangulation& t) {
+    check_marks(t, is_constrained);
+    return IT::verify_Delaunay(t, parameters::edge_is_constrained_map(Constrained_edges(is_constrained)));
+  });
+  Numbers not_Delaunay, inverted;
+  for (IT::Edge_index e : found.not_Delaunay)
+    not_Delaunay.push_back(e.idx());
+  for (IT::Face_index f : found.inverted)
+    inverted.push_back(f.idx());
+  return py::make_tuple(found.is_Delaunay(), found.tests, found.ties, to_array(std::move(not_Delaunay)),
+                        to_array(std::move(inverted)));
+}
+
+const char* name_of(IT::Refinement_obstacle obstacle)
+{
+  using Obstacle = IT::Refinement_obstacle;
+  return obstacle == Obstacle::CONE                ? "cone"
+         : obstacle == Obstacle::SMALL_INPUT_ANGLE ? "small_input_angle"
+         : obstacle == Obstacle::UNREPRESENTABLE   ? "unrepresentable"
+                                                   : "budget";
+}
+
+py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumradius, double maximum_edge_length,
+                 const std::optional<Booleans>& constrained, const std::optional<std::uint64_t>& maximum_number)
+{
+  require(minimum_angle >= 0 && minimum_angle <= 30, "minimum_angle is not between 0 and 30 degrees");
+  require(maximum_circumradius > 0 && maximum_edge_length > 0, "a bound is not positive");
+  const std::vector<bool> is_constrained = copied_marks(constrained);
+  const IT::Refinement_report report = surface.use([&](Triangulation& t) {
+    check_marks(t, is_constrained);
+    return IT::refine_Delaunay(
+      t, {minimum_angle, maximum_circumradius, maximum_edge_length},
+      parameters::edge_is_constrained_map(Constrained_edges(is_constrained))
+        .visitor(Signal_visitor())
+        .maximum_number(maximum_number ? *maximum_number : 10 * std::uint64_t(t.connectivity().number_of_vertices()) + 1000000));
+  });
+  Numbers unrefined;
+  py::list reasons;
+  for (const IT::Unrefined_face& f : report.unrefined) {
+    unrefined.push_back(f.face.idx());
+    reasons.append(name_of(f.reason));
+  }
+  return py::make_tuple(report.status == IT::Refinement_status::REFINED, report.insertions, report.segment_splits, report.flips,
+                        to_array(std::move(unrefined)), reasons);
+}
+
+// ----------------------------------------------------------------- matrices
+
+py::tuple stiffness(Surface& surface)
+{
+  return to_sparse(surface.use([](const Triangulation& t) { return IT::stiffness_matrix(t); }));
+}
+
+py::tuple mass(Surface& surface, bool is_lumped)
+{
+  return to_sparse(surface.use(
+    [&](const Triangulation& t) { return is_lumped ? IT::lumped_mass_matrix(t) : IT::Galerkin_mass_matrix(t); }));
+}
+
+// Where the inserted vertices lie in the input.
+py::tuple inserted_vertices(Surface& surface)
+{
+  return surface
+    .use([&](const Triangulation& t) {
+      const IT::Correspondence& correspondence = t.exact_geometry().correspondence();
+      const IT::Delta_complex& input = correspondence.input();
+      Point_table result;
+      for (auto v = input.number_of_vertices(); v < t.connectivity().number_of_vertices(); ++v) {
+        IT::Surface_point point = correspondence.location(IT::Vertex_index(v));
+        const double sum = point.coordinates[0] + point.coordinates[1] + point.coordinates[2];
+        for (double& x : point.coordinates)
+          x /= sum;
+        result.append(input, point, surface.input_sides()[input.face(point.halfedge).idx()]);
+      }
+      return result;
+    })
+    .to_arrays();
+}
+
+template <class Count>
+auto count(const Count& of_complex)
+{
+  return [of_complex](Surface& surface) {
+    return surface.use([&](const Triangulation& t) { return std::size_t((t.connectivity().*of_complex)()); });
+  };
+}
+
+} // namespace
+
+void add_triangulation(py::module_& module)
+{
+  py::class_<Surface>(module, "Surface")
+    .def_static("from_points", &from_points, py::arg("points").noconvert(), py::arg("triangles").noconvert())
+    .def_static("from_lengths", &from_lengths, py::arg("triangles").noconvert(), py::arg("lengths").noconvert(),
+                py::arg("number_of_vertices"))
+    .def_static("from_gluing", &from_gluing, py::arg("first").noconvert(), py::arg("second").noconvert(),
+                py::arg("lengths").noconvert())
+    .def("copy", [](const Surface& surface) { return without_lock([&] { return std::make_unique<Surface>(surface); }); })
+    .def("number_of_vertices", count(&IT::Delta_complex::number_of_vertices))
+    .def("number_of_edges", count(&IT::Delta_complex::number_of_edges))
+    .def("number_of_faces", count(&IT::Delta_complex::number_of_faces))
+    .def("faces", &faces)
+    .def("edges_of_faces", &edges_of_faces)
+    .def("edges", &edges)
+    .def("lengths", &lengths)
+    .def("weights", &weights)
+    .def("areas", &areas)
+    .def("corner_angles", &corner_angles)
+    .def("flip_to_delaunay", &flip_to_Delaunay, py::arg("constrained").noconvert(), py::arg("maximum_number"))
+    .def("verify", &verify, py::arg("constrained").noconvert())
+    .def("refine", &refine, py::arg("minimum_angle"), py::arg("maximum_circumradius"), py::arg("maximum_edge_length"),
+         py::arg("constrained").noconvert(), py::arg("maximum_number"))
+    .def("stiffness", &stiffness)
+    .def("mass", &mass, py::arg("is_lumped"))
+    .def("inserted_vertices", &inserted_vertices);
+}
+
+} // namespace idt_python

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Tangent vectors that are carried over the surface, and logarithmic maps.
+
+#include "python/Surface.h"
+#include "python/arrays.h"
+#include "python/bindings.h"
+
+#include <CGAL/Intrinsic_triangulations/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
+#include <CGAL/Intrinsic_triangulations/connection_Laplacian.h>
+#include <CGAL/Intrinsic_triangulations/vertex_frames.h>
+
+#include <complex>
+#include <memory>
+
+namespace idt_python {
+
+namespace {
+
+using Vector = IT::Vector_heat_method::Vector;
+
+// Nothing changes it, and its const member functions may be called by several threads at once.
+struct Vector_heat
+{
+  Vector_heat(const Triangulation& triangulation, const IT::Heat_method_options& options)
+    : vectors(triangulation, options.time_coefficient), scalars(triangulation, options)
+  {}
+
+  const IT::Vector_heat_method vectors;
+  const IT::Heat_method<> scalars;
+};
+
+std::unique_ptr<Vector_heat> vector_heat(Surface& surface, double time_coefficient)
+{
+  IT::Heat_method_options options;
+  options.time_coefficient = time_coefficient;
+  return surface.use([&](const Triangulation& t) { return std::make_unique<Vector_heat>(t, options); });
+}
+
+py::array to_rows(const std::vector<Vector>& vectors)
+{
+  std::vector<double> result;
+  for (const Vector& v : vectors) {
+    result.push_back(v.x());
+    result.push_back(v.y());
+  }
+  return to_array(std::move(result), 2);
+}
+
+py::array transport(const Vector_heat& heat, const Indices& vertices, const Doubles& x, const Doubles& y)
+{
+  const auto v = copied(vertices);
+  const auto first = copied(x), second = copied(y);
+  require(v.size() == first.size() && v.size() == second.size(), "there are not as many vectors as vertices");
+  std::vector<std::pair<IT::Vertex_index, Vector>> sources;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    sources.emplace_back(IT::Vertex_index(v[i]), Vector(first[i], second[i]));
+  return to_rows(without_lock([&] { return heat.vectors.transport_tangent_vectors(sources); }));
+}
+
+py::array log_map(const Vector_heat& heat, std::uint32_t v)
+{
+  return to_rows(without_lock([&] { return heat.vectors.log_map(IT::Vertex_index(v)); }));
+}
+
+py::array extend(const Vector_heat& heat, const Indices& vertices, const Doubles& values)
+{
+  const auto v = copied(vertices);
+  const auto x = copied(values);
+  require(v.size() == x.size(), "there are not as many values as vertices");
+  std::vector<std::pair<IT::Vertex_index, double>> pairs;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    pairs.emplace_back(IT::Vertex_index(v[i]), x[i]);
+  return to_array(without_lock([&] { return heat.scalars.extend(pairs); }));
+}
+
+// The axes of the tangent planes in space, and their normals.
+py::tuple frames(Surface& surface, const Doubles& points)
+{
+  const auto p = copied_rows(points);
+  const std::vector<IT::Vertex_frame> found = surface.use([&](const Triangulation& t) {
+    if (p.size() != t.exact_geometry().correspondence().input().number_of_vertices())
+      throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::BAD_INDEX, p.size(), 1, "there is not a point for each vertex");
+    return IT::vertex_frames(t, p);
+  });
+  std::vector<double> x, y, normal;
+  for (const IT::Vertex_frame& f : found) {
+    x.insert(x.end(), f.x.begin(), f.x.end());
+    y.insert(y.end(), f.y.begin(), f.y.end());
+    normal.insert(normal.end(), f.normal.begin(), f.normal.end());
+  }
+  return py::make_tuple(to_array(std::move(x), 3), to_array(std::move(y), 3), to_array(std::move(normal), 3));
+}
+
+py::tuple connection_Laplacian(Surface& surface)
+{
+  return to_sparse(surface.use([](const Triangulation& t) { return IT::connection_Laplacian(t); }));
+}
+
+} // namespace
+
+void add_vectors(py::module_& module)
+{
+  module.def("vector_heat", &vector_heat, py::arg("surface"), py::arg("time_coefficient"));
+  module.def("tangent_frames", &frames, py::arg("surface"), py::arg("points").noconvert());
+  module.def("connection_laplacian", &connection_Laplacian, py::arg("surface"));
+  py::class_<Vector_heat>(module, "VectorHeat")
+    .def("transport", &transport, py::arg("vertices").noconvert(), py::arg("x").noconvert(), py::arg("y").noconvert())
+    .def("log_map", &log_map, py::arg("vertex"))
+    .def("extend", &extend, py::arg("vertices").noconvert(), py::arg("values").noconvert());
+}
+
+} // namespace idt_python

@@ -1,0 +1,136 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Paths, closed curves and lines in a direction.
+
+import math
+
+import numpy
+import pytest
+
+import intrinsic_triangulations as it
+from conftest import grid, icosphere
+
+
+def length(positions):
+    return numpy.linalg.norm(numpy.diff(positions, axis=0), axis=1).sum()
+
+
+def test_paths_in_a_plane():
+    V, F = grid(9, shear=0.7)
+    solver = it.EdgeFlipGeodesicSolver(V, F)
+    for a, b in ((0, 80), (3, 50), (17, 60), (8, 72)):
+        path = solver.find_geodesic_path(a, b)
+        assert numpy.array_equal(path[0], V[a]) and numpy.array_equal(path[-1], V[b])
+        assert length(path) == pytest.approx(numpy.linalg.norm(V[a] - V[b]), rel=1e-13)
+
+
+def test_paths_on_a_sphere():
+    V, F = icosphere(3)
+    solver = it.EdgeFlipGeodesicSolver(V, F)
+    for target in range(1, 600, 60):
+        path = solver.find_path([0, target])
+        angle = math.acos(numpy.clip(V[0] @ V[target], -1, 1))
+        assert path.is_geodesic and path.status == "geodesic"
+        assert 0.97 * angle < path.length <= min(path.initial_length, 1.02 * angle)
+        assert path.length == pytest.approx(length(path.positions), rel=1e-12)
+        assert numpy.allclose(numpy.einsum("ij,ijk->ik", path.coordinates, V[F[path.faces]]), path.positions, atol=1e-14)
+
+
+def test_a_query_does_not_depend_on_others(thin):
+    solver = it.EdgeFlipGeodesicSolver(*thin)
+    first = solver.find_geodesic_path(3, 400)
+    for target in range(20, 300, 40):
+        solver.find_geodesic_path(1, target)
+    assert numpy.array_equal(solver.find_geodesic_path(3, 400), first)
+    assert numpy.array_equal(it.geodesic_path(*thin, 3, 400).positions, first)
+
+
+def test_paths_through_several_vertices():
+    V, F = grid(9)
+    path = it.EdgeFlipGeodesicSolver(V, F).find_geodesic_path_poly([0, 40, 8])
+    # The one in between is passed on a straight line in the end.
+    assert length(path) == pytest.approx(8)
+
+
+def test_closed_curves():
+    # A tube, and a curve around it that begins as a zigzag.
+    n, m = 12, 6
+    angles = 2 * math.pi * numpy.arange(n) / n
+    V = numpy.array([[math.cos(a), math.sin(a), z * (1 + (z - 3) ** 2 / 9)] for z in range(m) for a in angles])
+    V[:, :2] *= (1 + 0.2 * (V[:, 2:] - V[:, 2].mean()) ** 2 / V[:, 2].max())
+    quads = [(z * n + i, z * n + (i + 1) % n, (z + 1) * n + (i + 1) % n, (z + 1) * n + i) for z in range(m - 1) for i in range(n)]
+    F = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
+    solver = it.EdgeFlipGeodesicSolver(V, F)
+    curve = solver.find_path([2 * n, 3 * n + 4, 2 * n + 8], is_closed=True)
+    assert curve.is_geodesic and curve.status == "geodesic" and 5 < curve.length < curve.initial_length
+    assert numpy.allclose(curve.positions[0], curve.positions[-1])
+    assert numpy.array_equal(solver.find_geodesic_loop([2 * n, 3 * n + 4, 2 * n + 8]), curve.positions)
+    # Around a vertex of a sphere, it can be shrunk to a point.
+    V, F = icosphere(2)
+    star = F[(F == 0).any(axis=1)]
+    ring = [int(v) for v in numpy.unique(star) if v != 0]
+    shrunk = it.EdgeFlipGeodesicSolver(V, F).find_path(ring[:3], is_closed=True)
+    assert shrunk.status == "contractible" and shrunk.length == 0 and shrunk.positions.shape == (1, 3)
+
+
+def test_bad_paths():
+    V, F = icosphere(1)
+    solver = it.EdgeFlipGeodesicSolver(numpy.concatenate([V, V + 3]), numpy.concatenate([F, F + len(V)]))
+    for a, b in ((0, 0), (0, 84), (-1, 2), (0, 50), (0, 1.5), (0, None)):
+        with pytest.raises(ValueError):
+            solver.find_geodesic_path(a, b)
+    for stops in ([], [3], [[0, 1]], [0, 1, 1], "01", None):
+        with pytest.raises(ValueError):
+            solver.find_geodesic_loop(stops)
+    with pytest.raises(ValueError):
+        solver.find_geodesic_path(0, 5, max_relative_length_decrease=0.5)
+    with pytest.raises(ValueError):
+        it.EdgeFlipGeodesicSolver(V, numpy.concatenate([F, F]))
+
+
+def test_a_budget_of_flips(thin):
+    path = it.EdgeFlipGeodesicSolver(*thin).find_path([3, 400], max_iterations=1)
+    assert path.flips <= 1 and path.status == "unfinished" and not path.is_geodesic
+
+
+def test_lines_in_a_plane():
+    V, F = grid(8, shear=0.3)
+    tracer = it.GeodesicTracer(V, F)
+    direction = numpy.array([1.3, 0.77, 5.0])  # what leads away from the plane does not count
+    line = tracer.trace_geodesic_from_face(8, [0.2, 0.3, 0.5], direction)
+    start = numpy.array([0.2, 0.3, 0.5]) @ V[F[8]]
+    assert numpy.allclose(line[0], start) and numpy.allclose(line[-1], start + direction * (1, 1, 0))
+    for v in (9, 27):
+        for angle in numpy.arange(0.05, 6.2, 0.3):
+            direction = 0.9 * numpy.array([math.cos(angle), math.sin(angle), 0])
+            line = tracer.trace_geodesic_from_vertex(v, direction)
+            assert numpy.allclose(line[-1], V[v] + direction, atol=1e-13)
+    # At a corner of the border, too, where only some directions lead along the surface.
+    line = tracer.trace_geodesic_from_vertex(0, [1, 0.5, 0])
+    assert numpy.allclose(line[-1], [1, 0.5, 0])
+    with pytest.raises(it.InvalidPointError, match="leads away"):
+        tracer.trace_geodesic_from_vertex(0, [-1, -1, 0])
+    assert len(tracer.trace_geodesic_from_vertex(0, [5, 3, 0], max_iterations=2)) == 3
+
+
+def test_lines_on_a_sphere():
+    V, F = icosphere(4)
+    tracer = it.GeodesicTracer(V, F)
+    direction = numpy.cross(V[200], [0, 0, 1])
+    direction *= math.pi / numpy.linalg.norm(direction)
+    line = tracer.trace_geodesic_from_vertex(200, direction)
+    assert length(line) == pytest.approx(math.pi, rel=1e-6)  # projected to the tangent plane
+    assert numpy.linalg.norm(line[-1] + V[200]) < 0.1  # at the other side
+
+
+def test_bad_lines(sphere):
+    tracer = it.GeodesicTracer(*sphere)
+    for v, direction in ((-1, [1, 0, 0]), (200, [1, 0, 0]), (0, [1, 0]), (0, [0, 0, 0]), (0, [numpy.nan, 0, 0]),
+                         (0, [numpy.inf, 0, 0]), (0, [1e9, 0, 0]), (0, "x"), (0.0, [1, 0, 0])):
+        with pytest.raises(ValueError):
+            tracer.trace_geodesic_from_vertex(v, direction)
+    for f, coordinates, direction in ((-1, [1, 1, 1], [1, 0, 0]), (10**6, [1, 1, 1], [1, 0, 0]), (0, [1, 1, -1], [1, 0, 0]),
+                                      (0, [0, 0, 0], [1, 0, 0]), (0, [1, 1, numpy.nan], [1, 0, 0]), (0, [1, 1, 1], [0, 0, 0])):
+        with pytest.raises(ValueError):
+            tracer.trace_geodesic_from_face(f, coordinates, direction)

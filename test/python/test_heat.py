@@ -1,0 +1,95 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Distances, and functions that spread from vertices.
+
+import numpy
+import pytest
+
+import intrinsic_triangulations as it
+from conftest import grid, icosphere
+
+
+def test_distances_on_a_sphere():
+    V, F = icosphere(4)
+    expected = numpy.arccos(numpy.clip(V @ V[0], -1, 1))
+    solver = it.MeshHeatMethodDistanceSolver(V, F)
+    found = solver.compute_distance(0)
+    assert found[0] == 0 and abs(found - expected).mean() < 0.015
+    assert numpy.array_equal(found, it.compute_distance(V, F, 0))
+    assert numpy.array_equal(solver.compute_distance(numpy.int8(0)), found)
+
+
+def test_several_sources():
+    V, F = icosphere(4)
+    sources = [0, 3, 77]
+    expected = numpy.arccos(numpy.clip(V @ V[sources].T, -1, 1)).min(axis=1)
+    found = it.compute_distance_multisource(V, F, sources)
+    assert (found[sources] == 0).all() and abs(found - expected).mean() < 0.02
+    solver = it.MeshHeatMethodDistanceSolver(V, F)
+    assert numpy.array_equal(solver.compute_distance_multisource(numpy.array(sources, dtype=">u2")), found)
+    assert numpy.isinf(solver.compute_distance_multisource([])).all()
+    # The sources of a call are forgotten.
+    assert numpy.array_equal(solver.compute_distance_multisource([5]), solver.compute_distance(5))
+
+
+def test_unreachable_vertices():
+    V, F = icosphere(1)
+    V, F = numpy.concatenate([V, V + 5, [[0, 0, 0]]]), numpy.concatenate([F, F + len(V)])
+    found = it.compute_distance(V, F, 0)
+    n = len(V) // 2
+    assert numpy.isfinite(found[:n]).all() and numpy.isinf(found[n:]).all()
+
+
+def test_options(thin):
+    V, F = grid(12)
+    neumann, dirichlet, averaged = (it.MeshHeatMethodDistanceSolver(V, F, use_robust=False, boundary=b).compute_distance(40)
+                                    for b in ("neumann", "dirichlet", "averaged"))
+    assert abs(neumann - dirichlet).max() > 1e-3 and abs(neumann - averaged).max() > 1e-3
+    smooth = it.MeshHeatMethodDistanceSolver(V, F, 100.0).compute_distance(40)
+    assert abs(smooth - it.compute_distance(V, F, 40)).max() > 1e-3
+    rounded = it.MeshHeatMethodDistanceSolver(*thin, keeps_ridges=False).compute_distance(0)
+    assert (rounded <= it.compute_distance(*thin, 0) + 1e-12).all()
+    for bad in (0, -1, numpy.nan, numpy.inf, "1", None):
+        with pytest.raises(ValueError):
+            it.MeshHeatMethodDistanceSolver(V, F, t_coef=bad)
+    with pytest.raises(ValueError):
+        it.MeshHeatMethodDistanceSolver(V, F, boundary="robin")
+    with pytest.raises(it.InvalidSurfaceError):
+        it.MeshHeatMethodDistanceSolver(V, numpy.concatenate([F, F]), use_robust=False)
+
+
+def test_on_a_refined_triangulation(thin):
+    t = it.Triangulation(*thin)
+    t.refine()
+    solver = it.MeshHeatMethodDistanceSolver.from_triangulation(t)
+    found = solver.compute_distance(0)
+    assert len(found) == t.number_of_vertices > len(thin[0])
+    coarse = it.compute_distance(*thin, 0)
+    assert abs(found[:len(coarse)] - coarse).max() < 0.1 * coarse.max()
+    with pytest.raises(ValueError):
+        it.MeshHeatMethodDistanceSolver.from_triangulation(thin)
+
+
+def test_extension():
+    V, F = icosphere(3)
+    solver = it.MeshHeatMethodDistanceSolver(V, F)
+    a, b = 0, int(numpy.argmin(V @ V[0]))
+    found = solver.extend_scalar([a, b], [2, -1.5])
+    assert found[a] == 2 and found[b] == -1.5
+    assert found.max() <= 2 + 1e-12 and found.min() >= -1.5 - 1e-12
+    assert abs(found[V @ V[0] > 0.5] - 2).max() < 0.1
+    for vertices, values in (([0], [1, 2]), ([len(V)], [1]), ([0], ["x"]), ([0.5], [1]), ([[0]], [1])):
+        with pytest.raises(ValueError):
+            solver.extend_scalar(vertices, values)
+
+
+@pytest.mark.parametrize("source", [-1, 42, 2**70, 1.0, None, "0", [0]])
+def test_bad_sources(source):
+    V, F = icosphere(1)
+    solver = it.MeshHeatMethodDistanceSolver(V, F)
+    with pytest.raises(ValueError):
+        solver.compute_distance(source)
+    if source != [0]:
+        with pytest.raises(ValueError):
+            solver.compute_distance_multisource([source])

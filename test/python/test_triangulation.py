@@ -1,0 +1,178 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Triangulations: how they are made, flipped, refined and checked.
+
+import copy
+import math
+
+import numpy
+import pytest
+
+import intrinsic_triangulations as it
+from conftest import grid, icosphere
+
+
+def test_numbers_of_elements(sphere):
+    V, F = sphere
+    t = it.Triangulation(V, F)
+    assert (t.number_of_vertices, t.number_of_faces, t.number_of_edges) == (len(V), len(F), len(V) + len(F) - 2)
+    assert numpy.array_equal(t.faces, F)
+    assert str(len(V)) in repr(t)
+    assert numpy.allclose(t.lengths, numpy.linalg.norm(V[t.edges[:, 0]] - V[t.edges[:, 1]], axis=1), rtol=1e-15)
+    sides = t.edges[t.face_edges]
+    for i in range(3):
+        assert numpy.array_equal(numpy.sort(sides[:, i], axis=1), numpy.sort(F[:, [i, (i + 1) % 3]], axis=1))
+    assert numpy.allclose(t.angles.sum(axis=1), math.pi, rtol=1e-13)
+    assert t.areas.sum() == pytest.approx(t.mass.sum(), rel=1e-13)
+
+
+def test_flips(thin):
+    t = it.Triangulation(*thin)
+    assert not t.verify().is_delaunay and t.weights.min() < 0
+    area = t.areas.sum()
+    report = t.flip_to_delaunay()
+    assert report.is_delaunay and report.flips > 100 and report.tests > report.flips
+    assert t.weights.min() >= 0
+    assert t.verify() and t.verify().is_delaunay and len(t.verify().not_delaunay) == 0
+    assert t.areas.sum() == pytest.approx(area, rel=1e-13)
+    assert t.flip_to_delaunay().flips == 0
+    L, M = t.laplacian()
+    other, mass = it.laplacian(*thin)
+    assert abs(L - other).max() < 1e-12 * abs(L).max() and abs(M - mass).max() < 1e-12 * abs(M).max()
+
+
+def test_a_budget_of_flips(thin):
+    t = it.Triangulation(*thin)
+    report = t.flip_to_delaunay(max_flips=10)
+    assert not report.is_delaunay and report.flips == 10
+    assert not t.verify().is_delaunay
+    for bad in (-1, 2**64, 1.5, "all"):
+        with pytest.raises(ValueError):
+            t.flip_to_delaunay(max_flips=bad)
+
+
+def test_constrained_edges(thin):
+    t = it.Triangulation(*thin)
+    before = t.edges
+    constrained = numpy.arange(t.number_of_edges) % 3 == 0
+    t.flip_to_delaunay(constrained=constrained)
+    assert numpy.array_equal(t.edges[constrained], before[constrained])
+    assert t.verify(constrained).is_delaunay and not t.verify().is_delaunay
+    for bad in (constrained[1:], constrained.astype(int), [constrained], "all"):
+        with pytest.raises(ValueError):
+            t.flip_to_delaunay(constrained=bad)
+
+
+def test_copies_are_independent(thin):
+    t = it.Triangulation(*thin)
+    copies = [t.copy(), copy.copy(t), copy.deepcopy(t)]
+    flips = t.flip_to_delaunay().flips
+    assert [other.flip_to_delaunay().flips for other in copies] == [flips] * 3
+    assert numpy.array_equal(copies[0].positions, t.positions)
+    # A copy of a triangulation that was flipped has the same input.
+    other = t.copy()
+    assert numpy.array_equal(other.common_subdivision().positions, t.common_subdivision().positions)
+
+
+def test_lengths_and_gluing(sphere):
+    V, F = sphere
+    sides = numpy.stack([numpy.linalg.norm(V[F[:, i]] - V[F[:, (i + 1) % 3]], axis=1) for i in range(3)], axis=1)
+    t, u = it.Triangulation(V, F), it.Triangulation.from_lengths(F, sides)
+    assert numpy.allclose(t.lengths, u.lengths, rtol=1e-15) and numpy.array_equal(t.faces, u.faces)
+    with pytest.raises(ValueError, match="no positions"):
+        u.positions
+    sides[5, 1] *= 1.01
+    with pytest.raises(it.InvalidSurfaceError, match="has length") as caught:
+        it.Triangulation.from_lengths(F, sides)
+    assert caught.value.defect == "INVALID_GLUING"
+    for bad in (0, -1, numpy.nan, numpy.inf, 100):
+        with pytest.raises(it.InvalidSurfaceError):
+            it.Triangulation.from_lengths([[0, 1, 2]], [[1, 1, bad]])
+    with pytest.raises(ValueError):
+        it.Triangulation.from_lengths([[0, 1, 2**31]], [[1, 1, 1]])
+    with pytest.raises(ValueError):
+        it.Triangulation.from_lengths([[0, 1, 2]], [[1, 1, 1]] * 2)
+
+
+def test_a_torus_of_one_vertex():
+    # A sheared unit square, whose Delaunay triangulation is that of the square.
+    t = it.Triangulation.from_gluing([[0, 3], [1, 4], [2, 5]], [[1, math.sqrt(17), math.sqrt(26)]] * 2)
+    assert t.number_of_vertices == 1
+    t.flip_to_delaunay()
+    assert numpy.allclose(numpy.sort(t.lengths), [1, 1, math.sqrt(2)], rtol=1e-14)
+    assert t.areas.sum() == pytest.approx(1)
+    border = it.Triangulation.from_gluing([], [[3, 4, 5]])
+    assert border.number_of_vertices == 3 and border.number_of_edges == 3
+    for bad in ([[0, 6]], [[0, 0]], [[0, 1], [1, 2]], [[-1, 2]], [0, 1], [[0.0, 1.0]]):
+        with pytest.raises(ValueError):
+            it.Triangulation.from_gluing(bad, [[1, 1, 1]] * 2)
+
+
+@pytest.mark.parametrize("defect, V, F", [
+    ("NON_MANIFOLD_EDGE", numpy.random.default_rng(0).normal(size=(5, 3)), [[0, 1, 2], [1, 0, 3], [0, 1, 4]]),
+    ("INCONSISTENT_ORIENTATION", numpy.eye(4)[:, :3], [[0, 1, 2], [0, 1, 3]]),
+    ("NON_MANIFOLD_VERTEX", numpy.random.default_rng(0).normal(size=(5, 3)), [[0, 1, 2], [0, 3, 4]]),
+    ("REPEATED_CORNER", numpy.eye(3), [[0, 1, 1]]),
+    ("ZERO_LENGTH_EDGE", numpy.zeros((3, 3)), [[0, 1, 2]]),
+    ("OUT_OF_RANGE", [[0, 0, 0], [1e300, 0, 0], [0, 1e-300, 0]], [[0, 1, 2]])])
+def test_defects(defect, V, F):
+    with pytest.raises(it.InvalidSurfaceError) as caught:
+        it.Triangulation(V, F)
+    assert caught.value.defect == defect
+
+
+def test_refinement(thin):
+    t = it.Triangulation(*thin)
+    t.flip_to_delaunay()
+    assert numpy.degrees(t.angles).min() < 20
+    report = t.refine(minimum_angle=25)
+    assert report.is_refined and report.insertions > 0 and len(report.unrefined) == 0
+    assert numpy.degrees(t.angles).min() >= 25 - 1e-9
+    assert t.verify().is_delaunay
+    faces, coordinates = t.inserted_vertices
+    V, F = thin
+    assert len(faces) == report.insertions + report.segment_splits == t.number_of_vertices - len(V)
+    assert numpy.allclose(coordinates.sum(axis=1), 1)
+    expected = numpy.einsum("ij,ijk->ik", coordinates, V[F[faces]])
+    assert numpy.allclose(t.positions[len(V):], expected, atol=1e-13)
+    assert t.laplacian()[0].shape == (t.number_of_vertices,) * 2
+
+
+def test_bounds_of_refinement():
+    V, F = grid(3)
+    t = it.Triangulation(V, F)
+    assert t.refine(0, maximum_edge_length=0.3).is_refined
+    assert t.lengths.max() <= 0.3
+    t = it.Triangulation(V, F)
+    report = t.refine(25, maximum_circumradius=0.05, max_insertions=5)
+    assert not report.is_refined and report.insertions + report.segment_splits == 5
+    assert set(report.reasons) == {"budget"} and len(report.reasons) == len(report.unrefined) > 0
+    for bad in (31, -1, numpy.nan, "25", None):
+        with pytest.raises(ValueError):
+            t.refine(bad)
+    for bad in (0, -1, numpy.nan):
+        with pytest.raises(ValueError):
+            t.refine(maximum_circumradius=bad)
+        with pytest.raises(ValueError):
+            t.refine(maximum_edge_length=bad)
+
+
+def test_constrained_edges_of_a_refinement():
+    V, F = grid(3, shear=2)
+    t = it.Triangulation(V, F)
+    constrained = numpy.abs(V[t.edges[:, 0], 1] - V[t.edges[:, 1], 1]) == 0
+    t.refine(20, constrained=constrained)
+    # All horizontal lines are still lines of edges.
+    positions = t.positions
+    on_line = positions[:, 1] == 1
+    along = on_line[t.edges].all(axis=1)
+    assert t.lengths[along].sum() == pytest.approx(2)
+
+
+def test_large_and_small_units():
+    V, F = icosphere(1)
+    for scale in (1e-140, 1e140):
+        t = it.Triangulation(V * scale, F)
+        assert t.flip_to_delaunay().is_delaunay
+        assert numpy.allclose(t.lengths / scale, it.Triangulation(V, F).lengths)
