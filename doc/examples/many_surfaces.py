@@ -1,0 +1,118 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# A folder of meshes, over the processes of a machine or the machines of a cluster, by dask.distributed.
+#
+#   python3 many_surfaces.py FOLDER RESULTS.jsonl [--scheduler ADDRESS] [--workers N] [--limit SECONDS]
+#
+# Each OFF file becomes a line of RESULTS.jsonl: its first eigenvalues, or what went wrong. A run that was stopped goes on where it
+# ended. What a lost worker had to do is done by another one.
+
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import time
+
+
+def read_off(path):
+    """the vertices and triangles of an OFF file."""
+    import numpy
+    words = pathlib.Path(path).read_text().split()
+    if words[:1] != ["OFF"]:
+        raise ValueError("this is no OFF file")
+    n, m = int(words[1]), int(words[2])
+    V = numpy.array(words[4:4 + 3 * n], dtype=float).reshape(n, 3)
+    faces = numpy.array(words[4 + 3 * n:4 + 3 * n + 4 * m], dtype=int).reshape(m, 4)
+    if (faces[:, 0] != 3).any():
+        raise ValueError("a face is no triangle")
+    return V, faces[:, 1:]
+
+
+def features(path):
+    """what is computed for one surface: replace it by your own."""
+    import numpy
+    import scipy.sparse.linalg
+    import intrinsic_triangulations as it
+    V, F = read_off(path)
+    L, M = it.mesh_laplacian(V, F)
+    eigenvalues = scipy.sparse.linalg.eigsh(L, 6, M, sigma=-1e-6, v0=numpy.ones(len(V)))[0]
+    return {"vertices": len(V), "faces": len(F), "area": M.sum(), "eigenvalues": eigenvalues.tolist()}
+
+
+def print_features(path):
+    """what the process of one surface does."""
+    try:
+        print(json.dumps(features(path)))
+    except Exception as error:
+        print(json.dumps({"error": f"{type(error).__name__}: {error}"}))
+
+
+def one_surface(path, program, limit):
+    """the features of one surface, or why there are none: in a process of its own, which is ended when its time is up."""
+    start = time.monotonic()
+    result = {"file": os.path.basename(path)}
+    try:
+        run = subprocess.run([sys.executable, program, "--one", path], capture_output=True, text=True, timeout=limit)
+        if run.returncode == 0:
+            result.update(json.loads(run.stdout))
+        else:
+            result["error"] = f"exit status {run.returncode}: {run.stderr[-500:]}"
+    except subprocess.TimeoutExpired:
+        result["error"] = f"more than {limit} seconds"
+    result["seconds"] = round(time.monotonic() - start, 3)
+    return result
+
+
+def finished(results):
+    """the files that need not be done again. A last line that is not complete is cut off."""
+    if not results.exists():
+        return set()
+    lines = results.read_text().splitlines(keepends=True)
+    if lines and not lines[-1].endswith("\n"):
+        results.write_text("".join(lines[:-1]))
+        lines.pop()
+    return {json.loads(line)["file"] for line in lines}
+
+
+def run(client, folder, results, limit):
+    """writes a line for each surface that has none; returns how many."""
+    from distributed import as_completed
+    done = finished(results)
+    paths = [str(p.resolve()) for p in sorted(folder.glob("*.off")) if p.name not in done]
+    tasks = client.map(one_surface, paths, program=os.path.abspath(__file__), limit=limit, pure=False)
+    path_of = {task.key: path for task, path in zip(tasks, paths)}
+    with open(results, "a", encoding="utf-8") as file:
+        for task in as_completed(tasks):
+            try:
+                line = task.result()
+            except Exception as error:  # workers were lost with it again and again
+                line = {"file": os.path.basename(path_of[task.key]), "error": f"{type(error).__name__}: {error}"}
+            file.write(json.dumps(line) + "\n")
+            file.flush()
+    return len(paths)
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Features of a folder of meshes")
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("results", type=pathlib.Path)
+    parser.add_argument("--scheduler", help="the address of a scheduler; without, workers are started on this machine")
+    parser.add_argument("--workers", type=int, default=os.cpu_count())
+    parser.add_argument("--limit", type=float, default=60, help="seconds for each surface")
+    options = parser.parse_args()
+    from distributed import Client, LocalCluster
+    cluster = options.scheduler or LocalCluster(n_workers=options.workers, threads_per_worker=1, dashboard_address=None)
+    with Client(cluster) as client:
+        print(run(client, options.folder, options.results, options.limit), "surfaces")
+    if not options.scheduler:
+        cluster.close()
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["--one"]:
+        print_features(sys.argv[2])
+    else:
+        main()
