@@ -33,7 +33,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -214,9 +213,7 @@ private:
 
   static const Heat_method_options& checked(const Heat_method_options& options)
   {
-    if (!(options.time_coefficient > 0 && std::isfinite(options.time_coefficient)))
-      throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, 0, 1,
-                                  "the time coefficient has to be a positive number");
+    internal::require_time_coefficient(options.time_coefficient);
     return options;
   }
 
@@ -226,10 +223,7 @@ private:
   }
   std::uint32_t row_of(Vertex_index v) const
   {
-    if (!(v.idx() < surface_->size()))
-      throw Invalid_surface_error(Invalid_surface_error::Defect::BAD_INDEX, v.idx(), 1,
-                                  "there is no vertex " + std::to_string(v.idx()) + ": there are " +
-                                    std::to_string(surface_->size()) + " vertices, counted from 0");
+    internal::require_vertex(v, surface_->size());
     return row_of_input(v.idx());
   }
 

@@ -77,9 +77,7 @@ public:
   {
     static_assert(Intrinsic_triangulation<Traits>::uses_exact_geometry,
                   "Vector_heat_method needs traits with exact geometry, as Filtered_edge_length_traits");
-    if (!(time_coefficient > 0 && std::isfinite(time_coefficient)))
-      throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, 0, 1,
-                                  "the time coefficient has to be a positive number");
+    internal::require_time_coefficient(time_coefficient);
     if (const auto refined = internal::without_obtuse_border(triangulation))
       build(*refined, time_coefficient);
     else
@@ -103,7 +101,7 @@ public:
     Eigen::VectorXd heat = Eigen::VectorXd::Zero(rows()), lengths = heat;
     std::vector<std::uint32_t> from;
     for (const auto& [v, vector] : sources) {
-      require_vertex(v);
+      internal::require_vertex(v, number_of_vertices_);
       const Complex z(vector.x(), vector.y());
       if (!std::isfinite(z.real()) || !std::isfinite(z.imag()))
         throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, v.idx(), 1,
@@ -147,7 +145,7 @@ public:
   /// positions are seen from the source: the factors for vectors and for numbers suffice.
   std::vector<Vector> log_map(Vertex_index source) const
   {
-    require_vertex(source);
+    internal::require_vertex(source, number_of_vertices_);
     const auto row = std::uint32_t(source.idx());
     const std::vector<bool> is_reachable = surface_->connected_with(std::vector<std::uint32_t>{row});
     Eigen::VectorXcd direction = Eigen::VectorXcd::Zero(rows());
@@ -202,14 +200,6 @@ private:
   }
 
   Eigen::Index rows() const { return Eigen::Index(surface_->size()); }
-
-  void require_vertex(Vertex_index v) const
-  {
-    if (!(v.idx() < number_of_vertices_))
-      throw Invalid_surface_error(Invalid_surface_error::Defect::BAD_INDEX, v.idx(), 1,
-                                  "there is no vertex " + std::to_string(v.idx()) + ": there are " +
-                                    std::to_string(number_of_vertices_) + " vertices, counted from 0");
-  }
 
   std::size_t number_of_vertices_;
   std::unique_ptr<const internal::Heat_surface> surface_; // the solvers refer to it

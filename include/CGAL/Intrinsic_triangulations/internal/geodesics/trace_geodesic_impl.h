@@ -17,8 +17,8 @@
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/prefetch.h>
 
 #include <Eigen/SparseCore>
 
@@ -66,13 +65,9 @@ public:
     const Front front{distances, origins, joined_sources(origins), has_points};
     // The nearest first, so that the source of those is known.
     Eigen::VectorXd raised = distances;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      if (i + ahead < order.size())
-        fetch_corners(order[i + ahead].second);
-      const std::uint32_t v = order[i].second;
-      if (origins[v] != v)
+    for (const auto& place : order)
+      if (const std::uint32_t v = place.second; origins[v] != v)
         origins[v] = raise(v, front, raised);
-    }
     distances = raised;
     for (std::uint32_t v = 0; v < std::uint32_t(surface_.size()); ++v)
       if (origins[v] != v)
@@ -142,15 +137,6 @@ private:
     if (way.origin != none)
       raised[v] = (std::max)(front.distances[v], way.length);
     return way.origin;
-  }
-
-  // Vertices at the same distance lie anywhere in memory. To ask for their corners some steps ahead takes half of the time.
-  static constexpr std::size_t ahead = 8;
-  void fetch_corners(std::uint32_t v) const
-  {
-    const char* const end = reinterpret_cast<const char*>(corners_.data() + first_[v + 1]);
-    for (const char* line = reinterpret_cast<const char*>(corners_.data() + first_[v]); line < end; line += 64)
-      prefetch(line);
   }
 
   // First over the vertices around v, then over the points between them: most sides of the star are too far away for these.
