@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FACES_AROUND_EDGE_H
 
 #include <CGAL/Intrinsic_triangulations/config.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 
 #include <CGAL/enum.h>
 

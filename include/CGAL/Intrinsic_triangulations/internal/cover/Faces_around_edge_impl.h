@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FACES_AROUND_EDGE_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/internal/cover/Faces_around_edge.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 
 #include <CGAL/number_utils.h>

@@ -9,10 +9,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_FLAT_GEOMETRY_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 
 #include <CGAL/Mpzf.h>
 #include <CGAL/Uncertain.h>
@@ -27,7 +27,6 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-using Points = Large_vector<std::array<double, 3>>;
 // Exact sums and products of doubles; no division. The fastest type that CGAL has, by its name: the header that would select it
 // has 50,000 lines.
 #ifdef CGAL_HAS_MPZF
