@@ -171,6 +171,10 @@ public:
   bool is_inserted(Vertex_index v) const { return v.idx() >= input_.number_of_vertices(); }
   /// returns the number of inserted vertices.
   std::size_t number_of_inserted_vertices() const { return locations_.size(); }
+  /// \cond SKIP_IN_MANUAL
+  // Those of all inserted vertices.
+  const std::vector<Surface_point>& locations() const { return locations_; }
+  /// \endcond
   /// returns where an inserted vertex lies on the input. The coordinates are exact once they are divided by their sum.
   /// \pre `is_inserted(v)`
   const Surface_point& location(Vertex_index v) const { return locations_[v.idx() - input_.number_of_vertices()]; }

@@ -40,6 +40,7 @@ class Input_surface;
 class Interruption;
 class Late_stages;
 class Residues;
+class Vertex_positions;
 } // namespace internal
 /// \endcond
 
@@ -112,11 +113,12 @@ public:
 
   /// \brief follows the join of two edges, before that of the connectivity; as the function of `Correspondence`.
   void unsplit_edge(const Delta_complex& complex, Halfedge_index h);
+  /// \brief follows the join of three faces, before that of the connectivity.
+  void unsplit_face(const Delta_complex& complex, Vertex_index v);
   /// \brief follows the removal of an inserted vertex, after that of the connectivity.
   /// \param complex the connectivity after the removal
   /// \param removed what was removed
-  /// \param joined the faces that have become larger, by their descriptors after the removal
-  void remove(const Delta_complex& complex, const Removed_elements& removed, const std::vector<Face_index>& joined);
+  void remove(const Delta_complex& complex, const Removed_elements& removed);
 
   /// \brief sets what decisions accept as a tie from now on.
   void set_tie_proof(Tie_proof tie_proof);
@@ -217,6 +219,14 @@ public:
   // counterclockwise.
   std::vector<std::pair<Halfedge_index, Corner>> corners_at(const Delta_complex& complex, Vertex_index v) const;
 
+  // Whether a corner of the face of h is no vertex of the input. \pre `prepare()` was called
+  bool has_inserted_corner(const Delta_complex& complex, Halfedge_index h) const
+  {
+    return correspondence_.number_of_inserted_vertices() != 0 &&
+           (correspondence_.is_inserted(complex.source(h)) || correspondence_.is_inserted(complex.target(h)) ||
+            correspondence_.is_inserted(complex.target(complex.next(h))));
+  }
+
   // For work that makes many short decisions.
   const internal::Interruption& interruption() const;
 
@@ -246,8 +256,12 @@ private:
   bool flip_and_follow(const Delta_complex& complex, const Hinge_halfedges& around);
   bool follow(const Delta_complex& complex, Edge_index e);
   void find_straight_faces(const Delta_complex& complex) const;
-  void forget_faces(const Delta_complex& complex, const std::vector<Face_index>& faces, std::size_t number_of_new_edges,
-                    std::size_t number_of_new_faces);
+  void recognize_straight_face(const Delta_complex& complex, Halfedge_index h);
+  void split_faces(const Delta_complex& complex, const std::vector<Face_index>& faces, std::size_t number_of_new_edges, std::size_t number_of_parts,
+                   const Surface_point& location);
+  void join_faces(Face_index f, const std::vector<Face_index>& faces);
+  internal::Vertex_positions positions() const;
+  Sign sign_in_plane(const Delta_complex& complex, Halfedge_index h) const;
   void carry_images();
   Corner developed_corner(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface);
   std::optional<Image_corner> image_of_straight_corner(const Delta_complex& complex, Halfedge_index h);

@@ -383,6 +383,7 @@ public:
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Halfedge_index side = connectivity_.prev(connectivity_.halfedge(v));
+    geometry_->unsplit_face(connectivity_, v);
     const Removed_elements removed = connectivity_.unsplit_face(v);
     remove(removed, {side});
     return removed;
@@ -515,7 +516,14 @@ private:
                                                                    edges_, faces_, bounds_);
     const internal::Face_halfedges one(connectivity_, around.ij), two(connectivity_, around.ji);
     const auto is_accurate = traits_.is_accurate_object();
-    const bool measures_one = !is_accurate(face_data(one.face)), measures_two = !is_accurate(face_data(two.face));
+    bool measures_one = !is_accurate(face_data(one.face)), measures_two = !is_accurate(face_data(two.face));
+    for (Halfedge_index h : {one.h, two.h}) { // the points of inserted vertices are no doubles
+      bool& measures = h == one.h ? measures_one : measures_two;
+      if (measures && geometry_->has_inserted_corner(connectivity_, h)) {
+        refine(h, geometry_->corner(connectivity_, h));
+        measures = false;
+      }
+    }
     if constexpr (internal::Takes_two_faces<Traits>::value)
       if (measures_one && measures_two)
         return void(measurer.measure(one, two));
@@ -553,15 +561,12 @@ private:
   void remove(const Removed_elements& removed, const std::vector<Halfedge_index>& sides)
   {
     std::vector<Halfedge_index> moved;
-    std::vector<Face_index> faces;
     for (Halfedge_index old : sides) {
       const Halfedge_index h(2 * removed.edge_after(edge(old)).idx() + (old.idx() & 1));
-      if (connectivity_.is_border(h))
-        continue;
-      moved.push_back(h);
-      faces.push_back(connectivity_.face(h));
+      if (!connectivity_.is_border(h))
+        moved.push_back(h);
     }
-    geometry_->remove(connectivity_, removed, faces);
+    geometry_->remove(connectivity_, removed);
     remove_entries(edges_, removed.edges);
     remove_entries(faces_, removed.faces);
     if (keeps_bounds)

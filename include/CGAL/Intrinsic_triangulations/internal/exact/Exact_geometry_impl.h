@@ -10,11 +10,14 @@
 
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Coplanar_hinge.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Developed_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Sign_in_plane.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Straight_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
@@ -74,6 +77,7 @@ struct Exact_geometry::Memory
   Stage_counts counts;
   std::vector<Edge_index> journal; // the flips until it was asked which faces are straight
   std::optional<internal::Straight_faces> straight_faces;
+  internal::Vertex_positions::Inserted inserted_positions; // kept if the input has points
   Developed_faces developed_faces;
   std::vector<bool> is_close_call; // a test took more than double since the last flip of the edge
 
@@ -101,6 +105,7 @@ Exact_geometry::Exact_geometry(const Exact_geometry& other)
   memory_->counts = other.memory_->counts;
   memory_->journal = other.memory_->journal;
   memory_->straight_faces = other.memory_->straight_faces;
+  memory_->inserted_positions = other.memory_->inserted_positions;
   memory_->is_prepared = other.memory_->is_prepared.load();
   memory_->knows_straight_faces = other.memory_->knows_straight_faces.load();
 }
@@ -193,7 +198,7 @@ void Exact_geometry::find_straight_faces(const Delta_complex& complex) const
     for (std::size_t i = flips.size(); i-- > 0;)
       copy.flip_back(flips[i]);
     for (Edge_index e : flips) {
-      straight_faces.flip(copy, metric_.points(), e);
+      straight_faces.flip(copy, positions(), e);
       copy.flip(e);
     }
   }
@@ -238,7 +243,20 @@ bool Exact_geometry::follow(const Delta_complex& complex, Edge_index e)
     });
   if (is_close_call)
     memory.is_close_call[e.idx()] = false;
-  return memory.straight_faces->flip(complex, metric_.points(), e);
+  return memory.straight_faces->flip(complex, positions(), e);
+}
+
+// A face within one face of the input is straight, whatever the flips before.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::recognize_straight_face(const Delta_complex& complex, Halfedge_index h)
+{
+  const Face_index f = complex.face(h);
+  if (is_straight(f) || metric_.points().empty())
+    return;
+  for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
+    if (correspondence_.coordinates().crossings(complex.edge(side)) > 0)
+      return;
+  memory_->straight_faces->straighten(positions(), f, internal::uncrossed_input_face(complex, correspondence_, h));
 }
 
 // The journal of flips cannot be repeated beyond an insertion.
@@ -248,7 +266,7 @@ void Exact_geometry::split_face(const Delta_complex& complex, const Triangle_pie
   find_straight_faces(complex);
   prepare(complex);
   correspondence_.split_face(complex, piece, location);
-  forget_faces(complex, {complex.face(piece.side)}, 3, 2);
+  split_faces(complex, {complex.face(piece.side)}, 3, 3, location);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -257,52 +275,84 @@ void Exact_geometry::split_edge(const Delta_complex& complex, Halfedge_index h, 
   find_straight_faces(complex);
   prepare(complex);
   correspondence_.split_edge(complex, h, location);
-  const Halfedge_index g = complex.opposite(h);
-  const std::size_t number_of_faces = (complex.is_border(h) ? 0 : 1) + (complex.is_border(g) ? 0 : 1);
-  forget_faces(complex, {complex.face(h), complex.face(g)}, 1 + number_of_faces, number_of_faces);
+  std::vector<Face_index> faces;
+  for (Halfedge_index side : {h, complex.opposite(h)})
+    if (!complex.is_border(side))
+      faces.push_back(complex.face(side));
+  split_faces(complex, faces, 1 + faces.size(), 2, location);
+}
+
+// What is kept of faces that are split into parts; those beyond the first are appended, face by face.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::split_faces(const Delta_complex& complex, const std::vector<Face_index>& faces, std::size_t number_of_new_edges,
+                                 std::size_t number_of_parts, const Surface_point& location)
+{
+  Memory& memory = *memory_;
+  for (Face_index f : faces) {
+    memory.straight_faces->split(positions(), f, number_of_parts - 1);
+    memory.developed_faces.forget(f);
+    memory.developed_faces.append(number_of_parts - 1);
+  }
+  if (!metric_.points().empty())
+    memory.inserted_positions.push_back(positions().rounded(location));
+  if (!memory.is_close_call.empty())
+    memory.is_close_call.resize(complex.number_of_edges() + number_of_new_edges);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_geometry::unsplit_edge(const Delta_complex& complex, Halfedge_index h)
 {
-  prepare(complex);
   correspondence_.unsplit_edge(complex, h);
+  const Halfedge_index behind = complex.continuation(h);
+  if (!complex.is_border(h))
+    join_faces(complex.face(h), {complex.face(h), complex.face(behind)});
+  if (!complex.is_border(complex.opposite(h)))
+    join_faces(complex.face(complex.opposite(h)), {complex.face(complex.opposite(h)), complex.face(complex.opposite(behind))});
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::remove(const Delta_complex& complex, const Removed_elements& removed, const std::vector<Face_index>& joined)
+void Exact_geometry::unsplit_face(const Delta_complex& complex, Vertex_index v)
+{
+  const Halfedge_index a = complex.halfedge(v), b = complex.next_around_target(a), c = complex.next_around_target(b);
+  const std::vector<Face_index> faces{complex.face(a), complex.face(b), complex.face(c)};
+  join_faces(*std::min_element(faces.begin(), faces.end()), faces);
+}
+
+// A vertex was inserted, so that all faces are known.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::join_faces(Face_index f, const std::vector<Face_index>& faces)
+{
+  memory_->straight_faces->join(f, faces);
+  memory_->developed_faces.forget(f);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::remove(const Delta_complex& complex, const Removed_elements& removed)
 {
   correspondence_.remove(removed);
-  Memory& memory = *memory_; // a vertex was inserted, so that it knows all faces
+  Memory& memory = *memory_;
   memory.straight_faces->remove(removed.faces);
   memory.developed_faces.remove(complex, removed);
   if (!memory.is_close_call.empty())
     remove_entries(memory.is_close_call, removed.edges);
-  forget_faces(complex, joined, 0, 0);
+  if (!metric_.points().empty())
+    for (Vertex_index v : removed.vertices) {
+      memory.inserted_positions[v.idx() - metric_.points().size()] = memory.inserted_positions.back();
+      memory.inserted_positions.pop_back();
+    }
 }
 
-// Nothing is known yet of faces that were split, or of what is appended.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::forget_faces(const Delta_complex& complex, const std::vector<Face_index>& faces, std::size_t number_of_new_edges,
-                                  std::size_t number_of_new_faces)
+internal::Vertex_positions Exact_geometry::positions() const
 {
-  Memory& memory = *memory_;
-  for (Face_index f : faces)
-    if (f.is_valid()) {
-      memory.straight_faces->bend(f);
-      memory.developed_faces.forget(f);
-    }
-  memory.straight_faces->append(number_of_new_faces);
-  memory.developed_faces.append(number_of_new_faces);
-  if (!memory.is_close_call.empty())
-    memory.is_close_call.resize(complex.number_of_edges() + number_of_new_edges);
+  return {correspondence_.input(), metric_.points(), correspondence_.locations(), memory_->inserted_positions};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::optional<Exact_geometry::Image_corner> Exact_geometry::image_of_straight_corner(const Delta_complex& complex, Halfedge_index h)
 {
   return memory_->image(
-    [&] { return internal::image_of_straight_corner(complex, metric_.points(), h, memory_->images->rings); });
+    [&] { return internal::image_of_straight_corner(complex, positions(), h, memory_->images->rings); });
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -354,9 +404,12 @@ Sign Exact_geometry::decide(const Delta_complex& complex, Edge_index e, std::opt
   Memory& memory = *memory_;
   const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
   find_straight_faces(complex);
-  if (memory.straight_faces->are_coplanar(complex, metric_.points(), h))
-    return memory.decided(Stage::COPLANAR,
-                          internal::Coplanar_hinge(complex, metric_.points(), h).sign_of_cotangents());
+  if (correspondence_.number_of_inserted_vertices() != 0) {
+    recognize_straight_face(complex, h);
+    recognize_straight_face(complex, g);
+  }
+  if (memory.straight_faces->are_coplanar(complex, positions(), h))
+    return memory.decided(Stage::COPLANAR, sign_in_plane(complex, h));
   prepare(complex);
   const Surface_lease surface = input_surface();
   memory.is_close_call.resize(complex.number_of_edges());
@@ -369,8 +422,8 @@ Sign Exact_geometry::decide(const Delta_complex& complex, Edge_index e, std::opt
     return memory.decided(Stage::UNFOLDING, sign);
   if (is_straight(complex.face(h)) && is_straight(complex.face(g)))
     return memory.decided(Stage::RATIONAL,
-                          internal::sign_of_cotangents(internal::rational_corner(complex, metric_.points(), h),
-                                                       internal::rational_corner(complex, metric_.points(), g)));
+                          internal::sign_of_cotangents(internal::rational_corner(complex, positions(), h),
+                                                       internal::rational_corner(complex, positions(), g)));
   const auto find_image = [&](Halfedge_index side) {
     return is_straight(complex.face(side)) ? image_of_straight_corner(complex, side) : image_of_developed_corner(complex, side);
   };
@@ -380,6 +433,16 @@ Sign Exact_geometry::decide(const Delta_complex& complex, Edge_index e, std::opt
   if (decision.is_rational && !memory.images)
     carry_images();
   return memory.decided(decision.stage, decision.sign);
+}
+
+// The sign of the sum of cotangents beside h, where both faces lie in one plane.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Sign Exact_geometry::sign_in_plane(const Delta_complex& complex, Halfedge_index h) const
+{
+  const internal::Vertex_positions all = positions();
+  if (all.has_inserted_corner(complex, h) || all.has_inserted_corner(complex, complex.opposite(h)))
+    return internal::Sign_in_plane(complex, all, h)();
+  return internal::Coplanar_hinge(complex, metric_.points(), h).sign_of_cotangents();
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -395,8 +458,8 @@ Sign Exact_geometry::sign_of_cotangents(const Delta_complex& complex, Edge_index
 {
   const Memory& memory = *memory_; // const, so that nothing is remembered
   const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-  if (memory.straight_faces->are_coplanar(complex, metric_.points(), h))
-    return internal::Coplanar_hinge(complex, metric_.points(), h).sign_of_cotangents();
+  if (memory.straight_faces->are_coplanar(complex, positions(), h))
+    return sign_in_plane(complex, h);
   const auto known_corner = [&](Halfedge_index side) {
     const Face_index f = complex.face(side);
     return !is_straight(f) && memory.developed_faces.contains(f) ? memory.developed_faces.corner(complex, side)
@@ -407,8 +470,8 @@ Sign Exact_geometry::sign_of_cotangents(const Delta_complex& complex, Edge_index
   if (is_certain(sign))
     return get_certain(sign);
   if (is_straight(complex.face(h)) && is_straight(complex.face(g)))
-    return internal::sign_of_cotangents(internal::rational_corner(complex, metric_.points(), h),
-                                        internal::rational_corner(complex, metric_.points(), g));
+    return internal::sign_of_cotangents(internal::rational_corner(complex, positions(), h),
+                                        internal::rational_corner(complex, positions(), g));
   // New images would be computed in rings that all threads share.
   const auto find_image = [&](Halfedge_index side) { return image_of_developed_corner(complex, side); };
   if (const std::optional<Sign> tie = sign_by_images(complex, e, corners, surface, find_image))
@@ -770,7 +833,7 @@ bool Exact_geometry::is_straight(Face_index f) const { return (*memory_->straigh
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_geometry::Corner Exact_geometry::straight_corner(const Delta_complex& complex, Halfedge_index h) const
 {
-  return internal::straight_corner<Corner>(complex, metric_.points(), h);
+  return internal::straight_corner<Corner>(complex, positions(), h);
 }
 
 } // namespace Intrinsic_triangulations

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/Removed_elements.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 
 #include <cstddef>
@@ -30,8 +31,11 @@ namespace internal {
 // keeps the exact stages cheap.
 //
 // What was once found to lie in one plane is remembered: a straight face has the number of a
-// plane, and numbers of the same plane are united. All faces with united numbers have one
+// plane, that of an input face in it, and numbers of the same plane are united. All faces with united numbers have one
 // oriented normal, so that two of them that share an edge lie on different sides of it.
+//
+// The parts of a straight face that a new vertex makes are straight, too. A vertex may lie on an edge, so that a part has no area, as long as
+// that edge is not flipped.
 class Straight_faces
 {
 public:
@@ -48,7 +52,7 @@ public:
 
   // Whether the faces of h are straight, lie in one plane, and on different sides of h.
   // \pre h lies between two different faces
-  bool are_coplanar(const Delta_complex& complex, const Points& points, Halfedge_index h)
+  bool are_coplanar(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index h)
   {
     const Face_index f = complex.face(h), g = complex.face(complex.opposite(h));
     if (!(*this)(f) || !(*this)(g))
@@ -56,7 +60,7 @@ public:
     const std::uint32_t p = united(plane_[f.idx()]), q = united(plane_[g.idx()]);
     if (p == q)
       return true;
-    if (!is_flat(complex, points, h))
+    if (!lie_in_one_plane(complex, positions, h, p, q))
       return false;
     if (priority(p) > priority(q))
       united_with_[q] = p;
@@ -65,45 +69,69 @@ public:
     return true;
   }
   // As above; remembers nothing.
-  bool are_coplanar(const Delta_complex& complex, const Points& points, Halfedge_index h) const
+  bool are_coplanar(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index h) const
   {
     const Face_index f = complex.face(h), g = complex.face(complex.opposite(h));
-    return (*this)(f) && (*this)(g) &&
-           (united(plane_[f.idx()]) == united(plane_[g.idx()]) || is_flat(complex, points, h));
+    if (!(*this)(f) || !(*this)(g))
+      return false;
+    const std::uint32_t p = united(plane_[f.idx()]), q = united(plane_[g.idx()]);
+    return p == q || lie_in_one_plane(complex, positions, h, p, q);
   }
 
   // To be called before the flip of the connectivity. Returns whether the new faces are straight.
-  bool flip(const Delta_complex& complex, const Points& points, Edge_index e)
+  bool flip(const Delta_complex& complex, const Vertex_positions& positions, Edge_index e)
   {
     if (plane_.empty())
       return false;
     const Halfedge_index h = complex.halfedge(e);
-    if (are_coplanar(complex, points, h))
+    if (are_coplanar(complex, positions, h))
       return true;
     plane_[complex.face(h).idx()] = plane_[complex.face(complex.opposite(h)).idx()] = none;
     return false;
   }
 
-  // What is known of a face is no longer true.
-  void bend(Face_index f)
+  // Appends so many parts of a face.
+  void split(const Vertex_positions& positions, Face_index f, std::size_t number)
   {
-    if (!plane_.empty())
-      plane_[f.idx()] = none;
+    if (plane_.empty())
+      return;
+    if ((*this)(f))
+      straighten(positions, f, Face_index(plane_[f.idx()]));
+    plane_.resize(plane_.size() + number, plane_[f.idx()]);
+  }
+  // A face turns out to lie in a face of the input, or in its plane. If that has no area, nothing is kept of it.
+  void straighten(const Vertex_positions& positions, Face_index f, Face_index input_face)
+  {
+    const bool has_area = have_one_plane(positions.input(), positions.points(), input_face, input_face);
+    plane_[f.idx()] = has_area ? input_face.idx() : none;
+  }
+  // To be called before faces are joined and called f: it is straight if all are in one plane.
+  void join(Face_index f, const std::vector<Face_index>& faces)
+  {
+    if (plane_.empty())
+      return;
+    const std::uint32_t plane = plane_[faces.front().idx()];
+    bool is_one = plane != none;
+    for (Face_index each : faces)
+      is_one = is_one && plane_[each.idx()] != none && united(plane_[each.idx()]) == united(plane);
+    plane_[f.idx()] = is_one ? plane : none;
   }
   void remove(const std::vector<Face_index>& faces)
   {
     if (!plane_.empty())
       remove_entries(plane_, faces);
   }
-  // Makes room for so many faces more, none of them straight.
-  void append(std::size_t number)
-  {
-    if (!plane_.empty())
-      plane_.resize(plane_.size() + number, none);
-  }
 
 private:
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+
+  // \param p, q the planes of both faces
+  static bool lie_in_one_plane(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index h, std::uint32_t p, std::uint32_t q)
+  {
+    if (positions.has_inserted_corner(complex, h) || positions.has_inserted_corner(complex, complex.opposite(h)))
+      return have_one_plane(positions.input(), positions.points(), Face_index(p), Face_index(q));
+    return is_flat(complex, positions.points(), h);
+  }
 
   // Random numbers keep the trees low, even if they are only looked at.
   static std::uint32_t priority(std::uint32_t p) { return p * 2654435769u; }

@@ -10,12 +10,15 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
+
+#include <array>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -48,12 +51,13 @@ struct Rational_corner
   Exact_ring q;
 };
 
-inline Rational_corner rational_corner(const Delta_complex& complex, const Points& points,
+// Up to a common positive factor, which does not change the sign below.
+inline Rational_corner rational_corner(const Delta_complex& complex, const Vertex_positions& positions,
                                        Halfedge_index ij)
 {
   const Vertex_index i = complex.source(ij), j = complex.target(ij),
                      k = complex.target(complex.next(ij));
-  const auto ki = difference<Exact_ring>(points, k, i), kj = difference<Exact_ring>(points, k, j);
+  const auto ki = positions.direction<Exact_ring>(k, i), kj = positions.direction<Exact_ring>(k, j);
   const auto normal = cross_product(ki, kj);
   return {Exact_ring(2) * scalar_product(ki, kj), Exact_ring(4) * scalar_product(normal, normal)};
 }
@@ -73,31 +77,34 @@ inline Sign sign_of_cotangents(const Rational_corner& k, const Rational_corner& 
 
 // Lengths and angles from three points.
 template <class Corner>
-Corner straight_corner(const Delta_complex& complex, const Points& points, Halfedge_index ij)
+Corner straight_corner(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index ij)
 {
   using Real = Bounded_double_double;
   const Vertex_index i = complex.source(ij), j = complex.target(ij),
                      k = complex.target(complex.next(ij));
-  const auto ki = difference<Real>(points, k, i), kj = difference<Real>(points, k, j),
-             side = difference<Real>(points, i, j);
+  const auto ki = positions.direction<Real>(k, i), kj = positions.direction<Real>(k, j),
+             side = positions.direction<Real>(i, j);
   const auto normal = cross_product(ki, kj);
   return {scalar_product(ki, kj).scaled(2), sqrt(scalar_product(normal, normal)).scaled(2),
           scalar_product(ki, ki), scalar_product(kj, kj), scalar_product(side, side)};
 }
 
 // The same in finite fields.
-inline Unfolding<Residue_metric>::Corner image_of_straight_corner(const Delta_complex& complex, const Points& points,
+inline Unfolding<Residue_metric>::Corner image_of_straight_corner(const Delta_complex& complex, const Vertex_positions& positions,
                                                                   Halfedge_index ij, Residue_rings& rings)
 {
   const Vertex_index i = complex.source(ij), j = complex.target(ij),
                      k = complex.target(complex.next(ij));
-  const auto normal = cross_product(difference<Rational>(points, k, i), difference<Rational>(points, k, j));
-  const auto vector = [&](Vertex_index from, Vertex_index to) {
-    const auto &p = points[from.idx()], &q = points[to.idx()];
-    return Vector_3<Residues>{rings.number(q[0]) - rings.number(p[0]), rings.number(q[1]) - rings.number(p[1]),
-                              rings.number(q[2]) - rings.number(p[2])};
+  const auto minus = [](const auto& p, const auto& q) { return std::array{p[0] - q[0], p[1] - q[1], p[2] - q[2]}; };
+  const auto corners = [&](const auto& convert) {
+    return std::array{positions.position(i, convert), positions.position(j, convert), positions.position(k, convert)};
   };
-  const auto ki = vector(k, i), kj = vector(k, j), side = vector(i, j);
+  const auto exact = corners([](double x) { return Rational(x); });
+  const Vector_3<Rational> u{exact[0][0] - exact[2][0], exact[0][1] - exact[2][1], exact[0][2] - exact[2][2]},
+    v{exact[1][0] - exact[2][0], exact[1][1] - exact[2][1], exact[1][2] - exact[2][2]};
+  const auto normal = cross_product(u, v);
+  const auto images = corners([&](double x) { return rings.number(x); });
+  const Vector_3<Residues> ki = minus(images[0], images[2]), kj = minus(images[1], images[2]), side = minus(images[1], images[0]);
   const Residues p = scalar_product(ki, kj);
   return {p + p, rings.root(4 * scalar_product(normal, normal)), scalar_product(ki, ki), scalar_product(kj, kj),
           scalar_product(side, side)};

@@ -135,13 +135,9 @@ inline Sign sign_of_normals(const Points& points, Vertex_pair a, Vertex_pair b, 
   return is_certain(sign) ? get_certain(sign) : CGAL::sign(evaluate(Exact_ring()));
 }
 
-// Whether the faces beside an edge lie in one plane, on different sides of the edge, and
-// have positive area.
-inline bool is_flat(const Delta_complex& complex, const Points& points, Halfedge_index ij)
+// Whether four points lie in one plane.
+inline bool are_coplanar(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k, Vertex_index l)
 {
-  const Halfedge_index ji = complex.opposite(ij);
-  const Vertex_index i = complex.source(ij), j = complex.target(ij),
-                     k = complex.target(complex.next(ij)), l = complex.target(complex.next(ji));
   if (is_clearly_bent(points, i, j, k, l))
     return false;
   const auto volume = [&](auto zero) {
@@ -150,12 +146,35 @@ inline bool is_flat(const Delta_complex& complex, const Points& points, Halfedge
       cross_product(difference<FT>(points, i, j), difference<FT>(points, i, k)),
       difference<FT>(points, i, l));
   };
-  if (!is_clearly_coplanar(points, i, j, k, l)) {
-    const Uncertain<Sign> sign = volume(Bounded_double_double()).sign();
-    if (is_certain(sign) ? get_certain(sign) != ZERO : CGAL::sign(volume(Exact_ring())) != ZERO)
+  if (is_clearly_coplanar(points, i, j, k, l))
+    return true;
+  const Uncertain<Sign> sign = volume(Bounded_double_double()).sign();
+  return is_certain(sign) ? get_certain(sign) == ZERO : CGAL::sign(volume(Exact_ring())) == ZERO;
+}
+
+// Whether the faces beside an edge lie in one plane, on different sides of the edge, and
+// have positive area.
+inline bool is_flat(const Delta_complex& complex, const Points& points, Halfedge_index ij)
+{
+  const Halfedge_index ji = complex.opposite(ij);
+  const Vertex_index i = complex.source(ij), j = complex.target(ij),
+                     k = complex.target(complex.next(ij)), l = complex.target(complex.next(ji));
+  return are_coplanar(points, i, j, k, l) && sign_of_normals(points, {i, j}, {i, k}, {i, l}, {i, j}) == POSITIVE;
+}
+
+// Whether two faces lie in one plane with one normal, and have positive area; g may be f.
+inline bool have_one_plane(const Delta_complex& complex, const Points& points, Face_index f, Face_index g)
+{
+  const auto corners = [&](Face_index face) {
+    const Halfedge_index h = complex.halfedge(face);
+    return std::array<Vertex_index, 3>{complex.source(h), complex.target(h), complex.target(complex.next(h))};
+  };
+  const auto [i, j, k] = corners(f);
+  const auto [l, m, n] = corners(g);
+  for (Vertex_index v : {l, m, n})
+    if (v != i && v != j && v != k && !are_coplanar(points, i, j, k, v))
       return false;
-  }
-  return sign_of_normals(points, {i, j}, {i, k}, {i, l}, {i, j}) == POSITIVE;
+  return sign_of_normals(points, {i, j}, {i, k}, {l, m}, {l, n}) == POSITIVE;
 }
 
 } // namespace internal
