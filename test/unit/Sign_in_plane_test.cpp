@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -26,6 +27,8 @@ using Weights = std::array<double, 3>;
 using Vector = std::array<Rational, 3>;
 
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+CGAL::Sign sign_of(const Rational& x) { return x > 0 ? CGAL::POSITIVE : x < 0 ? CGAL::NEGATIVE
+                                                                              : CGAL::ZERO; }
 Rational product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // A triangle (0, 1, 2) in space, and points of it after its corners.
@@ -67,7 +70,7 @@ struct Points_of_a_triangle
   CGAL::Sign turn(std::uint32_t u, std::uint32_t v, std::uint32_t w) const
   {
     const auto a = coordinates(u), b = coordinates(v), c = coordinates(w);
-    return CGAL::sign(Rational((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])));
+    return sign_of((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
   }
   // As the sign of cotangents of the edge from v[0] to v[1], with v[2] on its left and v[3] on its right.
   CGAL::Sign by_determinant(const std::array<std::uint32_t, 4>& v) const
@@ -82,7 +85,7 @@ struct Points_of_a_triangle
     const Rational determinant = m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]) +
                                  m[1][2] * (m[2][0] * m[0][1] - m[2][1] * m[0][0]) +
                                  m[2][2] * (m[0][0] * m[1][1] - m[0][1] * m[1][0]);
-    return -CGAL::sign(determinant);
+    return -sign_of(determinant);
   }
   CGAL::Sign by_the_library(const std::array<std::uint32_t, 4>& v) const
   {
@@ -120,12 +123,14 @@ TEST(Sign_in_plane, TiesAndNearTies)
   std::array<int, 3> signs{};
   for (int n = 0; n < 6000; ++n) {
     Points_of_a_triangle plane(turned_right_triangle(random, n % 2 == 0 ? 10 : 24));
-    const int bits = n % 3 == 0 ? 6 : n % 3 == 1 ? 26 : 50;
+    const int bits = n % 3 == 0 ? 6 : n % 3 == 1 ? 26
+                                                 : 50;
     const auto coordinate = [&](double from) {
       return from + std::ldexp(double(random() % (1u << (std::min)(bits - 4, 30)) + 1), -bits) + std::ldexp(double(random() % 15), -6);
     };
     const double x = coordinate(0), y = coordinate(0), x2 = coordinate(0.25), y2 = coordinate(0.25);
-    const double factor = n % 4 == 0 ? double(random() % 1000 + 1) : n % 4 == 1 ? 0x1p-30 : 1;
+    const double factor = n % 4 == 0 ? double(random() % 1000 + 1) : n % 4 == 1 ? 0x1p-30
+                                                                                : 1;
     const auto add = [&](double s, double t) {
       return plane.add({(1 - s - t) * factor, s * factor, t * factor});
     };

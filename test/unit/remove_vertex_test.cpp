@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Stage_counts.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
@@ -116,6 +117,35 @@ TEST(Remove_vertex, undoes_insertions_in_any_order)
       expect_overlay(triangulation);
       EXPECT_EQ(edges_without_ties(triangulation), before);
     }
+}
+
+// What is decided from positions in space, with flips and splits before it, is what the unfolding alone decides: on surfaces with flat
+// parts, where faces stay straight or become so again, and with ties everywhere.
+TEST(Remove_vertex, flat_parts_are_decided_as_by_unfolding)
+{
+  std::mt19937 random(7);
+  std::uint64_t in_planes = 0;
+  std::size_t ties = 0;
+  for (const IT::Indexed_triangles& surface : {IT::prism(8), IT::prism(12, 1), IT::sheared_grid(6, 6), IT::random_diagonal_grid(6), IT::cap()})
+    for (unsigned largest_coordinate : {1u, 3u, 1000000u}) {
+      Triangulation triangulation = Delaunay_triangulation_of(surface);
+      const IT::Delta_complex& complex = triangulation.connectivity();
+      for (int i = 0; i < 6; ++i) {
+        IT::insert_random_vertices(triangulation, 10, largest_coordinate, random);
+        for (std::size_t n = random() % 8; n > 0 && number_of_inserted_vertices(triangulation) > 0; --n)
+          IT::remove_vertex(triangulation, random_inserted_vertex(triangulation, random));
+        const IT::Exact_geometry& geometry = triangulation.exact_geometry();
+        for (IT::Edge_index e : complex.edges())
+          if (complex.is_flippable(e)) {
+            const CGAL::Sign sign = geometry.sign_of_cotangents(complex, e);
+            ASSERT_EQ(sign, geometry.sign_by_unfolding(complex, e)) << e;
+            ties += sign == CGAL::ZERO ? 1 : 0;
+          }
+      }
+      in_planes += triangulation.stage_counts()[IT::Stage::COPLANAR];
+    }
+  EXPECT_GT(ties, 200u);
+  EXPECT_GT(in_planes, 1000u);
 }
 
 TEST(Remove_vertex, between_insertions)
