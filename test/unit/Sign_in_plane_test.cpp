@@ -182,6 +182,10 @@ TEST(Sign_in_plane, VertexOnTheEdge)
   EXPECT_EQ(plane.by_the_library({middle, last, 2, third}), CGAL::POSITIVE);
   EXPECT_EQ(plane.by_the_library({1, 0, middle, third}), CGAL::NEGATIVE); // both faces have no area
   EXPECT_EQ(plane.by_the_library({middle, 1, third, last}), CGAL::ZERO);
+  // So close to an end that only exact numbers tell on which side of that it lies.
+  const std::uint32_t close = plane.add({1, 0x1p-150, 0});
+  EXPECT_EQ(plane.by_the_library({0, last, 2, close}), CGAL::NEGATIVE);
+  EXPECT_EQ(plane.by_the_library({last, 0, close, 2}), CGAL::NEGATIVE);
 }
 
 } // namespace

@@ -26,6 +26,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -117,6 +118,27 @@ TEST(Remove_vertex, undoes_insertions_in_any_order)
       expect_overlay(triangulation);
       EXPECT_EQ(edges_without_ties(triangulation), before);
     }
+}
+
+// The straight line runs from one side of a fold to the other, so the faces that are left are bent.
+TEST(Remove_vertex, on_a_line_across_a_fold)
+{
+  IT::Indexed_triangles kite;
+  kite.points = {{{-1, 0, 1}}, {{1, 0, 1}}, {{0, 1, 0}}, {{0, -1, 0}}};
+  kite.triangles = {{0, 3, 2}, {1, 2, 3}};
+  Triangulation triangulation = Delaunay_triangulation_of(kite);
+  const IT::Delta_complex& complex = triangulation.connectivity();
+  IT::Halfedge_index fold(0);
+  while (complex.is_border(complex.edge(fold)))
+    fold = IT::Halfedge_index(fold.idx() + 2);
+  const IT::Vertex_index v = IT::insert_vertex(triangulation, {fold, {1, 1, 0}});
+  IT::Halfedge_index h = complex.halfedge(v);
+  while (complex.source(h).idx() > 1)
+    h = complex.next_around_target(h);
+  const IT::Edge_index line = complex.edge(h);
+  const IT::Removed_elements removed = triangulation.unsplit_edge(h);
+  EXPECT_DOUBLE_EQ(triangulation.squared_length(removed.edge_after(line)), 8);
+  EXPECT_DOUBLE_EQ(triangulation.length(removed.edge_after(line)), std::sqrt(8.));
 }
 
 // What is decided from positions in space, with flips and splits before it, is what the unfolding alone decides: on surfaces with flat
