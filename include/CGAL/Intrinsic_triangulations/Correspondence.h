@@ -161,10 +161,7 @@ public:
   void remove(const Removed_elements& removed)
   {
     coordinates_.remove(removed);
-    for (Vertex_index v : removed.vertices) {
-      locations_[v.idx() - input_.number_of_vertices()] = locations_.back();
-      locations_.pop_back();
-    }
+    remove_entries(locations_, removed.vertices, input_.number_of_vertices());
   }
 
   /// returns whether `v` is no vertex of the input. \pre `is_prepared()`

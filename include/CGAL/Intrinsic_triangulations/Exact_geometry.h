@@ -219,13 +219,8 @@ public:
   // counterclockwise.
   std::vector<std::pair<Halfedge_index, Corner>> corners_at(const Delta_complex& complex, Vertex_index v) const;
 
-  // Whether a corner of the face of h is no vertex of the input. \pre `prepare()` was called
-  bool has_inserted_corner(const Delta_complex& complex, Halfedge_index h) const
-  {
-    return correspondence_.number_of_inserted_vertices() != 0 &&
-           (correspondence_.is_inserted(complex.source(h)) || correspondence_.is_inserted(complex.target(h)) ||
-            correspondence_.is_inserted(complex.target(complex.next(h))));
-  }
+  // Whether a corner of the face of h was inserted into an input that is given by points.
+  bool has_inserted_corner(const Delta_complex& complex, Halfedge_index h) const;
 
   // For work that makes many short decisions.
   const internal::Interruption& interruption() const;

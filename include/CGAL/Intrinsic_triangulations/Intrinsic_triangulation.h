@@ -516,14 +516,15 @@ private:
                                                                    edges_, faces_, bounds_);
     const internal::Face_halfedges one(connectivity_, around.ij), two(connectivity_, around.ji);
     const auto is_accurate = traits_.is_accurate_object();
-    bool measures_one = !is_accurate(face_data(one.face)), measures_two = !is_accurate(face_data(two.face));
-    for (Halfedge_index h : {one.h, two.h}) { // the points of inserted vertices are no doubles
-      bool& measures = h == one.h ? measures_one : measures_two;
-      if (measures && geometry_->has_inserted_corner(connectivity_, h)) {
-        refine(h, geometry_->corner(connectivity_, h));
-        measures = false;
-      }
-    }
+    const auto measures = [&](const internal::Face_halfedges& face) {
+      if (is_accurate(face_data(face.face)))
+        return false;
+      if (!geometry_->has_inserted_corner(connectivity_, face.h))
+        return true;
+      refine(face.h, geometry_->corner(connectivity_, face.h)); // the points of inserted vertices are no doubles
+      return false;
+    };
+    const bool measures_one = measures(one), measures_two = measures(two);
     if constexpr (internal::Takes_two_faces<Traits>::value)
       if (measures_one && measures_two)
         return void(measurer.measure(one, two));

@@ -53,12 +53,16 @@ struct Removed_elements
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief removes from an array with one entry for each element those of `holes`, a list of `Removed_elements`.
+/// \param array the array
+/// \param holes what was removed, not before `first`
+/// \param first the number of the element that the first entry belongs to
 template <class Array, class Descriptor>
-void remove_entries(Array& array, const std::vector<Descriptor>& holes)
+void remove_entries(Array& array, const std::vector<Descriptor>& holes, std::size_t first = 0)
 {
   for (Descriptor hole : holes) {
-    if (hole.idx() + std::size_t(1) != array.size())
-      array[hole.idx()] = array[array.size() - 1];
+    const std::size_t n = hole.idx() - first;
+    if (n + 1 != array.size())
+      array[n] = array[array.size() - 1];
     array.pop_back();
   }
 }

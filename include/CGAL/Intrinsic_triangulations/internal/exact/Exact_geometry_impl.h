@@ -315,6 +315,7 @@ void Exact_geometry::unsplit_face(const Delta_complex& complex, Vertex_index v)
 {
   const Halfedge_index a = complex.halfedge(v), b = complex.next_around_target(a), c = complex.next_around_target(b);
   const std::vector<Face_index> faces{complex.face(a), complex.face(b), complex.face(c)};
+  // As in Delta_complex::unsplit_face(), the least one stays.
   join_faces(*std::min_element(faces.begin(), faces.end()), faces);
 }
 
@@ -336,10 +337,7 @@ void Exact_geometry::remove(const Delta_complex& complex, const Removed_elements
   if (!memory.is_close_call.empty())
     remove_entries(memory.is_close_call, removed.edges);
   if (!metric_.points().empty())
-    for (Vertex_index v : removed.vertices) {
-      memory.inserted_positions[v.idx() - metric_.points().size()] = memory.inserted_positions.back();
-      memory.inserted_positions.pop_back();
-    }
+    remove_entries(memory.inserted_positions, removed.vertices, metric_.points().size());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -433,6 +431,12 @@ Sign Exact_geometry::decide(const Delta_complex& complex, Edge_index e, std::opt
   if (decision.is_rational && !memory.images)
     carry_images();
   return memory.decided(decision.stage, decision.sign);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_geometry::has_inserted_corner(const Delta_complex& complex, Halfedge_index h) const
+{
+  return positions().has_inserted_corner(complex, h);
 }
 
 // The sign of the sum of cotangents beside h, where both faces lie in one plane.

@@ -30,6 +30,8 @@ namespace internal {
 //
 //     sign(cot k + cot l) = sign(p_k n_l + p_l n_k) sign(n_k + n_l).
 //
+// The positions of inserted vertices are rounded themselves, so that no error is known before: it is carried along.
+//
 // Vectors may be replaced by positive multiples of them, which multiplies p and n of a corner alike: so weighted means of points need
 // no division.
 class Sign_in_plane

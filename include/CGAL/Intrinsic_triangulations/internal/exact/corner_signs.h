@@ -19,6 +19,7 @@
 #include <CGAL/number_utils.h>
 
 #include <array>
+#include <type_traits>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -95,14 +96,14 @@ inline Unfolding<Residue_metric>::Corner image_of_straight_corner(const Delta_co
 {
   const Vertex_index i = complex.source(ij), j = complex.target(ij),
                      k = complex.target(complex.next(ij));
-  const auto minus = [](const auto& p, const auto& q) { return std::array{p[0] - q[0], p[1] - q[1], p[2] - q[2]}; };
+  const auto minus = [](const auto& p, const auto& q) {
+    return std::decay_t<decltype(p)>{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+  };
   const auto corners = [&](const auto& convert) {
     return std::array{positions.position(i, convert), positions.position(j, convert), positions.position(k, convert)};
   };
   const auto exact = corners([](double x) { return Rational(x); });
-  const Vector_3<Rational> u{exact[0][0] - exact[2][0], exact[0][1] - exact[2][1], exact[0][2] - exact[2][2]},
-    v{exact[1][0] - exact[2][0], exact[1][1] - exact[2][1], exact[1][2] - exact[2][2]};
-  const auto normal = cross_product(u, v);
+  const auto normal = cross_product(minus(exact[0], exact[2]), minus(exact[1], exact[2]));
   const auto images = corners([&](double x) { return rings.number(x); });
   const Vector_3<Residues> ki = minus(images[0], images[2]), kj = minus(images[1], images[2]), side = minus(images[1], images[0]);
   const Residues p = scalar_product(ki, kj);
