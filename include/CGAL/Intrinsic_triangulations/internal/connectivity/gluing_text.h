@@ -1,0 +1,308 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The text format of gluings, whatever numbers it has for the edges.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_GLUING_TEXT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_GLUING_TEXT_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <limits>
+#include <locale>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// A file of a few bytes must not ask for gigabytes: this many vertices without a corner
+// are believed, each beyond the three that a face can bring.
+constexpr std::size_t maximum_number_of_isolated_vertices = 1 << 20;
+
+inline bool is_positive_and_finite(double x)
+{
+  return x > 0 && x <= (std::numeric_limits<double>::max)();
+}
+
+// A defect of a line, as the part of a sentence that follows "line 3 ".
+struct Line_defect
+{
+  Invalid_surface_error::Defect defect;
+  std::string what;
+};
+
+// A field as it can stand in a message: what is in a file may steer a terminal, or be long.
+inline std::string shown_field(const std::string& field)
+{
+  std::string result = field.substr(0, 40);
+  std::replace_if(
+    result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return result + (field.size() > 40 ? "..." : "");
+}
+
+// The last fields of the lines of edges, in version 1 of the format: lengths as doubles.
+class Length_fields
+{
+public:
+  Length_fields() { parser_.imbue(std::locale::classic()); }
+
+  // \exception Line_defect if the field does not contain a length
+  void add(const std::string& field)
+  {
+    using Defect = Invalid_surface_error::Defect;
+    double x = 0;
+    parser_.clear();
+    parser_.str(field);
+    parser_ >> x;
+    if (parser_.fail() || parser_.peek() != std::istringstream::traits_type::eof())
+      throw Line_defect{Defect::UNREADABLE, "has '" + shown_field(field) + "' where a length is expected"};
+    if (!is_positive_and_finite(x))
+      throw Line_defect{Defect::NOT_FINITE, "has the length " + shown_field(field) + ", which is not positive and finite"};
+    lengths.push_back(x);
+  }
+
+  std::vector<double> lengths;
+
+private:
+  std::istringstream parser_;
+};
+
+// The same for those who read version 1 alone.
+class Lengths_only : public Length_fields
+{
+public:
+  // \exception Line_defect if another version of the format is not read
+  void begin(const std::string& version) const
+  {
+    using Defect = Invalid_surface_error::Defect;
+    if (version == "2")
+      throw Line_defect{Defect::UNREADABLE, "asks for version 2 of the format, with exact squared lengths, which read_exact_gluing() reads"};
+    if (version != "1")
+      throw Line_defect{Defect::UNREADABLE, "asks for version " + shown_field(version) + " of the format; this is version 1"};
+  }
+};
+
+// The lines of a text that are not empty without their comments, and what they contain.
+template <class Number_fields>
+class Gluing_reader
+{
+public:
+  explicit Gluing_reader(std::istream& is) : is_(is) {}
+
+  // \param numbers gets the version and what the file says about each edge
+  Delta_complex read(Number_fields& numbers)
+  {
+    read_header(numbers);
+    read_faces();
+    read_edges(numbers);
+    check_end();
+    return Delta_complex_builder::from_numbered_sides(number_of_vertices_, corner_vertex_, halfedge_of_, number_of_edges_);
+  }
+
+private:
+  using Defect = Invalid_surface_error::Defect;
+  static constexpr std::uint32_t null = (std::numeric_limits<std::uint32_t>::max)();
+
+  void read_header(Number_fields& numbers)
+  {
+    next_line("'INTRINSIC_GLUING 1'", 2);
+    if (fields_[0] != "INTRINSIC_GLUING")
+      fail(Defect::UNREADABLE, "does not begin with INTRINSIC_GLUING");
+    unless_defect([&] { numbers.begin(fields_[1]); });
+    next_line("the numbers of vertices, edges and faces", 3);
+    number_of_vertices_ = count(fields_[0]);
+    number_of_edges_ = count(fields_[1]);
+    number_of_faces_ = count(fields_[2]);
+    // Each side is that of an edge, and an edge has one or two.
+    if (number_of_edges_ > 3 * number_of_faces_ || 2 * number_of_edges_ < 3 * number_of_faces_)
+      fail(Defect::INVALID_GLUING, "has " + std::to_string(number_of_edges_) + " edges for the " +
+                                     std::to_string(3 * number_of_faces_) +
+                                     " sides of its faces");
+    if (number_of_vertices_ > 3 * number_of_faces_ + maximum_number_of_isolated_vertices)
+      fail(Defect::OUT_OF_RANGE, "has too many isolated vertices");
+  }
+
+  void read_faces()
+  {
+    for (std::size_t f = 0; f < number_of_faces_; ++f) {
+      next_line("the corners of face " + std::to_string(f), 3);
+      for (const std::string& field : fields_) {
+        const std::int64_t v = integer(field);
+        if (v < 0 || std::size_t(v) >= number_of_vertices_)
+          fail(Defect::BAD_INDEX, "names vertex " + shown_field(field) + ", but there are " +
+                                    std::to_string(number_of_vertices_) + " vertices");
+        corner_vertex_.push_back(std::uint32_t(v));
+      }
+    }
+  }
+
+  void read_edges(Number_fields& numbers)
+  {
+    halfedge_of_.assign(corner_vertex_.size(), null);
+    for (std::size_t e = 0; e < number_of_edges_; ++e) {
+      next_line("the two sides and the length of edge " + std::to_string(e), 3);
+      const std::uint32_t s = side(fields_[0], 2 * e), t = side(fields_[1], 2 * e + 1);
+      if (s == null && t == null)
+        fail(Defect::INVALID_GLUING, "is an edge without a face");
+      if (s != null && t != null &&
+          (corner_vertex_[s] != side_target(t) || corner_vertex_[t] != side_target(s)))
+        fail(Defect::INVALID_GLUING, "glues sides that do not join the same vertices");
+      unless_defect([&] { numbers.add(fields_[2]); });
+    }
+    const auto it = std::find(halfedge_of_.begin(), halfedge_of_.end(), null);
+    if (it != halfedge_of_.end())
+      throw Invalid_surface_error(Defect::INVALID_GLUING, line_number_, 1,
+                                  "no edge up to line " + std::to_string(line_number_) +
+                                    " has side " + std::to_string(it - halfedge_of_.begin()));
+  }
+
+  void check_end()
+  {
+    if (read_line())
+      fail(Defect::UNREADABLE, "follows the last edge; lines with other content are not expected");
+  }
+
+  // Reads the next line with content and splits it.
+  bool read_line()
+  {
+    std::string line;
+    while (std::getline(is_, line)) {
+      ++line_number_;
+      const std::size_t comment = line.find('#');
+      if (comment != std::string::npos)
+        line.resize(comment);
+      fields_.clear();
+      const char* const blanks = " \t\r\v\f";
+      std::size_t end = 0;
+      for (std::size_t begin; (begin = line.find_first_not_of(blanks, end)) != std::string::npos;) {
+        end = (std::min)(line.find_first_of(blanks, begin), line.size());
+        fields_.push_back(line.substr(begin, end - begin));
+      }
+      if (!fields_.empty())
+        return true;
+    }
+    return false;
+  }
+
+  void next_line(const std::string& expected, std::size_t number_of_fields)
+  {
+    if (!read_line())
+      throw Invalid_surface_error(Defect::UNREADABLE, line_number_, 1,
+                                  "the text ends after line " + std::to_string(line_number_) +
+                                    ", where " + expected + " should follow");
+    if (fields_.size() != number_of_fields)
+      fail(Defect::UNREADABLE, "has " + std::to_string(fields_.size()) + " fields instead of " +
+                                 std::to_string(number_of_fields) + ": " + expected);
+  }
+
+  std::int64_t integer(const std::string& field) const
+  {
+    std::int64_t n = 0;
+    const char* const end = field.data() + field.size();
+    const auto result = std::from_chars(field.data(), end, n);
+    if (result.ptr != end || result.ec != std::errc())
+      fail(Defect::UNREADABLE, "has '" + shown_field(field) + "' where an integer is expected");
+    return n;
+  }
+
+  std::size_t count(const std::string& field) const
+  {
+    const std::int64_t n = integer(field);
+    if (n < 0)
+      fail(Defect::UNREADABLE, "has the negative number " + shown_field(field) + " for a count");
+    if (n >= std::int64_t(null / 2))
+      fail(Defect::OUT_OF_RANGE, "has " + shown_field(field) + " elements of a kind: too many for 32-bit indices");
+    return std::size_t(n);
+  }
+
+  std::uint32_t side(const std::string& field, std::size_t halfedge)
+  {
+    const std::int64_t s = integer(field);
+    if (s == -1)
+      return null;
+    if (s < 0 || std::size_t(s) >= halfedge_of_.size())
+      fail(Defect::INVALID_GLUING, "names side " + shown_field(field) + ", but there are " +
+                                     std::to_string(halfedge_of_.size()) + " sides");
+    if (halfedge_of_[std::size_t(s)] != null)
+      fail(Defect::INVALID_GLUING, "names side " + shown_field(field) + ", which already has an edge");
+    halfedge_of_[std::size_t(s)] = std::uint32_t(halfedge);
+    return std::uint32_t(s);
+  }
+
+  std::uint32_t side_target(std::uint32_t s) const
+  {
+    return corner_vertex_[s % 3 == 2 ? s - 2 : s + 1];
+  }
+
+  template <class Function>
+  void unless_defect(const Function& function) const
+  {
+    try {
+      function();
+    } catch (const Line_defect& line) {
+      fail(line.defect, line.what);
+    }
+  }
+
+  [[noreturn]] void fail(Defect defect, const std::string& what) const
+  {
+    throw Invalid_surface_error(defect, line_number_, 1,
+                                "line " + std::to_string(line_number_) + " " + what);
+  }
+
+  std::istream& is_;
+  std::vector<std::string> fields_;
+  std::size_t line_number_ = 0;
+  std::size_t number_of_vertices_ = 0, number_of_edges_ = 0, number_of_faces_ = 0;
+  std::vector<std::uint32_t> corner_vertex_, halfedge_of_;
+};
+
+// \param print writes the last field of the line of an edge
+template <class Print_number>
+void write_gluing_text(std::ostream& os, const Delta_complex& complex, int version, const Print_number& print)
+{
+  if (complex.number_of_vertices() > 3 * std::size_t(complex.number_of_faces()) + maximum_number_of_isolated_vertices)
+    throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, 0, 1, "there are too many isolated vertices");
+  std::ostringstream text; // its own locale and format
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << "INTRINSIC_GLUING " << version << '\n'
+       << complex.number_of_vertices() << ' ' << complex.number_of_edges() << ' '
+       << complex.number_of_faces() << '\n';
+  std::vector<std::int64_t> side_of(complex.number_of_halfedges(), -1);
+  for (Face_index f : complex.faces()) {
+    Halfedge_index h = complex.halfedge(f);
+    for (std::int64_t i = 0; i < 3; ++i) {
+      side_of[h.idx()] = 3 * std::int64_t(f.idx()) + i;
+      text << complex.source(h).idx() << (i < 2 ? ' ' : '\n');
+      h = complex.next(h);
+    }
+  }
+  for (Edge_index e : complex.edges()) {
+    const Halfedge_index h = complex.halfedge(e);
+    text << side_of[h.idx()] << ' ' << side_of[complex.opposite(h).idx()] << ' ';
+    print(text, e);
+    text << '\n';
+  }
+  os << text.str();
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_GLUING_TEXT_H
