@@ -90,11 +90,11 @@ private:
   void load(const Tube& tube)
   {
     ++number_of_tubes_;
-    edges_ = {complex_.edge(tube.loop), tube.left, tube.right};
+    edges_ = {complex_.edge(tube.loop), complex_.edge(tube.other), tube.left, tube.right};
     denominator_ = 1;
     for (Edge_index e : edges_)
       denominator_ = lcm(denominator_, denominator(squared_lengths_[e.idx()]));
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
       const Rational& s = squared_lengths_[edges_[i].idx()];
       numbers_[i] = numerator(s) * (denominator_ / denominator(s));
     }
@@ -104,8 +104,8 @@ private:
   void store()
   {
     if (has_changed_)
-      for (std::size_t i = 0; i < 3; ++i)
-        squared_lengths_[edges_[i].idx()] = Rational(numbers_[i], denominator_);
+      for (Edge_index e : edges_)
+        squared_lengths_[e.idx()] = Rational(number(e), denominator_);
   }
 
   Integer& number(Edge_index e)
@@ -190,9 +190,9 @@ private:
   Untwisting result_;
   std::uint64_t number_of_tubes_ = 0;
 
-  // The pair of faces at hand: three edges, as the far side of a tube is as long as the near one.
-  std::array<Edge_index, 3> edges_;
-  std::array<Integer, 3> numbers_;
+  // The edges of the pair of faces at hand. Those of a torus are three: what is there twice has the first of its numbers.
+  std::array<Edge_index, 4> edges_;
+  std::array<Integer, 4> numbers_;
   Integer denominator_;
   bool has_changed_ = false;
 };
