@@ -221,7 +221,9 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
   result.read_seconds = stopwatch.restart();
   Progress progress(options.input);
   Triangulation triangulation =
-    surface.has_points() ? Triangulation(complex, surface.points) : Triangulation::from_lengths(complex, surface.lengths);
+    surface.has_points()               ? Triangulation(complex, surface.points)
+    : !surface.squared_lengths.empty() ? Triangulation::from_metric(complex, IT::metric_from_squared_lengths(surface.squared_lengths))
+                                       : Triangulation::from_lengths(complex, surface.lengths);
   const IT::Flip_report report = IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
   require(report.status == IT::Flip_status::DELAUNAY);
   result.flips = report.flips;

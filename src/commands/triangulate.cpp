@@ -35,6 +35,7 @@ struct Triangulate_options
   bool is_mollification_local = false;
   bool is_repaired = false;
   bool is_verified = false;
+  bool is_fast = false;
   Result_files files;
 };
 
@@ -72,6 +73,8 @@ Exit_status triangulate_file(const std::string& path, const Triangulate_options&
 {
   Surface surface = load_surface(path, load);
   options.files.check_surface(surface);
+  if (options.is_fast)
+    untwist(surface);
   Triangulation_result result = triangulate(std::move(surface), kernel);
   options.files.write(result);
   if (!is_first)
@@ -224,6 +227,9 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
   command.add_flag("--verify", options->is_verified,
                    "afterwards decide every interior edge once more, exactly and from the input "
                    "alone, whatever the number type; status 4 if one is not Delaunay");
+  command.add_flag("--fast-forward", options->is_fast,
+                   "of a gluing, first make the flips within tubes of two triangles, any number of them at once; overlay and crossings are those "
+                   "with the gluing that this leaves, only --edges counts crossings with the one that was given");
   options->files.add_options(command, repair);
   command.callback(
     [options, &selected] { selected = [options] { return run_triangulate(*options); }; });

@@ -97,10 +97,13 @@ void load_gluing(Surface& surface)
 {
   const Stopwatch stopwatch;
   Progress progress(surface.path);
-  read_gluing_file(surface.path, surface.connectivity, surface.lengths, [&progress](double fraction) {
+  IT::Exact_gluing gluing = read_exact_gluing_file(surface.path, [&progress](double fraction) {
     progress.show("reading", fraction);
     return !is_interrupted();
   });
+  surface.connectivity = std::move(gluing.complex);
+  surface.squared_lengths = std::move(gluing.squared_lengths);
+  surface.lengths = surface.squared_lengths.empty() ? std::move(gluing.lengths) : rounded_lengths(surface.squared_lengths);
   surface.read_seconds = stopwatch.seconds();
   if (surface.connectivity.number_of_faces() == 0)
     throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::EMPTY, 0, 1,
@@ -150,10 +153,31 @@ Surface load_surface(const std::string& path, const Load_options& options)
   // Points say more than rounded lengths: they are kept as long as they are true.
   if (surface.mollification->number_of_changed_edges > 0) {
     surface.lengths = std::move(lengths);
+    surface.squared_lengths.clear();
     surface.points.clear();
   }
   surface.build_seconds += stopwatch.seconds();
   return surface;
+}
+
+void untwist(Surface& surface)
+{
+  if (surface.has_points())
+    throw Usage_error(surface.path + ": --fast-forward is for gluings; no edge can wind around a surface in space very often");
+  const Stopwatch stopwatch;
+  struct Watch : IT::Default_flip_visitor
+  {
+    bool go_further(std::uint64_t, std::uint64_t) { return !is_interrupted(); }
+  };
+  try {
+    if (surface.squared_lengths.empty())
+      surface.squared_lengths = IT::squared_lengths(surface.lengths);
+    surface.untwisting = IT::untwist(surface.connectivity, surface.squared_lengths, CGAL::parameters::visitor(Watch()));
+  } catch (const IT::Invalid_surface_error& error) {
+    throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), surface.path + ": " + error.what());
+  }
+  surface.lengths = rounded_lengths(surface.squared_lengths);
+  surface.untwist_seconds = stopwatch.seconds();
 }
 
 Surface_counts count_elements(const IT::Delta_complex& complex)

@@ -9,6 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Repaired_polygons.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>
 
 #include <array>
 #include <cstddef>
@@ -46,6 +48,10 @@ struct Surface
   // One of the two is empty: the metric comes from points or from edge lengths.
   std::vector<std::array<double, 3>> points;
   std::vector<double> lengths;
+  // Their squares, if these are known better than the lengths, which are rounded roots then.
+  std::vector<CGAL::Intrinsic_triangulations::Rational> squared_lengths;
+  // What was done to the surface of the file, if it was untwisted.
+  std::optional<CGAL::Intrinsic_triangulations::Untwisting> untwisting;
   std::optional<CGAL::Intrinsic_triangulations::Mollification_report> mollification;
   std::optional<Repair_report> repair;                    // if it was asked for
   std::optional<std::vector<std::size_t>> input_vertices; // where the vertices come from, if flat ones were removed
@@ -54,6 +60,7 @@ struct Surface
   std::vector<std::string> notes;
   double read_seconds = 0;
   double build_seconds = 0;
+  double untwist_seconds = 0;
 
   bool has_points() const { return lengths.empty(); }
 };
@@ -66,6 +73,10 @@ struct Surface
 //            with `path` and names the first element at fault and how many more
 // \exception Cancelled_error if an interruption ends the reading
 Surface load_surface(const std::string& path, const Load_options& options = {});
+
+// Replaces a gluing by what untwist() leaves of it.
+// \exception Usage_error if the surface has points
+void untwist(Surface& surface);
 
 // What a report tells about the connectivity of a surface.
 struct Surface_counts

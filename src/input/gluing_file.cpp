@@ -6,10 +6,13 @@
 #include "input/formats/Watched_file.h"
 #include "input/formats/checks.h"
 
-#include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
+#include <CGAL/Intrinsic_triangulations/Crossing_counts.h>
+#include <CGAL/Intrinsic_triangulations/exact_gluing_io.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <istream>
 #include <new>
@@ -27,8 +30,7 @@ bool is_gluing_file(const std::string& path)
   return extension == ".gluing";
 }
 
-void read_gluing_file(const std::string& path, IT::Delta_complex& connectivity,
-                      std::vector<double>& lengths, const IT::Progress_function& progress)
+IT::Exact_gluing read_exact_gluing_file(const std::string& path, const IT::Progress_function& progress)
 {
   const std::uintmax_t size = check_file(path);
   if (size == 0)
@@ -41,17 +43,42 @@ void read_gluing_file(const std::string& path, IT::Delta_complex& connectivity,
   };
   try {
     std::istream in(&file);
-    auto gluing = IT::read_gluing(in);
+    IT::Exact_gluing gluing = IT::read_exact_gluing(in);
     // To whoever reads, a cancelled file is one that ends.
     stop_if_cancelled();
-    connectivity = std::move(gluing.complex);
-    lengths = std::move(gluing.lengths);
+    return gluing;
   } catch (const IT::Invalid_surface_error& e) {
     stop_if_cancelled();
     throw IT::Invalid_surface_error(e.defect(), e.element(), e.count(), path + ": " + e.what());
   } catch (const std::bad_alloc&) {
     refuse(path, "there is not enough memory for this file");
   }
+}
+
+void read_gluing_file(const std::string& path, IT::Delta_complex& connectivity,
+                      std::vector<double>& lengths, const IT::Progress_function& progress)
+{
+  IT::Exact_gluing gluing = read_exact_gluing_file(path, progress);
+  connectivity = std::move(gluing.complex);
+  lengths = gluing.squared_lengths.empty() ? std::move(gluing.lengths) : rounded_lengths(gluing.squared_lengths);
+}
+
+std::vector<double> rounded_lengths(const std::vector<IT::Rational>& squared_lengths)
+{
+  std::vector<double> lengths;
+  lengths.reserve(squared_lengths.size());
+  for (const IT::Rational& s : squared_lengths) {
+    // The root of s 4^k, an integer of 64 bits or one more
+    IT::Integer n = numerator(s), d = denominator(s);
+    if (n <= 0) {
+      lengths.push_back(0);
+      continue;
+    }
+    const long k = 64 - (long(msb(n)) - long(msb(d))) / 2;
+    (k > 0 ? n : d) <<= static_cast<unsigned long>(2 * std::labs(k));
+    lengths.push_back(std::ldexp(sqrt(IT::Integer(n / d)).convert_to<double>(), int(-k)));
+  }
+  return lengths;
 }
 
 } // namespace idt

@@ -8,6 +8,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
+#include <CGAL/Intrinsic_triangulations/exact_gluing_io.h>
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <ostream>
 #include <string>
@@ -18,13 +20,21 @@ namespace idt {
 // Whether the name ends in `.gluing`, in letters of any case.
 bool is_gluing_file(const std::string& path);
 
+// Reads a file of either version.
 // \exception Invalid_surface_error if the file cannot be read or is no gluing; the
 //            message begins with `path`
 // \exception CGAL::Intrinsic_triangulations::Cancelled_error if `progress` returns false
+CGAL::Intrinsic_triangulations::Exact_gluing
+read_exact_gluing_file(const std::string& path, const CGAL::Intrinsic_triangulations::Progress_function& progress = {});
+
+// The same for those who can only use lengths that are doubles: of squared lengths, the roots are rounded.
 void read_gluing_file(const std::string& path,
                       CGAL::Intrinsic_triangulations::Delta_complex& connectivity,
                       std::vector<double>& lengths,
                       const CGAL::Intrinsic_triangulations::Progress_function& progress = {});
+
+// The lengths of edges, within a unit in the last place; infinite or zero where that is out of the range.
+std::vector<double> rounded_lengths(const std::vector<CGAL::Intrinsic_triangulations::Rational>& squared_lengths);
 
 } // namespace idt
 

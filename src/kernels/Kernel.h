@@ -11,6 +11,7 @@
 #include "input/Surface.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/Crossing_counts.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
@@ -151,8 +152,10 @@ struct Outcome
   Numbers numbers;                     // of the result
   Numbers input_numbers;               // before the flips
   std::vector<std::int64_t> crossings; // for each edge: -1 if it is an input edge
-  std::vector<double> exact_lengths;   // for each edge, correctly rounded but for one unit
-  std::vector<std::uint8_t> is_tie;    // for each edge
+  // For each edge, where the surface was untwisted: how often it crosses edges of the surface before that.
+  std::optional<CGAL::Intrinsic_triangulations::Crossing_counts> original_crossings;
+  std::vector<double> exact_lengths; // for each edge, correctly rounded but for one unit
+  std::vector<std::uint8_t> is_tie;  // for each edge
   CGAL::Intrinsic_triangulations::Flip_report report;
   std::string failure;         // what ended the flips, or kept something from being found out
   bool is_interrupted = false; // something was left out because the caller said no, beside flips

@@ -24,6 +24,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
+#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -36,6 +37,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -50,6 +52,9 @@ IT::Intrinsic_triangulation<Traits> make_triangulation(const Surface& surface, c
 {
   using FT = typename Traits::FT;
   using Triangulation = IT::Intrinsic_triangulation<Traits>;
+  if constexpr (Triangulation::uses_exact_geometry)
+    if (!surface.squared_lengths.empty())
+      return Triangulation::from_metric(surface.connectivity, IT::metric_from_squared_lengths(surface.squared_lengths), traits);
   if (!surface.has_points()) {
     std::vector<FT> lengths;
     lengths.reserve(surface.lengths.size());
@@ -69,6 +74,11 @@ IT::Intrinsic_triangulation<Traits> make_triangulation(const Surface& surface, c
 // The metric that the file says, before any rounding to a number type.
 inline IT::Input_metric input_metric(const Surface& surface)
 {
+  if (!surface.squared_lengths.empty()) {
+    IT::Input_metric metric = IT::metric_from_squared_lengths(surface.squared_lengths);
+    metric.check(surface.connectivity);
+    return metric;
+  }
   if (!surface.has_points())
     return IT::Input_metric::from_lengths(surface.lengths);
   return IT::Input_metric::from_points(
@@ -111,9 +121,10 @@ void require_usable_faces(const IT::Intrinsic_triangulation<IT::Half_angle_trait
 class Asking_visitor
 {
 public:
-  // The caller is asked before every `stride`-th test, a power of two.
-  Asking_visitor(const Continue_function& go_further, std::uint64_t stride)
-    : go_further_(go_further), mask_(go_further ? stride - 1 : ~std::uint64_t(0))
+  // The caller is asked before every `stride`-th test, a power of two. Crossings are counted if there are `crossings` of that complex.
+  Asking_visitor(const Continue_function& go_further, std::uint64_t stride, const IT::Delta_complex& complex,
+                 std::optional<IT::Crossing_counts>& crossings)
+    : go_further_(go_further), mask_(go_further ? stride - 1 : ~std::uint64_t(0)), complex_(complex), crossings_(crossings)
   {}
 
   bool go_further(std::uint64_t tests, std::uint64_t flips)
@@ -121,7 +132,12 @@ public:
     tests_ = tests;
     return (tests & mask_) != 0 || !go_further_ || go_further_(tests, flips);
   }
-  void after_flip(IT::Edge_index) { ++flips_; }
+  void after_flip(IT::Edge_index e)
+  {
+    ++flips_;
+    if (crossings_)
+      crossings_->after_flip(complex_, e);
+  }
 
   std::uint64_t tests() const { return tests_; }
   std::uint64_t flips() const { return flips_; }
@@ -129,6 +145,8 @@ public:
 private:
   const Continue_function& go_further_;
   std::uint64_t mask_;
+  const IT::Delta_complex& complex_;
+  std::optional<IT::Crossing_counts>& crossings_;
   std::uint64_t tests_ = 0;
   std::uint64_t flips_ = 0;
 };
@@ -145,7 +163,8 @@ void flip(const Flippable& flippable, const Job& job, Outcome& outcome, const Co
                                        : IT::default_maximum_number_of_flips(number_of_edges));
   // With built-in numbers a test is faster than the question.
   Asking_visitor visitor(job.go_further,
-                         std::is_floating_point<typename Traits::FT>::value ? 64 : 1);
+                         std::is_floating_point<typename Traits::FT>::value ? 64 : 1, triangulation.connectivity(),
+                         outcome.original_crossings);
   // A single decision can take long, and the visitor does not pass each question on.
   std::function<bool()> afterwards;
   if constexpr (Traits::Uses_exact_geometry::value)
@@ -289,6 +308,8 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
   using Triangulation = IT::Intrinsic_triangulation<Traits>;
   const Requested_results& wanted = job.options.wanted;
   Outcome outcome;
+  if (job.surface.untwisting)
+    outcome.original_crossings = job.surface.untwisting->crossings;
   Stopwatch stopwatch;
   Triangulation triangulation = make_triangulation(job.surface, traits);
   require_usable_faces(triangulation);

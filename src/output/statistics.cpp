@@ -47,6 +47,20 @@ Json stages(const Outcome& outcome)
           {"modular", counts[Stage::MODULAR]}};
 }
 
+// Integers of any size are texts.
+Json fast_forward(const Triangulation_result& result)
+{
+  const IT::Untwisting& untwisting = *result.surface.untwisting;
+  IT::Integer crossings = 0;
+  for (IT::Edge_index e : result.outcome.connectivity.edges())
+    crossings += result.outcome.original_crossings->number_of_crossings(e);
+  return {{"twists", untwisting.twists.size()},
+          {"flips", untwisting.number_of_flips.str()},
+          {"steps", untwisting.number_of_steps},
+          {"crossings", crossings.str()},
+          {"seconds", result.surface.untwist_seconds}};
+}
+
 Json ties(const Outcome& outcome)
 {
   if (outcome.tessellation)
@@ -146,6 +160,8 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   json["negative_weights_after"] = member(after, &Weight_summary::negative);
   json["infinite_weights_before"] = member(before, &Weight_summary::infinite);
   json["infinite_weights_after"] = member(after, &Weight_summary::infinite);
+  if (result.surface.untwisting)
+    json["fast_forward"] = fast_forward(result);
   json["verification"] = verification(outcome);
   json["mollification"] = mollification(result.surface);
   json["repair"] = to_json_value(repairs(result.surface));

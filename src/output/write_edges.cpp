@@ -26,7 +26,10 @@ void write_edges(std::ostream& os, const Triangulation_result& result)
     const IT::Halfedge_index h = outcome.connectivity.halfedge(e);
     os << outcome.connectivity.source(h).idx() << ',' << outcome.connectivity.target(h).idx()
        << ',' << in_full(outcome.numbers.lengths[e.idx()]) << ',' << finite(outcome.numbers.weights[e.idx()]) << ',';
-    if (e.idx() < outcome.crossings.size()) {
+    if (outcome.original_crossings) {
+      const auto& crossings = *outcome.original_crossings;
+      os << crossings.number_of_crossings(e) << ',' << (crossings.is_original(e) ? '1' : '0') << '\n';
+    } else if (e.idx() < outcome.crossings.size()) {
       const std::int64_t crossings = outcome.crossings[e.idx()];
       os << (crossings < 0 ? 0 : crossings) << ',' << (crossings < 0 ? '1' : '0') << '\n';
     } else {

@@ -97,6 +97,9 @@ void write_report(std::ostream& os, const Triangulation_result& result)
   if (result.options.number_type == Number_type::MPFR)
     number_type += ", " + std::to_string(result.options.precision) + " bits";
   report.line("number type", number_type);
+  if (surface.untwisting)
+    report.line("fast forward", surface.untwisting->number_of_flips.str() + " flips in " +
+                                  counted(surface.untwisting->twists.size(), "twist", "twists"));
   report.line("flips", with_separators(outcome.report.flips) + " in " +
                          with_separators(outcome.report.tests) + " tests");
   if (outcome.refinement)
