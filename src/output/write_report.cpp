@@ -98,7 +98,7 @@ void write_report(std::ostream& os, const Triangulation_result& result)
     number_type += ", " + std::to_string(result.options.precision) + " bits";
   report.line("number type", number_type);
   if (surface.untwisting)
-    report.line("fast forward", surface.untwisting->number_of_flips.str() + " flips in " +
+    report.line("fast forward", surface.untwisting->number_of_flips.str() + (surface.untwisting->number_of_flips == 1 ? " flip in " : " flips in ") +
                                   counted(surface.untwisting->twists.size(), "twist", "twists"));
   report.line("flips", with_separators(outcome.report.flips) + " in " +
                          with_separators(outcome.report.tests) + " tests");

@@ -437,3 +437,50 @@ TEST_F(Triangulate_command, judges_the_evaluation_meshes)
     }
   }
 }
+
+TEST_F(Triangulate_command, fast_forwards_a_gluing)
+{
+  // The torus of (1, 0) and (10^12, 1)
+  const std::string torus = "INTRINSIC_GLUING 2\n1 3 2\n0 0 0\n0 0 0\n0 3 1\n1 4 1000000000000000000000001\n2 5 ";
+  write("torus.gluing", torus + "1000000000002000000000002\n");
+  for (const char* number_type : {"filtered", "double", "mpfr"}) {
+    const Command_run run = idt(std::string("triangulate torus.gluing --fast-forward --verify --edges e.csv --stats s.json --number-type ") + number_type);
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(contains(run.out, "1000000000000 flips in 1 twist")) << run.out;
+    const std::vector<std::string> rows = lines(content(folder_ / "e.csv"));
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[1], "0,0,1,2,0,1");
+    EXPECT_EQ(rows[2], "0,0,1,2,1999999999999,0");
+    const Json json = Json::parse(content(folder_ / "s.json"));
+    EXPECT_EQ(json["flips"], 0);
+    EXPECT_EQ(json["fast_forward"]["twists"], 1);
+    EXPECT_EQ(json["fast_forward"]["flips"], "1000000000000");
+    EXPECT_EQ(json["fast_forward"]["crossings"], "3999999999996");
+  }
+  // A surface that needs no twists has the same results with them.
+  ASSERT_EQ(idt("sample one-vertex-torus -o small.gluing").status, 0);
+  ASSERT_EQ(idt("triangulate small.gluing --edges plain.csv").status, 0);
+  ASSERT_EQ(idt("triangulate small.gluing --edges fast.csv --fast-forward").status, 0);
+  EXPECT_EQ(content(folder_ / "plain.csv"), content(folder_ / "fast.csv"));
+
+  write_kite("kite.off");
+  const Command_run mesh = idt("triangulate kite.off --fast-forward");
+  EXPECT_EQ(mesh.status, 2);
+  EXPECT_TRUE(contains(mesh.err, "--fast-forward is for gluings")) << mesh.err;
+  write("wrong.gluing", torus + "1000000000002000000000000000000000002\n");
+  const Command_run wrong = idt("triangulate wrong.gluing --fast-forward");
+  EXPECT_EQ(wrong.status, 3);
+  EXPECT_TRUE(contains(wrong.err, "face 0")) << wrong.err;
+}
+
+TEST_F(Triangulate_command, reads_exact_squared_lengths)
+{
+  // As lengths, 1, √2 and √5 would be rounded: an edge of the flat torus that is a tie is none then.
+  write("tie.gluing", "INTRINSIC_GLUING 2\n1 3 2\n0 0 0\n0 0 0\n0 3 2\n1 4 2\n2 5 4\n");
+  ASSERT_EQ(idt("triangulate tie.gluing --stats s.json").status, 0);
+  const Json json = Json::parse(content(folder_ / "s.json"));
+  EXPECT_EQ(json["ties"], 1);
+  EXPECT_EQ(json["flips"], 0);
+  EXPECT_EQ(idt("refine tie.gluing").status, 0);
+  EXPECT_EQ(idt("distance tie.gluing --source 0 -o d.csv --cover none").status, 0);
+}

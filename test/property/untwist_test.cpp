@@ -159,6 +159,11 @@ TEST(Untwist, reduces_the_lattice_of_a_torus)
   for (std::size_t n = 2; n <= 60; ++n)
     EXPECT_EQ(untwisted(IT::Fibonacci_torus(n)), square) << n;
 
+  // Whichever of the sides is the first
+  const std::array<Integer, 2> u{1, 0}, v{trillion, 1}, w{-trillion - 1, -1};
+  for (const auto& [first, second] : std::vector<std::pair<std::array<Integer, 2>, std::array<Integer, 2>>>{{u, v}, {v, u}, {u, w}, {w, u}, {v, w}, {w, v}})
+    EXPECT_EQ(untwisted(IT::lattice_torus(first, second)), square) << first[0] << ' ' << second[0];
+
   // A shear by one is one flip, as long as there is no tie.
   Exact_gluing torus = IT::lattice_torus({Integer(3), Integer(0)}, {3 * trillion + 1, Integer(1)});
   const Untwisting untwisting = IT::untwist(torus.complex, torus.squared_lengths);

@@ -5,6 +5,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
 
+#include <CGAL/Intrinsic_triangulations/exact_gluing_io.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <gtest/gtest.h>
@@ -289,4 +290,53 @@ TEST(Delta_complex_io, random_mutations_do_no_harm)
   }
   EXPECT_GT(accepted, 1000);
   EXPECT_GT(refused, 20000);
+}
+
+TEST(Exact_gluing_io, squared_lengths_return_whatever_their_size)
+{
+  using IT::internal::Integer;
+  using IT::internal::Rational;
+  std::mt19937 random(1);
+  for (const Delta_complex& c : all_surfaces()) {
+    std::vector<Rational> squared_lengths;
+    for (std::size_t e = 0; e < c.number_of_edges(); ++e)
+      squared_lengths.push_back(Rational(pow(Integer(3), random() % 5000) + random(), pow(Integer(2), random() % 5000)));
+    std::stringstream text;
+    IT::write_gluing(text, c, squared_lengths);
+    EXPECT_EQ(text.str().compare(0, 18, "INTRINSIC_GLUING 2"), 0);
+    const IT::Exact_gluing gluing = IT::read_exact_gluing(text);
+    EXPECT_EQ(gluing.complex, c);
+    EXPECT_EQ(gluing.squared_lengths, squared_lengths);
+    EXPECT_TRUE(gluing.lengths.empty());
+  }
+  std::istringstream first_version(square);
+  const IT::Exact_gluing gluing = IT::read_exact_gluing(first_version);
+  EXPECT_EQ(gluing.lengths, read(square).lengths);
+  EXPECT_TRUE(gluing.squared_lengths.empty());
+}
+
+TEST(Exact_gluing_io, defects_are_named_with_their_line)
+{
+  const auto message = [](const std::string& version, const std::string& field) -> std::string {
+    std::istringstream is("INTRINSIC_GLUING " + version + "\n3 3 1\n0 1 2\n0 -1 25/4\n1 -1 10\n2 -1 " + field + "\n");
+    try {
+      const IT::Exact_gluing gluing = IT::read_exact_gluing(is);
+      return gluing.squared_lengths[2].str();
+    } catch (const IT::Invalid_surface_error& e) {
+      return e.what();
+    }
+  };
+  EXPECT_EQ(message("2", "010"), "10");
+  EXPECT_EQ(message("2", "6/4"), "3/2");
+  for (const char* field : {"-1", "1.5", "1e3", "0x10", "1/", "/2", "1/2/3", "1/0", "+1", "1/-2", "nan", "\x1b"})
+    EXPECT_EQ(message("2", field).compare(0, 10, "line 6 has"), 0) << message("2", field);
+  for (const char* field : {"0", "0/5"})
+    EXPECT_NE(message("2", field).find("not positive"), std::string::npos);
+  EXPECT_NE(message("2", std::string(1000001, '9')).find("more than a million digits"), std::string::npos);
+  EXPECT_EQ(message("2", std::string(1000000, '9')), std::string(1000000, '9'));
+  EXPECT_NE(message("3", "1").find("line 1 asks for version 3"), std::string::npos);
+  EXPECT_NE(message("1", "1").find("line 4 has '25/4' where a length is expected"), std::string::npos);
+  std::ostringstream os;
+  EXPECT_THROW(IT::write_gluing(os, read(square).complex, std::vector<IT::internal::Rational>{1, 1, 1, 1, 0}), IT::Invalid_surface_error);
+  EXPECT_EQ(os.str(), "");
 }

@@ -18,6 +18,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -54,13 +56,13 @@ private:
   // Returns whether the visitor lets it go on.
   bool straighten_tubes_of(Face_index f)
   {
-    bool goes_on = true;
-    bool is_loaded = false, has_changed = true;
+    bool is_loaded = false, has_changed = true, goes_on = true;
     // A torus has three tubes, and each changes the others; for others the second round finds nothing to do.
     while (has_changed && goes_on) {
-      has_changed = false;
+      // That around the shortest side: the others of a torus can have about as many flips, one at a time.
+      std::optional<Tube> shortest;
       Halfedge_index loop = complex_.halfedge(f);
-      for (int i = 0; i < 3 && !has_changed; ++i, loop = complex_.next(loop)) {
+      for (int i = 0; i < 3; ++i, loop = complex_.next(loop)) {
         if (!is_tube(complex_, loop))
           continue;
         const Tube tube = Intrinsic_triangulations::tube(complex_, loop);
@@ -69,8 +71,10 @@ private:
         if (!is_loaded)
           load(tube);
         is_loaded = true;
-        has_changed = straighten(tube);
+        if (!shortest || number(complex_.edge(loop)) < number(complex_.edge(shortest->loop)))
+          shortest = tube;
       }
+      has_changed = shortest && straighten(*shortest);
       if (has_changed)
         goes_on = goes_further();
     }
