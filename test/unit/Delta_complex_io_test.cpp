@@ -302,7 +302,7 @@ TEST(Exact_gluing_io, squared_lengths_return_whatever_their_size)
     for (std::size_t e = 0; e < c.number_of_edges(); ++e)
       squared_lengths.push_back(Rational(pow(Integer(3), random() % 5000) + random(), pow(Integer(2), random() % 5000)));
     std::stringstream text;
-    IT::write_gluing(text, c, squared_lengths);
+    IT::write_exact_gluing(text, c, squared_lengths);
     EXPECT_EQ(text.str().compare(0, 18, "INTRINSIC_GLUING 2"), 0);
     const IT::Exact_gluing gluing = IT::read_exact_gluing(text);
     EXPECT_EQ(gluing.complex, c);
@@ -337,6 +337,6 @@ TEST(Exact_gluing_io, defects_are_named_with_their_line)
   EXPECT_NE(message("3", "1").find("line 1 asks for version 3"), std::string::npos);
   EXPECT_NE(message("1", "1").find("line 4 has '25/4' where a length is expected"), std::string::npos);
   std::ostringstream os;
-  EXPECT_THROW(IT::write_gluing(os, read(square).complex, std::vector<IT::internal::Rational>{1, 1, 1, 1, 0}), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::write_exact_gluing(os, read(square).complex, std::vector<IT::internal::Rational>{1, 1, 1, 1, 0}), IT::Invalid_surface_error);
   EXPECT_EQ(os.str(), "");
 }

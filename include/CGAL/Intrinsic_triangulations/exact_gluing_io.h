@@ -86,7 +86,7 @@ private:
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief writes a complex and the exact squared lengths of its edges, in version 2 of the gluing format.
 ///
-/// It differs from version 1, which `write_gluing()` with lengths describes, in two things: the first line is `INTRINSIC_GLUING 2`, and the last field in the
+/// It differs from version 1, which `write_gluing()` describes, in two things: the first line is `INTRINSIC_GLUING 2`, and the last field in the
 /// line of an edge is the *square* of its length, as an integer or a fraction of two without a sign, such as `5` or `25/4`.
 ///
 /// \param os the stream; the caller has to check its state afterwards
@@ -95,7 +95,7 @@ private:
 /// \exception Invalid_surface_error if a squared length is not positive, or there are
 ///   more than a million isolated vertices. Then nothing is written. O(size).
 /// \pre `squared_lengths.size() == complex.number_of_edges()`
-inline void write_gluing(std::ostream& os, const Delta_complex& complex, const std::vector<internal::Rational>& squared_lengths)
+inline void write_exact_gluing(std::ostream& os, const Delta_complex& complex, const std::vector<internal::Rational>& squared_lengths)
 {
   CGAL_precondition(squared_lengths.size() == complex.number_of_edges());
   for (Edge_index e : complex.edges())
