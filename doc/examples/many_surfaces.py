@@ -3,12 +3,15 @@
 #
 # A folder of meshes, over the processes of a machine or the machines of a cluster, by dask.distributed.
 #
-#   python3 many_surfaces.py FOLDER RESULTS.jsonl [--scheduler ADDRESS] [--workers N] [--limit SECONDS]
+#   python3 many_surfaces.py FOLDER RESULTS.jsonl [--scheduler ADDRESS] [--workers N] [--limit SECONDS] [--table F.(csv|parquet)]
+#   python3 many_surfaces.py --one FILE        # one line, for GNU parallel or an array of Slurm
+#   python3 many_surfaces.py --table RESULTS.jsonl F.(csv|parquet)
 #
 # Each OFF file becomes a line of RESULTS.jsonl: its first eigenvalues, or what went wrong. A run that was stopped goes on where it
-# ended. What a lost worker had to do is done by another one.
+# ended. What a lost worker had to do is done by another one. A table has the same with a row for each surface; Parquet needs pyarrow.
 
 import argparse
+import csv
 import json
 import os
 import pathlib
@@ -44,10 +47,12 @@ def features(path):
 
 def print_features(path):
     """what the process of one surface does."""
+    line = {"file": os.path.basename(path)}
     try:
-        print(json.dumps(features(path)))
+        line.update(features(path))
     except Exception as error:
-        print(json.dumps({"error": f"{type(error).__name__}: {error}"}))
+        line["error"] = f"{type(error).__name__}: {error}"
+    print(json.dumps(line))
 
 
 def one_surface(path, program, limit):
@@ -77,6 +82,39 @@ def finished(results):
     return {json.loads(line)["file"] for line in lines}
 
 
+def write_table(results, table):
+    """writes the lines as rows of a table; lists become columns that are numbered."""
+    rows = {}
+    for text in results.read_text().splitlines():
+        row = {}
+        for key, value in json.loads(text).items():
+            row.update({f"{key}_{i}": x for i, x in enumerate(value)} if isinstance(value, list) else {key: value})
+        rows[row["file"]] = row
+    rows = [rows[file] for file in sorted(rows)]
+    names = list(dict.fromkeys(name for row in rows for name in row))
+    if table.suffix == ".parquet":
+        import pyarrow
+        import pyarrow.parquet
+        columns = {name: [row.get(name) for row in rows] for name in names}
+        pyarrow.parquet.write_table(pyarrow.table(columns), table)
+    else:
+        with open(table, "w", newline="", encoding="utf-8") as file:
+            writer = csv.DictWriter(file, names)
+            writer.writeheader()
+            writer.writerows(rows)
+
+
+def check_table(table):
+    """fails before anything is computed."""
+    if table.suffix == ".parquet":
+        try:
+            import pyarrow.parquet  # noqa: F401
+        except ImportError:
+            sys.exit(f"{table}: Parquet needs the package pyarrow; write a .csv file, or install it")
+    elif table.suffix != ".csv":
+        sys.exit(f"{table}: a table is written as .csv or .parquet")
+
+
 def run(client, folder, results, limit):
     """writes a line for each surface that has none; returns how many."""
     from distributed import as_completed
@@ -102,17 +140,25 @@ def main():
     parser.add_argument("--scheduler", help="the address of a scheduler; without, workers are started on this machine")
     parser.add_argument("--workers", type=int, default=os.cpu_count())
     parser.add_argument("--limit", type=float, default=60, help="seconds for each surface")
+    parser.add_argument("--table", type=pathlib.Path, help="also write all results as a table, .csv or .parquet")
     options = parser.parse_args()
+    if options.table:
+        check_table(options.table)
     from distributed import Client, LocalCluster
     cluster = options.scheduler or LocalCluster(n_workers=options.workers, threads_per_worker=1, dashboard_address=None)
     with Client(cluster) as client:
         print(run(client, options.folder, options.results, options.limit), "surfaces")
     if not options.scheduler:
         cluster.close()
+    if options.table:
+        write_table(options.results, options.table)
 
 
 if __name__ == "__main__":
     if sys.argv[1:2] == ["--one"]:
         print_features(sys.argv[2])
+    elif sys.argv[1:2] == ["--table"]:
+        check_table(pathlib.Path(sys.argv[3]))
+        write_table(pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]))
     else:
         main()

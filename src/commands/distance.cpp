@@ -112,6 +112,7 @@ IT::Heat_method_options library_options(const Distance_options& options)
   IT::Heat_method_options result;
   result.boundary = boundaries.at(options.boundary);
   result.time_coefficient = options.time_coefficient;
+  result.go_further = [] { return !is_interrupted(); };
   return result;
 }
 
@@ -155,7 +156,7 @@ void find_vectors(const Distance_options& options, const Triangulation& triangul
                   Distance_result& result)
 {
   const std::size_t n = result.surface.number_of_vertices;
-  const IT::Vector_heat_method heat(triangulation);
+  const IT::Vector_heat_method heat(triangulation, 0.5, [] { return !is_interrupted(); });
   std::vector<std::pair<IT::Vertex_index, IT::Planar_vector<double>>> axes;
   for (std::uint64_t v : std::set<std::uint64_t>(options.sources.begin(), options.sources.end()))
     axes.push_back({IT::Vertex_index(IT::Vertex_index::size_type(v)), {1, 0}});

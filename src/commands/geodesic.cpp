@@ -48,6 +48,7 @@ struct Geodesic_options
   std::vector<std::uint64_t> via;
   bool is_closed = false;
   std::optional<double> direction, length;
+  std::uint64_t maximum_number_of_faces = 1000000;
   std::string output_path, stats_path;
   bool is_repaired = false;
 };
@@ -166,7 +167,8 @@ Curve trace(const Geodesic_options& options, const Triangulation& triangulation)
 {
   const IT::Halfedge_index h = reference(triangulation.connectivity(), vertex(triangulation, options.from));
   IT::Traced_geodesic line =
-    IT::trace_geodesic(triangulation, IT::direction_at_vertex(triangulation, h, *options.direction), *options.length);
+    IT::trace_geodesic(triangulation, IT::direction_at_vertex(triangulation, h, *options.direction), *options.length,
+                       std::size_t(options.maximum_number_of_faces));
   Curve curve;
   curve.length = line.length;
   curve.points = std::move(line.points);
@@ -180,6 +182,9 @@ Curve trace(const Geodesic_options& options, const Triangulation& triangulation)
   case IT::Trace_status::AT_VERTEX:
     curve.status = "at_vertex";
     curve.vertex = line.vertex;
+    break;
+  case IT::Trace_status::BUDGET_EXHAUSTED:
+    curve.status = "unfinished";
     break;
   }
   return curve;
@@ -296,7 +301,7 @@ Exit_status run_geodesic(const Geodesic_options& options)
     write_json(options.stats_path, json_value(options, curve, seconds));
     write_report(std::cout, options, curve, seconds);
     flush_standard_output();
-    return curve.is_geodesic ? Exit_status::DONE : Exit_status::NOT_FINISHED;
+    return curve.is_geodesic && curve.status != "unfinished" ? Exit_status::DONE : Exit_status::NOT_FINISHED;
   });
 }
 
@@ -308,7 +313,7 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
   CLI::App& command = *app.add_subcommand("geodesic", "Find straight lines on a surface");
   command.footer("A path or a closed curve begins along edges and is shortened by flips until it is proven to be\n"
                  "locally shortest. A line is followed over the faces, with exact decisions. Vertices are counted from\n"
-                 "zero. The exit status is 4 if a curve could not be made locally shortest.\n");
+                 "zero. The exit status is 4 if a curve could not be made locally shortest, or a line came to --maximum-faces.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
   command.add_option("--from", options->from, "the vertex where it begins")->transform(whole_number())->required();
   command.add_option("--to", options->to, "the vertex where a path ends")->transform(whole_number());
@@ -323,6 +328,11 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
                      "a line instead: in this direction, an angle on the surface in radians, counterclockwise from the "
                      "neighbour with the smallest number, or from the border");
   command.add_option("--length", options->length, "how long the line is");
+  command
+    .add_option("--maximum-faces", options->maximum_number_of_faces, "end the line after N faces")
+    ->type_name("N")
+    ->transform(whole_number())
+    ->capture_default_str();
   command
     .add_option("-o,--output", options->output_path,
                 "write the curve: as a polyline, or its points with input face and barycentric coordinates (CSV)")

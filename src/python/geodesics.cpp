@@ -10,7 +10,6 @@
 #include "python/tangent_direction.h"
 
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_points.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
@@ -20,8 +19,9 @@
 
 #include <pybind11/stl.h>
 
-#include <cmath>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace idt_python {
@@ -64,15 +64,7 @@ public:
   Surface_in_space(Points points, const std::vector<std::array<std::uint32_t, 3>>& triangles)
     : points_(std::move(points)), surface_(Triangulation(IT::make_Delta_complex_from_triangles(points_.size(), triangles), points_))
   {
-    edges_per_length_ = surface_.use([](const Triangulation& t) {
-      t.exact_geometry(); // prepared, for all copies
-      double length = 0, area = 0;
-      for (IT::Edge_index e : t.connectivity().edges())
-        length += std::sqrt(t.squared_length(e));
-      for (double a : IT::face_areas(t))
-        area += a;
-      return length / area;
-    });
+    surface_.use([](const Triangulation& t) { return &t.exact_geometry(); }); // prepared, for all copies
   }
 
   // From vertex to vertex.
@@ -98,18 +90,20 @@ public:
     });
   }
 
-  Path trace_from_vertex(std::uint32_t v, const std::array<double, 3>& vector)
+  Path trace_from_vertex(std::uint32_t v, const std::array<double, 3>& vector, const std::optional<std::uint64_t>& maximum_number)
   {
     return surface_.use([&](const Triangulation& t) {
       const IT::Delta_complex& complex = t.connectivity();
       if (v >= complex.number_of_vertices() || !complex.halfedge(IT::Vertex_index(v)).is_valid())
         throw IT::Invalid_point_error("there is no vertex " + std::to_string(v) + " with faces: there are " +
                                       std::to_string(complex.number_of_vertices()) + " vertices, counted from 0");
-      return trace(t, Tangent_directions(complex, points_).at_vertex(IT::Vertex_index(v), Eigen::Vector3d(vector.data())));
+      return trace(t, Tangent_directions(complex, points_).at_vertex(IT::Vertex_index(v), Eigen::Vector3d(vector.data())),
+                   maximum_number);
     });
   }
 
-  Path trace_from_face(std::uint32_t f, const std::array<double, 3>& coordinates, const std::array<double, 3>& vector)
+  Path trace_from_face(std::uint32_t f, const std::array<double, 3>& coordinates, const std::array<double, 3>& vector,
+                       const std::optional<std::uint64_t>& maximum_number)
   {
     return surface_.use([&](const Triangulation& t) {
       const IT::Delta_complex& complex = t.connectivity();
@@ -117,7 +111,7 @@ public:
         throw IT::Invalid_point_error("there is no face " + std::to_string(f) + ": there are " +
                                       std::to_string(complex.number_of_faces()) + ", counted from 0");
       const IT::Surface_point start = {complex.halfedge(IT::Face_index(f)), coordinates};
-      return trace(t, Tangent_directions(complex, points_).in_face(start, Eigen::Vector3d(vector.data())));
+      return trace(t, Tangent_directions(complex, points_).in_face(start, Eigen::Vector3d(vector.data())), maximum_number);
     });
   }
 
@@ -142,14 +136,13 @@ private:
     return {input.opposite(input.halfedge(v)), {1, 0, 0}};
   }
 
-  Path trace(const Triangulation& t, const Tangent_direction& start) const
+  // \param maximum_number after how many faces the line is cut off; without, too many of them are an error
+  Path trace(const Triangulation& t, const Tangent_direction& start, const std::optional<std::uint64_t>& maximum_number) const
   {
-    // So many on average, within a factor of two: else a typing error in the length would fill the memory.
-    const double number_of_edges = start.length * edges_per_length_;
-    if (!(number_of_edges <= most_edges))
-      throw IT::Invalid_point_error("the line would cross about " + std::to_string(number_of_edges) +
-                                    " edges, more than a million: the vector is too long");
-    const IT::Traced_geodesic line = IT::trace_geodesic(t, start.direction, start.length);
+    const IT::Traced_geodesic line = IT::trace_geodesic(t, start.direction, start.length, std::size_t(maximum_number.value_or(most_faces)));
+    if (line.status == IT::Trace_status::BUDGET_EXHAUSTED && !maximum_number)
+      throw IT::Invalid_point_error("the line crosses more than a million faces within " + std::to_string(line.length) + " of its length " +
+                                    std::to_string(start.length) + ": give a shorter vector, or max_iterations");
     Path result;
     for (const IT::Surface_point& point : line.points)
       append(t, point, result);
@@ -157,7 +150,8 @@ private:
     result.is_geodesic = true;
     result.status = line.status == IT::Trace_status::AT_LENGTH   ? "at_length"
                     : line.status == IT::Trace_status::AT_BORDER ? "at_border"
-                                                                 : "at_vertex";
+                    : line.status == IT::Trace_status::AT_VERTEX ? "at_vertex"
+                                                                 : "unfinished";
     return result;
   }
 
@@ -169,11 +163,11 @@ private:
     path.points.append(input, point, surface_.input_sides()[input.face(point.halfedge).idx()]);
   }
 
-  static constexpr double most_edges = 1e6;
+  // Else a typing error in the length would fill the memory.
+  static constexpr std::uint64_t most_faces = 1000000;
 
   Points points_;
   Surface surface_;
-  double edges_per_length_;
 };
 
 std::unique_ptr<Surface_in_space> surface_in_space(const Doubles& points, const Indices& triangles)
@@ -196,10 +190,14 @@ void add_geodesics(py::module_& module)
         return to_tuple(without_lock([&] { return s.path(vertices, is_closed, maximum_number); }));
       },
       py::arg("stops").noconvert(), py::arg("is_closed"), py::arg("maximum_number"))
-    .def("trace_from_vertex", [](Surface_in_space& s, std::uint32_t v,
-                                 const std::array<double, 3>& vector) { return to_tuple(s.trace_from_vertex(v, vector)); })
+    .def("trace_from_vertex",
+         [](Surface_in_space& s, std::uint32_t v, const std::array<double, 3>& vector, const std::optional<std::uint64_t>& maximum_number) {
+           return to_tuple(s.trace_from_vertex(v, vector, maximum_number));
+         })
     .def("trace_from_face", [](Surface_in_space& s, std::uint32_t f, const std::array<double, 3>& coordinates,
-                               const std::array<double, 3>& vector) { return to_tuple(s.trace_from_face(f, coordinates, vector)); });
+                               const std::array<double, 3>& vector, const std::optional<std::uint64_t>& maximum_number) {
+      return to_tuple(s.trace_from_face(f, coordinates, vector, maximum_number));
+    });
 }
 
 } // namespace idt_python

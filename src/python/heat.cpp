@@ -28,6 +28,7 @@ IT::Heat_method_options heat_options(double time_coefficient, int boundary, bool
                      : boundary == 1 ? IT::Heat_boundary::DIRICHLET
                                      : IT::Heat_boundary::AVERAGED;
   options.keeps_ridges = keeps_ridges;
+  options.go_further = &Signal_watch::goes_on;
   return options;
 }
 
@@ -64,6 +65,7 @@ std::unique_ptr<Heat> heat_on_any_triangles(const Doubles& points, const Indices
   const IT::Heat_method_options options = heat_options(time_coefficient, boundary, keeps_ridges);
   return without_lock([&] {
     IT::Tufted_cover cover = IT::make_tufted_cover(rows, faces);
+    cover.triangulation.set_interruption(&Signal_watch::goes_on);
     const IT::Flip_report report = IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(Signal_visitor()));
     if (report.status == IT::Flip_status::CANCELLED)
       throw IT::Cancelled_error("cancelled while edges were flipped");

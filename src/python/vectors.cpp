@@ -25,7 +25,7 @@ using Vector = IT::Vector_heat_method::Vector;
 struct Vector_heat
 {
   Vector_heat(const Triangulation& triangulation, const IT::Heat_method_options& options)
-    : vectors(triangulation, options.time_coefficient), scalars(triangulation, options)
+    : vectors(triangulation, options.time_coefficient, options.go_further), scalars(triangulation, options)
   {}
 
   const IT::Vector_heat_method vectors;
@@ -36,6 +36,7 @@ std::unique_ptr<Vector_heat> vector_heat(Surface& surface, double time_coefficie
 {
   IT::Heat_method_options options;
   options.time_coefficient = time_coefficient;
+  options.go_further = &Signal_watch::goes_on;
   return surface.use([&](const Triangulation& t) { return std::make_unique<Vector_heat>(t, options); });
 }
 

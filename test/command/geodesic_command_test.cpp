@@ -95,6 +95,9 @@ TEST_F(Geodesic_command, follows_a_line)
   ASSERT_EQ(idt("geodesic sheet.off --from 0 --direction 0.4 --length 300 --stats s.json").status, 0);
   EXPECT_EQ(json::parse(content(folder_ / "s.json")).at("status"), "at_border");
   EXPECT_NEAR(json::parse(content(folder_ / "s.json")).at("length").get<double>(), 4 / std::cos(0.4), 1e-14);
+  ASSERT_EQ(idt("geodesic sheet.off --from 0 --direction 0.4 --length 300 --maximum-faces 3 --stats s.json").status, 4);
+  EXPECT_EQ(json::parse(content(folder_ / "s.json")).at("status"), "unfinished");
+  EXPECT_EQ(json::parse(content(folder_ / "s.json")).at("segments"), 3);
 }
 
 TEST_F(Geodesic_command, refuses_what_makes_no_sense)

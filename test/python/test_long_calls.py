@@ -25,7 +25,8 @@ TESTS = os.path.dirname(__file__)
     "t = it.Triangulation(*grid(300)); call = lambda: t.refine(30, maximum_edge_length=0.02)",
     "V, F = grid(500, 30.0); call = lambda: it.laplacian(V, F)",
     "t = it.Triangulation(*grid(500, 30.0)); call = lambda: t.flip_to_delaunay()",
-    "t = it.Triangulation(*grid(800, 5.0)); t.flip_to_delaunay(); call = lambda: t.verify()"])
+    "t = it.Triangulation(*grid(800, 5.0)); t.flip_to_delaunay(); call = lambda: t.verify()",
+    "s = it.MeshHeatMethodDistanceSolver(*grid(250)); call = lambda: s.compute_distance_multisource(range(0, 60000, 2000))"])
 def test_ctrl_c(call):
     program = textwrap.dedent(f"""
         import os, signal, threading, time
@@ -73,6 +74,46 @@ def test_an_interrupted_triangulation_is_valid():
         signal.signal(signal.SIGALRM, before)
     assert t.areas.sum() == pytest.approx(59 * 59)
     assert t.flip_to_delaunay().is_delaunay and t.verify().is_delaunay
+
+
+def test_a_heat_solver_goes_on_after_an_interruption():
+    solver = it.MeshHeatMethodDistanceSolver(*grid(120))
+    sources = range(0, 14400, 500)
+
+    class Stop(Exception):
+        pass
+
+    def handler(*_):
+        raise Stop
+
+    before = signal.signal(signal.SIGALRM, handler)
+    stops = 0
+    try:
+        for delay in (0.06, 0.1, 0.15):
+            signal.setitimer(signal.ITIMER_REAL, delay)
+            try:
+                solver.compute_distance_multisource(sources)
+            except Stop:
+                stops += 1
+            finally:
+                signal.setitimer(signal.ITIMER_REAL, 0)
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    assert stops > 0
+    expected = it.MeshHeatMethodDistanceSolver(*grid(120)).compute_distance_multisource(sources)
+    assert numpy.allclose(solver.compute_distance_multisource(sources), expected, rtol=1e-12, atol=1e-12)
+
+
+def test_refinement_at_the_tips_of_needles_ends():
+    """A vertex far away makes corners that doubles do not resolve: each step is short all the same."""
+    V, F = grid(4)
+    V[10, 0] = 2.0**31
+    t = it.Triangulation(V, F)
+    t.refine(25, max_insertions=1)
+    constrained = numpy.zeros(t.number_of_edges, dtype=bool)
+    constrained[::5] = True
+    t.refine(25, max_insertions=42, constrained=constrained)
+    assert t.number_of_vertices <= 16 + 43 and numpy.isfinite(t.lengths).all()
 
 
 def test_other_threads_go_on():

@@ -781,6 +781,17 @@ TEST(TracedLine, ClosesOnATetrahedron)
              to = IT::point_in_space(input, surface.points, line.points.back());
   for (int i = 0; i < 3; ++i)
     EXPECT_NEAR(from[i], to[i], 1e-12);
+  for (std::size_t number : {std::size_t(1), std::size_t(100), line.points.size() - 2}) {
+    const IT::Traced_geodesic first = IT::trace_geodesic(t, {{h, {0.3, 0.45, 0.25}}, {a, b}}, length, number);
+    EXPECT_EQ(first.status, IT::Trace_status::BUDGET_EXHAUSTED);
+    ASSERT_EQ(first.points.size(), number + 1);
+    for (std::size_t i = 0; i <= number; ++i)
+      EXPECT_EQ(first.points[i].coordinates, line.points[i].coordinates);
+    EXPECT_GT(first.length, 0);
+    EXPECT_LT(first.length, length);
+  }
+  const std::size_t all = line.points.size() - 1;
+  EXPECT_EQ(IT::trace_geodesic(t, {{h, {0.3, 0.45, 0.25}}, {a, b}}, length, all).status, IT::Trace_status::AT_LENGTH);
 }
 
 // On finer meshes of a sphere, a line stays nearer to the great circle that it starts on.

@@ -16,12 +16,14 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -190,6 +192,7 @@ TEST(Heat_method, pinned_values_solve_the_system)
 {
   const Grid grid(10, 10);
   const IT::internal::Heat_surface surface = IT::internal::make_heat_surface(Delaunay(grid.points, grid.triangles));
+  const IT::internal::Interruption never;
   using System = IT::internal::Pinned_system<IT::internal::Sparse_Cholesky<>>;
   for (std::uint32_t number : {1, 2, 20, 32, 33, 70}) {
     IT::internal::Pins pins;
@@ -198,7 +201,8 @@ TEST(Heat_method, pinned_values_solve_the_system)
     Eigen::VectorXd b(121);
     for (int i = 0; i < 121; ++i)
       b[i] = i - 60;
-    System with_kernel(surface.stiffness, surface.component, "L"), without(IT::internal::heat_matrix(surface, 1), std::vector<bool>(), "M + L");
+    System with_kernel(surface.stiffness, surface.component, "L", never),
+      without(IT::internal::heat_matrix(surface, 1), std::vector<bool>(), "M + L", never);
     for (System* system : {&with_kernel, &without}) {
       const Eigen::VectorXd x = system->solve(b, pins), residual = system->matrix() * x - b;
       for (int v = 0; v < 121; ++v) {
@@ -477,6 +481,34 @@ TEST(Heat_method, what_it_refuses)
     options.time_coefficient = coefficient;
     EXPECT_THROW(IT::Heat_method<>(triangulation, options), IT::Invalid_surface_error);
   }
+}
+
+TEST(Heat_method, asks_before_each_factorization_and_solution)
+{
+  const Grid grid(10, 10);
+  const Triangulation triangulation = Delaunay(grid.points, grid.triangles);
+  IT::Heat_method_options options;
+  options.boundary = IT::Heat_boundary::AVERAGED;
+  bool goes_on = false;
+  std::uint64_t questions = 0;
+  options.go_further = [&] {
+    ++questions;
+    return goes_on;
+  };
+  EXPECT_THROW((IT::Heat_method<>(triangulation, options)), IT::Cancelled_error);
+  goes_on = true;
+  IT::Heat_method<> heat(triangulation, options);
+  const auto distances_fail = [&] { EXPECT_THROW(heat.distances(), IT::Cancelled_error); };
+  heat.add_source(IT::Vertex_index(0));
+  std::this_thread::sleep_for(std::chrono::milliseconds(20)); // it asks a hundred times a second
+  goes_on = false;
+  distances_fail();
+  distances_fail();
+  EXPECT_THROW(heat.extend({{IT::Vertex_index(0), 1.}}), IT::Cancelled_error);
+  EXPECT_EQ(heat.number_of_factorizations(), 1u); // the others were not begun
+  goes_on = true;
+  EXPECT_NEAR(heat.distances()[10], 10, 0.5);
+  EXPECT_GT(questions, 4u);
 }
 
 } // namespace

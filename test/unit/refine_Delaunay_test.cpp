@@ -10,10 +10,14 @@
 #include <CGAL/Intrinsic_triangulations/angles.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <set>
@@ -129,6 +133,52 @@ TEST(Refine_Delaunay, ends_early_where_told_to)
   EXPECT_EQ(exhausted.insertions, 5u);
   EXPECT_FALSE(exhausted.unrefined.empty());
   expect_refined(triangulation, IT::refine_Delaunay(triangulation), {});
+}
+
+// Stops after so many questions.
+struct Counting_visitor : IT::Default_refinement_visitor
+{
+  bool go_further(std::uint64_t, std::uint64_t) { return number-- > 0; }
+  int number;
+};
+
+TEST(Refine_Delaunay, asks_while_edges_are_flipped_at_first)
+{
+  for (int number : {0, 100}) {
+    Triangulation triangulation = triangulation_of(IT::bad_torus(30, 30));
+    const IT::Refinement_report report = IT::refine_Delaunay(triangulation, {}, CGAL::parameters::visitor(Counting_visitor{{}, number}));
+    EXPECT_EQ(report.status, IT::Refinement_status::CANCELLED);
+    EXPECT_EQ(report.insertions + report.segment_splits, 0u);
+    EXPECT_EQ(triangulation.connectivity().number_of_vertices(), 900u);
+    EXPECT_FALSE(IT::verify_Delaunay(triangulation).is_Delaunay());
+  }
+}
+
+// A vertex that is far away makes needles whose corners there are smaller than what doubles resolve. A line that is followed in
+// doubles then goes round and round.
+TEST(Refine_Delaunay, ends_at_the_tips_of_needles)
+{
+  IT::Indexed_triangles surface;
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x)
+      surface.points.push_back({double(x), double(y), 0});
+  surface.points[10][0] = 2147483648.;
+  for (std::uint32_t y = 0; y < 3; ++y)
+    for (std::uint32_t x = 0; x < 3; ++x) {
+      const std::uint32_t a = 4 * y + x, b = a + 1, c = a + 5, d = a + 4;
+      surface.triangles.push_back({a, b, c});
+      surface.triangles.push_back({a, c, d});
+    }
+  for (int step : {1, 2, 3, 5}) {
+    Triangulation triangulation = triangulation_of(surface);
+    std::vector<bool> is_constrained(triangulation.connectivity().number_of_edges());
+    for (std::size_t e = 0; e < is_constrained.size(); e += std::size_t(step))
+      is_constrained[e] = true;
+    const auto map = boost::make_function_property_map<IT::Edge_index, bool>([&](IT::Edge_index e) { return is_constrained[e.idx()]; });
+    const IT::Refinement_report report = IT::refine_Delaunay(triangulation, {}, CGAL::parameters::edge_is_constrained_map(map).maximum_number(200));
+    EXPECT_NE(report.status, IT::Refinement_status::CANCELLED);
+    EXPECT_TRUE(triangulation.connectivity().is_valid());
+  }
 }
 
 } // namespace

@@ -19,12 +19,14 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -360,6 +362,23 @@ TEST(Vector_heat_method, inserts_vertices_where_the_border_has_obtuse_angles)
   expect_identity(surface, Vertex_index(2), 1e-10);
   expect_identity(surface, Vertex_index(0), 1e-10);
   EXPECT_EQ(IT::Vector_heat_method(Delaunay(IT::random_diagonal_grid(5, 5))).number_of_border_vertices(), 0u);
+}
+
+TEST(Vector_heat_method, can_be_cancelled)
+{
+  for (const Triangulation& t : {Delaunay(IT::random_diagonal_grid(5, 5)), cone(5, 6, 3)}) {
+    bool goes_on = false;
+    const auto go_further = [&] { return goes_on; };
+    EXPECT_THROW(IT::Vector_heat_method(t, 0.5, go_further), IT::Cancelled_error);
+    goes_on = true;
+    const IT::Vector_heat_method heat(t, 0.5, go_further);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20)); // it asks a hundred times a second
+    goes_on = false;
+    EXPECT_THROW(heat.log_map(Vertex_index(0)), IT::Cancelled_error);
+    EXPECT_THROW(heat.transport_tangent_vectors({{Vertex_index(0), {1, 0}}}), IT::Cancelled_error);
+    goes_on = true;
+    EXPECT_EQ(heat.log_map(Vertex_index(0)).size(), t.connectivity().number_of_vertices());
+  }
 }
 
 // A strip that is a hundred thousand times as long as it is wide would ask for as many.

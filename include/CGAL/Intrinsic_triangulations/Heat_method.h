@@ -21,6 +21,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/point_source.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/unit_gradient.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <Eigen/SparseCore>
 
@@ -29,6 +30,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -58,6 +60,9 @@ struct Heat_method_options
   /// whether distances that are less than those of the vertices around allow are raised. Without that the
   /// method rounds off ridges, where fronts from several sides meet: it is smoother there, and too small
   bool keeps_ridges = true;
+  /// is asked before each matrix is factorized or linear system is solved, by the constructor and by all functions; if it returns `false`,
+  /// they throw `Cancelled_error`. A factorization that has begun is finished: with a million faces, it takes some ten seconds
+  std::function<bool()> go_further = {};
 };
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
@@ -96,6 +101,7 @@ public:
   /// \exception Invalid_surface_error if a length or weight is beyond the range of `double`, or the time coefficient is not positive
   ///   and finite
   /// \exception Numerical_error if a matrix cannot be factorized
+  /// \exception Cancelled_error as `Heat_method_options` says
   template <class Traits>
   explicit Heat_method(const Intrinsic_triangulation<Traits>& triangulation,
                        const Heat_method_options& options = Heat_method_options())
@@ -161,6 +167,7 @@ public:
   ///
   /// The result is kept until the sources change.
   /// \exception Numerical_error if a linear system cannot be solved
+  /// \exception Cancelled_error as `Heat_method_options` says. The next call begins anew
   const std::vector<double>& distances()
   {
     if (is_changed_)
@@ -207,8 +214,8 @@ private:
   using Poisson = internal::Pinned_system<LinearSolver>;
 
   Heat_method(internal::Heat_surface surface, const Heat_method_options& options)
-    : options_(checked(options)), surface_(std::make_unique<internal::Heat_surface>(std::move(surface))),
-      diffusion_(std::make_unique<Diffusion>(*surface_, options.time_coefficient))
+    : options_(checked(options)), interruption_(std::make_unique<internal::Interruption>(options.go_further)), surface_(std::make_unique<internal::Heat_surface>(std::move(surface))),
+      diffusion_(std::make_unique<Diffusion>(*surface_, options.time_coefficient, *interruption_))
   {}
 
   static const Heat_method_options& checked(const Heat_method_options& options)
@@ -262,7 +269,7 @@ private:
     if (!pins.empty()) {
       if (!poisson_)
         poisson_ = std::make_unique<Poisson>(surface_->stiffness, surface_->component,
-                                             "the stiffness matrix with a fixed vertex in each part");
+                                             "the stiffness matrix with a fixed vertex in each part", *interruption_);
       is_reachable = reachable(pins);
       phi = poisson_->solve(flux(pins, is_reachable), pins);
     }
@@ -272,7 +279,7 @@ private:
     if (options_.keeps_ridges && !pins.empty()) {
       if (!ridge_keeper_)
         ridge_keeper_ = std::make_unique<internal::Ridge_keeper>(*surface_);
-      ridge_keeper_->raise(phi, pins);
+      ridge_keeper_->raise(phi, pins, *interruption_);
     }
     distances_.resize(surface_->size());
     for (std::size_t v = 0; v < distances_.size(); ++v) {
@@ -304,7 +311,7 @@ private:
     if (options_.boundary == Heat_boundary::NEUMANN || !has_border())
       return internal::flux_of_unit_gradient(*surface_, spread, spread);
     if (!cold_border_)
-      cold_border_ = std::make_unique<Diffusion>(*surface_, options_.time_coefficient, surface_->is_border);
+      cold_border_ = std::make_unique<Diffusion>(*surface_, options_.time_coefficient, *interruption_, surface_->is_border);
     const internal::Layered_heat cold = cold_border_->spread(heat_of_sources(pins), is_reachable);
     if (options_.boundary == Heat_boundary::DIRICHLET)
       return internal::flux_of_unit_gradient(*surface_, cold, spread);
@@ -328,7 +335,8 @@ private:
   }
 
   Heat_method_options options_;
-  std::unique_ptr<const internal::Heat_surface> surface_; // the solvers refer to it
+  std::unique_ptr<const internal::Interruption> interruption_; // the solvers refer to it, too
+  std::unique_ptr<const internal::Heat_surface> surface_;      // the solvers refer to it
   std::unique_ptr<Diffusion> diffusion_;
   std::unique_ptr<Diffusion> cold_border_;
   std::unique_ptr<Poisson> poisson_;

@@ -48,7 +48,7 @@ struct Unrefined_face
 enum class Refinement_status {
   REFINED,          ///< all faces meet the criteria but those that are listed with a reason other than `BUDGET`
   BUDGET_EXHAUSTED, ///< the largest number of new vertices was reached
-  CANCELLED         ///< the visitor cancelled the run
+  CANCELLED         ///< the visitor cancelled the run. If that was within a step, no faces are listed
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion

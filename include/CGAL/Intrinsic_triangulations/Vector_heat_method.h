@@ -18,6 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Vector_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/without_obtuse_border.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -26,6 +27,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -67,18 +69,22 @@ public:
   /// The triangulation is not needed any more afterwards.
   /// \param triangulation a Delaunay triangulation; its traits have to use exact geometry
   /// \param time_coefficient the time for which heat spreads, in units of the squared mean length of the edges
+  /// \param go_further as in `Heat_method_options`; where several threads call member functions, any of them asks it
   /// \exception Invalid_surface_error if a length or weight is beyond the range of `double`, or the time coefficient is not positive
   ///   and finite
   /// \exception Numerical_error if a matrix cannot be factorized
   /// \exception Undecided_error as `angle()`
+  /// \exception Cancelled_error if `go_further` says so, as from all member functions
   template <class Traits>
-  explicit Vector_heat_method(const Intrinsic_triangulation<Traits>& triangulation, double time_coefficient = 0.5)
-    : number_of_vertices_(triangulation.connectivity().number_of_vertices())
+  explicit Vector_heat_method(const Intrinsic_triangulation<Traits>& triangulation, double time_coefficient = 0.5,
+                              std::function<bool()> go_further = {})
+    : number_of_vertices_(triangulation.connectivity().number_of_vertices()),
+      interruption_(std::make_unique<internal::Interruption>(std::move(go_further)))
   {
     static_assert(Intrinsic_triangulation<Traits>::uses_exact_geometry,
                   "Vector_heat_method needs traits with exact geometry, as Filtered_edge_length_traits");
     internal::require_time_coefficient(time_coefficient);
-    if (const auto refined = internal::without_obtuse_border(triangulation))
+    if (const auto refined = internal::without_obtuse_border(triangulation, *interruption_))
       build(*refined, time_coefficient);
     else
       build(triangulation, time_coefficient);
@@ -195,14 +201,15 @@ private:
   void build(const Intrinsic_triangulation<Traits>& triangulation, double time)
   {
     surface_ = std::make_unique<internal::Heat_surface>(internal::make_heat_surface(triangulation));
-    scalars_ = std::make_unique<internal::Heat_diffusion<internal::Sparse_Cholesky<>>>(*surface_, time);
-    vectors_ = std::make_unique<internal::Vector_diffusion>(triangulation, *surface_, time);
+    scalars_ = std::make_unique<internal::Heat_diffusion<internal::Sparse_Cholesky<>>>(*surface_, time, *interruption_);
+    vectors_ = std::make_unique<internal::Vector_diffusion>(triangulation, *surface_, time, *interruption_);
   }
 
   Eigen::Index rows() const { return Eigen::Index(surface_->size()); }
 
   std::size_t number_of_vertices_;
-  std::unique_ptr<const internal::Heat_surface> surface_; // the solvers refer to it
+  std::unique_ptr<const internal::Interruption> interruption_; // the solvers refer to it
+  std::unique_ptr<const internal::Heat_surface> surface_;      // and to this
   std::unique_ptr<const internal::Heat_diffusion<internal::Sparse_Cholesky<>>> scalars_;
   std::unique_ptr<const internal::Vector_diffusion> vectors_;
 };

@@ -17,6 +17,7 @@
 #include <CGAL/assertions.h>
 
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -28,11 +29,28 @@ namespace Intrinsic_triangulations {
 /// \brief the default visitor of `refine_Delaunay()`: it does nothing and never cancels.
 struct Default_refinement_visitor
 {
-  /// is called before each step, with the numbers of new vertices and of flips so far; the algorithm stops if it returns `false`.
+  /// is called before each step and within long ones, with the numbers of new vertices and of flips so far; the algorithm stops
+  /// if it returns `false`. As long as there is no new vertex, edges are flipped until the triangulation is Delaunay.
   bool go_further(std::uint64_t /* points */, std::uint64_t /* flips */) { return true; }
   /// is called after each new vertex, when the triangulation is Delaunay again.
   void after_insertion(Vertex_index) {}
 };
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// Asks a visitor of the refinement while edges are flipped before it.
+template <class Visitor>
+struct Flips_before_refinement
+{
+  Visitor& visitor;
+
+  bool go_further(std::uint64_t, std::uint64_t flips) { return visitor.go_further(0, flips); }
+  void after_flip(Edge_index) {}
+};
+
+} // namespace internal
+/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief flips edges until the triangulation is Delaunay, and inserts vertices until no triangle is too thin or too large.
@@ -70,8 +88,8 @@ struct Default_refinement_visitor
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return what happened. The triangulation is Delaunay whatever the status.
-/// \exception Integer_overflow_error, Undecided_error as `insert_vertex()`
+/// \return what happened. The triangulation is valid whatever the status, and Delaunay unless it was cancelled within a step
+/// \exception Integer_overflow_error, Undecided_error, Cancelled_error as `insert_vertex()`
 /// \pre `criteria.minimum_angle <= 30`
 ///
 /// Source: J. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh generation" (1995); on surfaces, N. Sharp,
@@ -89,13 +107,28 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   std::vector<bool> is_segment(complex.number_of_edges());
   for (Edge_index e : complex.edges())
     is_segment[e.idx()] = complex.is_border(e) || get(is_constrained, e);
-  flip_to_Delaunay(triangulation, parameters::edge_is_constrained_map(is_constrained));
   auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_refinement_visitor());
   auto& unwrapped = internal::unwrapped(visitor);
+  using Visitor = std::decay_t<decltype(unwrapped)>;
+  const auto constraints = parameters::edge_is_constrained_map(is_constrained);
+  const Flip_report flips = [&] {
+    if constexpr (std::is_same_v<Visitor, Default_refinement_visitor>)
+      return flip_to_Delaunay(triangulation, constraints);
+    else
+      return flip_to_Delaunay(triangulation, constraints.visitor(internal::Flips_before_refinement<Visitor>{unwrapped}));
+  }();
+  if (flips.status == Flip_status::CANCELLED) {
+    Refinement_report cancelled;
+    cancelled.status = Refinement_status::CANCELLED;
+    return cancelled;
+  }
   const std::uint64_t maximum_number = choose_parameter(get_parameter(np, internal_np::maximum_number),
                                                         10 * std::uint64_t(complex.number_of_vertices()) + 1000000);
-  return internal::Delaunay_refiner<Traits, std::decay_t<decltype(unwrapped)>>(triangulation, criteria, std::move(is_segment), unwrapped,
-                                                                               maximum_number)();
+  internal::Delaunay_refiner<Traits, Visitor> refiner(triangulation, criteria, std::move(is_segment), unwrapped, maximum_number);
+  std::optional<internal::Interruption_scope<Intrinsic_triangulation<Traits>>> scope;
+  if constexpr (!std::is_same_v<Visitor, Default_refinement_visitor>)
+    scope.emplace(triangulation, [&refiner] { return refiner.asks_further(); });
+  return refiner();
 }
 
 } // namespace Intrinsic_triangulations

@@ -14,6 +14,8 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -22,9 +24,10 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief where a traced line ends.
 enum class Trace_status {
-  AT_LENGTH, ///< inside of a face, or on an edge, after the length that was asked for
-  AT_BORDER, ///< on a border edge
-  AT_VERTEX  ///< exactly in a vertex, where it is not determined how to go on
+  AT_LENGTH,       ///< inside of a face, or on an edge, after the length that was asked for
+  AT_BORDER,       ///< on a border edge
+  AT_VERTEX,       ///< exactly in a vertex, where it is not determined how to go on
+  BUDGET_EXHAUSTED ///< after the largest number of faces, where it enters the next one
 };
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
@@ -40,8 +43,9 @@ struct Traced_geodesic
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-Traced_geodesic trace(const Exact_geometry& geometry, const Surface_direction& start, double length);
-Traced_geodesic trace(const Delta_complex& complex, const Exact_geometry& geometry, const Surface_direction& start, double length);
+Traced_geodesic trace(const Exact_geometry& geometry, const Surface_direction& start, double length, std::size_t maximum_number);
+Traced_geodesic trace(const Delta_complex& complex, const Exact_geometry& geometry, const Surface_direction& start, double length,
+                      std::size_t maximum_number);
 Surface_direction direction_at_vertex(const Exact_geometry& geometry, Halfedge_index h, double angle);
 } // namespace internal
 /// \endcond
@@ -55,6 +59,8 @@ Surface_direction direction_at_vertex(const Exact_geometry& geometry, Halfedge_i
 /// \param triangulation a triangulation that keeps its input; flips change nothing
 /// \param start a point of the input and a direction. On an edge or at a vertex, the direction must not leave the face
 /// \param length how far to go, in the unit of the input
+/// \param maximum_number after how many faces the line ends at the latest, at least one. Each takes memory: near the tip of a needle, a short
+///   line can cross any number of them
 /// \return the line
 /// \exception Invalid_point_error if `start` or `length` is not finite, the point is none of the surface, or the direction
 ///   is zero or leaves the face at once
@@ -64,9 +70,9 @@ Surface_direction direction_at_vertex(const Exact_geometry& geometry, Halfedge_i
 /// out the whole line once more.
 template <class Traits>
 Traced_geodesic trace_geodesic(const Intrinsic_triangulation<Traits>& triangulation, const Surface_direction& start,
-                               double length)
+                               double length, std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)())
 {
-  return internal::trace(triangulation.exact_geometry(), start, length);
+  return internal::trace(triangulation.exact_geometry(), start, length, maximum_number);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
@@ -81,13 +87,15 @@ Traced_geodesic trace_geodesic(const Intrinsic_triangulation<Traits>& triangulat
 /// \param triangulation the triangulation
 /// \param start a point of the input and a direction, as for `trace_geodesic()`
 /// \param length how far to go, in the unit of the input
+/// \param maximum_number as for `trace_geodesic()`, of faces of the triangulation
 /// \return the line
 /// \exception Invalid_point_error, Undecided_error, Cancelled_error as `trace_geodesic()`
 template <class Traits>
 Traced_geodesic trace_geodesic_in_triangulation(const Intrinsic_triangulation<Traits>& triangulation, const Surface_direction& start,
-                                                double length)
+                                                double length,
+                                                std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)())
 {
-  return internal::trace(triangulation.connectivity(), triangulation.exact_geometry(), start, length);
+  return internal::trace(triangulation.connectivity(), triangulation.exact_geometry(), start, length, maximum_number);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics

@@ -18,6 +18,7 @@ from ._errors import (CancelledError, Error, IntegerOverflowError, InvalidPointE
 from ._geodesics import EdgeFlipGeodesicSolver, GeodesicPath, GeodesicTracer, geodesic_path
 from ._heat import MeshHeatMethodDistanceSolver, compute_distance, compute_distance_multisource
 from ._laplacian import laplacian, mesh_laplacian, point_cloud_laplacian
+from ._mesh import cotan_laplacian, face_areas, vertex_areas
 from ._subdivision import CommonSubdivision
 from ._triangulation import FlipReport, RefinementReport, Triangulation, VerificationReport
 from ._vectors import MeshVectorHeatSolver
@@ -42,8 +43,11 @@ __all__ = [
     "VerificationReport",
     "compute_distance",
     "compute_distance_multisource",
+    "cotan_laplacian",
+    "face_areas",
     "geodesic_path",
     "laplacian",
     "mesh_laplacian",
     "point_cloud_laplacian",
+    "vertex_areas",
 ]

@@ -161,7 +161,7 @@ class GeodesicTracer(_Lines):
     """Straight lines on a surface from a point in a direction.
 
     Which edge a line crosses next is decided exactly. It ends after the length of the vector, at the border, or exactly in a vertex.
-    Vectors so long that the line would cross a million edges are refused.
+    A line that crosses a million faces is an error, unless `max_iterations` is given.
 
     Parameters
     ----------
@@ -187,7 +187,7 @@ class GeodesicTracer(_Lines):
             A vector, which is projected to the tangent plane at the vertex. Between two neighboring edges, angles there and on the
             surface are proportional.
         max_iterations : int, optional
-            The number of faces after which the line is cut off.
+            The number of faces after which the line is cut off, at least 1.
 
         Returns
         -------
@@ -195,8 +195,8 @@ class GeodesicTracer(_Lines):
             The points of the line in space.
         """
         start = _arrays.vertex(start_vert, "start_vert", self._number_of_vertices)
-        line = _path(self._surface.trace_from_vertex(start, _arrays.vector(direction_xyz, "direction_xyz")))
-        return _cut(line.positions, max_iterations)
+        vector = _arrays.vector(direction_xyz, "direction_xyz")
+        return _path(self._surface.trace_from_vertex(start, vector, _number_of_faces(max_iterations))).positions
 
     def trace_geodesic_from_face(self, start_face: int, bary_coords: Any, direction_xyz: Any,
                                  max_iterations: Optional[int] = None) -> numpy.ndarray:
@@ -211,7 +211,7 @@ class GeodesicTracer(_Lines):
         direction_xyz : (3,) array of integers or floats
             A vector, which is projected to the plane of the face.
         max_iterations : int, optional
-            The number of faces after which the line is cut off.
+            The number of faces after which the line is cut off, at least 1.
 
         Returns
         -------
@@ -220,11 +220,9 @@ class GeodesicTracer(_Lines):
         """
         start = _arrays.integer(start_face, "start_face", 0, self._number_of_faces - 1)
         coordinates = _arrays.vector(bary_coords, "bary_coords")
-        line = _path(self._surface.trace_from_face(start, coordinates, _arrays.vector(direction_xyz, "direction_xyz")))
-        return _cut(line.positions, max_iterations)
+        vector = _arrays.vector(direction_xyz, "direction_xyz")
+        return _path(self._surface.trace_from_face(start, coordinates, vector, _number_of_faces(max_iterations))).positions
 
 
-def _cut(positions: numpy.ndarray, max_iterations: Optional[int]) -> numpy.ndarray:
-    if max_iterations is None:
-        return positions
-    return positions[:_arrays.integer(max_iterations, "max_iterations") + 1]
+def _number_of_faces(max_iterations: Optional[int]) -> Optional[int]:
+    return None if max_iterations is None else _arrays.integer(max_iterations, "max_iterations", 1)

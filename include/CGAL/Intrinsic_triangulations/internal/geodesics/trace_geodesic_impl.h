@@ -36,9 +36,10 @@ template <class Faces>
 class Geodesic_tracer
 {
 public:
-  Geodesic_tracer(const Faces& faces, const Exact_geometry& geometry, const Surface_direction& start, double length)
+  Geodesic_tracer(const Faces& faces, const Exact_geometry& geometry, const Surface_direction& start, double length,
+                  std::size_t maximum_number)
     : faces_(faces), complex_(faces.complex), geometry_(geometry), surface_(geometry.input_surface()), metric_(*surface_), start_(start),
-      layout_(faces, metric_), wanted_(length)
+      layout_(faces, metric_), wanted_(length), maximum_number_(maximum_number)
   {}
 
   Traced_geodesic operator()()
@@ -55,6 +56,11 @@ public:
     for (std::size_t i = 1; goes_on; ++i) {
       if (i % 64 == 0)
         geometry_.interruption().check();
+      if (i >= maximum_number_) {
+        result_.status = Trace_status::BUDGET_EXHAUSTED;
+        result_.length = length_;
+        break;
+      }
       goes_on = is_at_source_ ? leave_source() : cross_face();
     }
     return std::move(result_);
@@ -298,6 +304,7 @@ private:
   const Surface_direction& start_;
   Line_layout<Faces, Double_double_metric> layout_;
   double wanted_;
+  std::size_t maximum_number_;
   double speed_ = 0; // the length of the displacement, in the unit of the input
   double length_ = 0;
   Surface_point before_{};         // where the line entered the current face
@@ -330,20 +337,21 @@ inline void check_line(const Delta_complex& input, const Surface_direction& star
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Traced_geodesic trace(const Exact_geometry& geometry, const Surface_direction& start, double length)
+Traced_geodesic trace(const Exact_geometry& geometry, const Surface_direction& start, double length, std::size_t maximum_number)
 {
   const Delta_complex& input = geometry.correspondence().input();
   check_line(input, start, length);
   const Input_faces faces(input, start);
-  return Geodesic_tracer<Input_faces>(faces, geometry, start, length)();
+  return Geodesic_tracer<Input_faces>(faces, geometry, start, length, maximum_number)();
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Traced_geodesic trace(const Delta_complex& complex, const Exact_geometry& geometry, const Surface_direction& start, double length)
+Traced_geodesic trace(const Delta_complex& complex, const Exact_geometry& geometry, const Surface_direction& start, double length,
+                      std::size_t maximum_number)
 {
   check_line(geometry.correspondence().input(), start, length);
   const Current_faces faces(complex, geometry, start);
-  return Geodesic_tracer<Current_faces>(faces, geometry, start, length)();
+  return Geodesic_tracer<Current_faces>(faces, geometry, start, length, maximum_number)();
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

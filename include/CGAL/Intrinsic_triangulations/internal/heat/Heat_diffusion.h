@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <Eigen/SparseCore>
 
@@ -46,8 +47,9 @@ class Heat_diffusion
 
 public:
   // \param cold the rows that have no heat unless they are sources
-  Heat_diffusion(const Heat_surface& surface, double time, std::vector<bool> cold = {})
-    : system_(heat_matrix(surface, time), std::move(cold), "the matrix of the heat")
+  // \param interruption as for Pinned_system
+  Heat_diffusion(const Heat_surface& surface, double time, const Interruption& interruption, std::vector<bool> cold = {})
+    : system_(heat_matrix(surface, time), std::move(cold), "the matrix of the heat", interruption)
   {}
 
   // \param sources the heat that these rows have

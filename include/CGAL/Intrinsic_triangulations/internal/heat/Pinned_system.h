@@ -8,6 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_PINNED_SYSTEM_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_PINNED_SYSTEM_H
 
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
@@ -41,14 +43,15 @@ public:
   static constexpr std::size_t largest_dense_size = 32;
 
   // \param cold the rows at which x is zero unless they are pins; may be empty
-  Pinned_system(Matrix matrix, std::vector<bool> cold, const char* what)
-    : matrix_(std::move(matrix)), cold_(std::move(cold)), what_(what), solver_(with_identity_at({}), what)
+  // \param interruption is asked before each factorization and solution; has to live as long
+  Pinned_system(Matrix matrix, std::vector<bool> cold, const char* what, const Interruption& interruption)
+    : matrix_(std::move(matrix)), cold_(std::move(cold)), what_(what), interruption_(interruption), solver_(asked(with_identity_at({})), what)
   {}
 
   // For a matrix whose kernel are the functions that are constant on each part: they are free.
   // \param part_of for each row the smallest row of its part
-  Pinned_system(Matrix matrix, const std::vector<std::uint32_t>& part_of, const char* what)
-    : matrix_(std::move(matrix)), part_of_(part_of), what_(what), solver_(anchored(), what)
+  Pinned_system(Matrix matrix, const std::vector<std::uint32_t>& part_of, const char* what, const Interruption& interruption)
+    : matrix_(std::move(matrix)), part_of_(part_of), what_(what), interruption_(interruption), solver_(asked(anchored()), what)
   {}
 
   const Matrix& matrix() const { return matrix_; }
@@ -58,7 +61,7 @@ public:
   template <class Columns>
   Columns solve(const Columns& b) const
   {
-    return solver_.solve(b);
+    return solver_.solve(asked(b));
   }
 
   // Has no meaning in parts without pins.
@@ -82,6 +85,13 @@ public:
   std::size_t number_of_factorizations() const { return number_of_factorizations_; }
 
 private:
+  template <class T>
+  const T& asked(const T& argument) const
+  {
+    interruption_.check();
+    return argument;
+  }
+
   std::set<std::uint32_t> parts_of(const Pins& pins) const
   {
     std::set<std::uint32_t> result;
@@ -126,7 +136,7 @@ private:
 
   Vector solve_by_forces(const Vector& b, const Pins& pins)
   {
-    Vector x = solver_.solve(b);
+    Vector x = solve(b);
     const std::set<std::uint32_t> parts = parts_of(pins);
     std::map<std::uint32_t, double> shift;
     if (parts.size() == pins.size()) { // one in each part: no force is needed
@@ -135,7 +145,7 @@ private:
     } else {
       Vector forces = Vector::Zero(b.size());
       find_forces(x, pins, parts, forces, shift);
-      x += solver_.solve(forces);
+      x += solve(forces);
     }
     if (!shift.empty())
       for (std::size_t v = 0; v < part_of_.size(); ++v) {
@@ -187,7 +197,7 @@ private:
         continue;
       Vector force = Vector::Zero(matrix_.rows());
       force[pin.first] = 1;
-      const Vector response = solver_.solve(force);
+      const Vector response = solve(force);
       auto& own = responses_[pin.first];
       for (auto& [row, others] : responses_)
         own[row] = others[pin.first] = response[row];
@@ -209,9 +219,9 @@ private:
       if (part_of_[v] == v && !parts.count(std::uint32_t(v)))
         matrix.coeffRef(Eigen::Index(v), Eigen::Index(v)) += 1;
     if (!pinned_solver_)
-      pinned_solver_.emplace(matrix, what_);
+      pinned_solver_.emplace(asked(matrix), what_);
     else
-      pinned_solver_->factorize(matrix);
+      pinned_solver_->factorize(asked(matrix));
     ++number_of_factorizations_;
     return pinned_solver_->solve(with_values(b - matrix_ * values, values, [&](std::size_t row) { return is_cold(row) || is_pinned[row]; }));
   }
@@ -220,6 +230,7 @@ private:
   std::vector<bool> cold_;
   std::vector<std::uint32_t> part_of_;
   const char* what_;
+  const Interruption& interruption_;
   Solver solver_;
   std::optional<Solver> pinned_solver_;
   std::map<std::uint32_t, std::map<std::uint32_t, double>> responses_;

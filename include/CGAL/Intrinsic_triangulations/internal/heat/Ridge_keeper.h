@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <Eigen/SparseCore>
 
@@ -51,7 +52,8 @@ public:
         corners_[position[face.row[i]]++] = corner(face, i);
   }
 
-  void raise(Eigen::VectorXd& distances, const Pins& sources) const
+  // \param interruption is asked now and then
+  void raise(Eigen::VectorXd& distances, const Pins& sources, const Interruption& interruption) const
   {
     std::vector<std::pair<double, std::uint32_t>> order;
     order.reserve(surface_.size());
@@ -65,13 +67,22 @@ public:
     const Front front{distances, origins, joined_sources(origins), has_points};
     // The nearest first, so that the source of those is known.
     Eigen::VectorXd raised = distances;
-    for (const auto& place : order)
+    std::size_t steps = 0;
+    const auto ask = [&] {
+      if (++steps % 1024 == 0)
+        interruption.check();
+    };
+    for (const auto& place : order) {
+      ask();
       if (const std::uint32_t v = place.second; origins[v] != v)
         origins[v] = raise(v, front, raised);
+    }
     distances = raised;
-    for (std::uint32_t v = 0; v < std::uint32_t(surface_.size()); ++v)
+    for (std::uint32_t v = 0; v < std::uint32_t(surface_.size()); ++v) {
+      ask();
       if (origins[v] != v)
         raise(v, front, raised);
+    }
     distances = raised;
   }
 

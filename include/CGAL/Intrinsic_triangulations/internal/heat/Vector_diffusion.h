@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <Eigen/SparseCore>
 
@@ -46,24 +47,27 @@ class Vector_diffusion
 
 public:
   // \param surface that of the triangulation
+  // \param interruption is asked before the factorization and each solution; has to live as long
   template <class Traits>
-  Vector_diffusion(const Intrinsic_triangulation<Traits>& triangulation, const Heat_surface& surface, double time)
-    : Vector_diffusion(triangulation.connectivity(), halfedge_vectors_in_vertex(triangulation), surface, time)
+  Vector_diffusion(const Intrinsic_triangulation<Traits>& triangulation, const Heat_surface& surface, double time,
+                   const Interruption& interruption)
+    : Vector_diffusion(triangulation.connectivity(), halfedge_vectors_in_vertex(triangulation), surface, time, interruption)
   {}
 
   // Vectors that are sent on where the heat of the same sources is, which they never exceed.
   std::vector<Vector> spread_likewise(const Vector& vectors, const Layered_heat& heat) const
   {
     return internal::spread_likewise(
-      vectors, heat, matrix_, [this](const Vector& b) { return solver_.solve(b); }, [](Vector&, std::size_t) {});
+      vectors, heat, matrix_, [this](const Vector& b) { return solver_.solve(asked(b)); }, [](Vector&, std::size_t) {});
   }
 
   const std::vector<Heat_edge>& edges() const { return edges_; }
 
 private:
   Vector_diffusion(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors, const Heat_surface& surface,
-                   double time)
-    : matrix_(heat_matrix(complex, vectors, surface, time)), solver_(matrix_, "the matrix of tangent vectors")
+                   double time, const Interruption& interruption)
+    : interruption_(interruption), matrix_(heat_matrix(complex, vectors, surface, time)),
+      solver_(asked(matrix_), "the matrix of tangent vectors")
   {
     for (Edge_index e : complex.edges()) {
       if (surface.weights[e.idx()] == 0)
@@ -78,6 +82,13 @@ private:
     }
   }
 
+  template <class T>
+  const T& asked(const T& argument) const
+  {
+    interruption_.check();
+    return argument;
+  }
+
   static Matrix heat_matrix(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
                             const Heat_surface& surface, double time)
   {
@@ -88,6 +99,7 @@ private:
     return result;
   }
 
+  const Interruption& interruption_;
   Matrix matrix_;
   Sparse_Cholesky<Scalar> solver_;
   std::vector<Heat_edge> edges_;

@@ -10,7 +10,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Refinement_report.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Accurate_shapes.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -21,6 +24,19 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+// Asks before each step of a refinement.
+struct Asking_visitor : Default_refinement_visitor
+{
+  explicit Asking_visitor(const Interruption& interruption) : interruption(interruption) {}
+  bool go_further(std::uint64_t, std::uint64_t)
+  {
+    interruption.check();
+    return true;
+  }
+
+  const Interruption& interruption;
+};
 
 template <class Traits>
 bool has_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation)
@@ -35,8 +51,10 @@ bool has_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation)
 
 // A copy in which the border has so many vertices that no angle opposite to it is obtuse; nothing, if there is none before. A
 // needle on the border asks for as many as it is longer than wide: beyond some for each vertex, its angles stay obtuse.
+// \exception Cancelled_error
 template <class Traits>
-std::optional<Intrinsic_triangulation<Traits>> without_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation)
+std::optional<Intrinsic_triangulation<Traits>> without_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation,
+                                                                     const Interruption& interruption)
 {
   if (!has_obtuse_border(triangulation))
     return std::nullopt;
@@ -44,7 +62,9 @@ std::optional<Intrinsic_triangulation<Traits>> without_obtuse_border(const Intri
   Refinement_criteria none;
   none.minimum_angle = 0;
   const std::uint64_t most = 10 * std::uint64_t(triangulation.connectivity().number_of_vertices()) + 1000;
-  refine_Delaunay(*result, none, parameters::maximum_number(most));
+  const Refinement_report report = refine_Delaunay(*result, none, parameters::maximum_number(most).visitor(Asking_visitor(interruption)));
+  if (report.status == Refinement_status::CANCELLED)
+    throw Cancelled_error("the computation was cancelled");
   return result;
 }
 

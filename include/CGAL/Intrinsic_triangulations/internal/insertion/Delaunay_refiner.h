@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Refinement_report.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Small_cones.h>
@@ -57,6 +58,26 @@ public:
 
   Refinement_report operator()()
   {
+    try {
+      refine_all();
+    } catch (const Cancelled_error&) {
+      if (report_.status != Refinement_status::CANCELLED) // it was not the visitor
+        throw;
+    }
+    return std::move(report_);
+  }
+
+  // Asks the visitor once more within a step.
+  bool asks_further()
+  {
+    if (!visitor_.go_further(report_.insertions + report_.segment_splits, report_.flips))
+      report_.status = Refinement_status::CANCELLED;
+    return report_.status != Refinement_status::CANCELLED;
+  }
+
+private:
+  void refine_all()
+  {
     lengths_.resize(complex_.number_of_edges());
     for (Edge_index e : complex_.edges())
       measure(e);
@@ -83,10 +104,8 @@ public:
         break;
     }
     list_unrefined_faces();
-    return std::move(report_);
   }
 
-private:
   static constexpr double smallest_whole_cone = CGAL_PI / 3;
 
   struct Candidate
@@ -103,10 +122,7 @@ private:
   {
     if (report_.status != Refinement_status::REFINED)
       return false;
-    const std::uint64_t points = report_.insertions + report_.segment_splits;
-    if (!visitor_.go_further(points, report_.flips))
-      report_.status = Refinement_status::CANCELLED;
-    else if (points >= maximum_number_ && (!segments_.empty() || !bad_faces_.empty()))
+    if (asks_further() && report_.insertions + report_.segment_splits >= maximum_number_ && (!segments_.empty() || !bad_faces_.empty()))
       report_.status = Refinement_status::BUDGET_EXHAUSTED;
     return report_.status == Refinement_status::REFINED;
   }
@@ -335,18 +351,22 @@ private:
       leave_or_split(f, complex_.edge(h));
       return;
     }
-    const Walk_end center = walk_straight(
+    const std::optional<Walk_end> center = walk_straight(
       complex_, y < 0 ? complex_.opposite(h) : h, 0.5, y < 0 ? Plane_point(0.5, -y) : Plane_point(0.5, y), false,
       [&](Halfedge_index g) { return apex(g); }, [&](Edge_index e) { return is_segment_[e.idx()]; });
-    if (center.barrier.is_valid()) {
-      leave_or_split(f, complex_.edge(center.barrier));
+    if (!center) {
+      leave(f, Refinement_obstacle::UNREPRESENTABLE);
       return;
     }
-    if (const std::optional<Edge_index> e = encroached_by(center)) {
+    if (center->barrier.is_valid()) {
+      leave_or_split(f, complex_.edge(center->barrier));
+      return;
+    }
+    if (const std::optional<Edge_index> e = encroached_by(*center)) {
       leave_or_split(f, *e);
       return;
     }
-    const auto place = point_on_input(complex_, geometry_, shapes_, center.halfedge, center.weights, [&](Halfedge_index g) { return apex(g); });
+    const auto place = point_on_input(complex_, geometry_, shapes_, center->halfedge, center->weights, [&](Halfedge_index g) { return apex(g); });
     if (!place)
       leave(f, Refinement_obstacle::UNREPRESENTABLE);
     else if (cones_.is_too_close(place->point))

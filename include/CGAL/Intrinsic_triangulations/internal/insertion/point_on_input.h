@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -98,6 +99,7 @@ struct Point_to_insert
 
 // The point with given weights in the face of h, up to rounding: straight over the input from the corner with the largest weight.
 // \param apex gives the third corner of the face of a halfedge of the current triangulation, in the frame of that
+// \return nothing if doubles are too coarse to find it
 template <class Apex>
 std::optional<Point_to_insert> point_on_input(const Delta_complex& complex, const Exact_geometry& geometry, const Input_shapes& shapes, Halfedge_index h,
                                               std::array<double, 3> weights, const Apex& apex)
@@ -113,22 +115,29 @@ std::optional<Point_to_insert> point_on_input(const Delta_complex& complex, cons
   const auto input_apex = [&](Halfedge_index g) { return shapes.apex(g); };
   const bool leaves_corner = !correspondence.is_inserted(complex.source(h));
   Halfedge_index base = reference;
-  if (leaves_corner) // from face to face around the corner
+  if (leaves_corner) { // from face to face around the corner
+    bool is_second_turn = false;
     for (Plane_point z = shapes.apex(base); cross_product(z, to_point) > 0; z = shapes.apex(base)) {
       const Halfedge_index next = input.next_around_source(base);
       if (input.is_border(next) || !(z.imag() > 0))
         break;
+      // No triangle has a larger corner. But if all corners of the input are tiny there, a rounded one can be.
+      if (base == reference && std::exchange(is_second_turn, true))
+        return std::nullopt;
       to_point /= z;
       base = next;
     }
-  const Walk_end end = walk_straight(input, base, source, source + to_point, leaves_corner, input_apex,
-                                     [&](Edge_index e) { return input.is_border(e); });
-  for (double w : end.weights)
+  }
+  const std::optional<Walk_end> end = walk_straight(input, base, source, source + to_point, leaves_corner, input_apex,
+                                                    [&](Edge_index e) { return input.is_border(e); });
+  if (!end)
+    return std::nullopt;
+  for (double w : end->weights)
     if (!std::isfinite(w))
       return std::nullopt;
-  const Surface_point point{end.halfedge, rounded_coordinates(end.weights)};
+  const Surface_point point{end->halfedge, rounded_coordinates(end->weights)};
   // Input edges that cut off the corner are crossed first, one after the other.
-  const auto crossed = std::int64_t(end.number_of_crossed_edges);
+  const auto crossed = std::int64_t(end->number_of_crossed_edges);
   const Halfedge_index ki = complex.prev(h);
   const std::int64_t n_ki = correspondence.coordinates().number_of_crossings(complex.edge(ki));
   for (const Triangle_piece& piece : {Triangle_piece{h, crossed}, Triangle_piece{ki, n_ki - crossed}})

@@ -25,6 +25,7 @@ namespace internal {
 // Makes a triangulation Delaunay again of which all edges are so but for those on the stack: Lawson's algorithm. The work
 // is local.
 // \param after_flip is called with each edge that was flipped
+// \pre the triangulation keeps its input
 // \return the number of flips
 template <class Traits, class ConstraintMap, class AfterFlip>
 std::uint64_t settle(Intrinsic_triangulation<Traits>& triangulation, const ConstraintMap& is_constrained,
@@ -33,8 +34,10 @@ std::uint64_t settle(Intrinsic_triangulation<Traits>& triangulation, const Const
   using Flip_outcome = typename Intrinsic_triangulation<Traits>::Flip_outcome;
   Whole_triangulation<Traits> whole(triangulation);
   const Delta_complex& complex = triangulation.connectivity();
-  std::uint64_t flips = 0;
+  std::uint64_t flips = 0, steps = 0;
   while (!stack.empty()) {
+    if (++steps % 1024 == 0)
+      triangulation.exact_geometry().interruption().check();
     const Edge_index e = stack.back();
     stack.pop_back();
     if (!complex.is_flippable(e) || whole.is_known_Delaunay(e) || get(is_constrained, e) || possibly(whole.test_and_refine(e)))

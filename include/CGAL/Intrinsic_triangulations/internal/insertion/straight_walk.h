@@ -14,6 +14,8 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -56,9 +58,10 @@ struct Walk_end
 // \param leaves_corner whether the walk starts at the source of h, into the triangle
 // \param apex gives the third corner of the face of a halfedge, in the frame of that
 // \param is_barrier whether an edge that is met must not be crossed
+// \return nothing if rounding has made the line lose its way. Around the tip of a needle, it would go on for ever
 template <class Apex, class Is_barrier>
-Walk_end walk_straight(const Delta_complex& complex, Halfedge_index h, Plane_point start, Plane_point end, bool leaves_corner,
-                       const Apex& apex, const Is_barrier& is_barrier)
+std::optional<Walk_end> walk_straight(const Delta_complex& complex, Halfedge_index h, Plane_point start, Plane_point end,
+                                      bool leaves_corner, const Apex& apex, const Is_barrier& is_barrier)
 {
   const auto weights = [](Plane_point z, Plane_point p) {
     const double c = z.imag() != 0 ? p.imag() / z.imag() : 0, b = p.real() - c * z.real();
@@ -72,7 +75,9 @@ Walk_end walk_straight(const Delta_complex& complex, Halfedge_index h, Plane_poi
       x /= sum;
     return w;
   };
-  for (std::size_t crossed = 0;; ++crossed) {
+  // As many crossings of an edge are laid out.
+  constexpr std::size_t most_edges = std::size_t(1) << 20;
+  for (std::size_t crossed = 0; crossed <= most_edges; ++crossed) {
     const Plane_point z = apex(h);
     const std::array<double, 3> w = weights(z, end);
     // Corner i is opposite to the side that the line leaves by, if it does.
@@ -92,16 +97,17 @@ Walk_end walk_straight(const Delta_complex& complex, Halfedge_index h, Plane_poi
         }
     }
     if (!(w[i] < 0) || !(z.imag() > 0))
-      return {h, inside(w), {}, crossed};
+      return Walk_end{h, inside(w), {}, crossed};
     const Halfedge_index side = i == 0 ? complex.next(h) : i == 1 ? complex.prev(h)
                                                                   : h;
     if (is_barrier(complex.edge(side)))
-      return {h, inside(w), side, crossed};
+      return Walk_end{h, inside(w), side, crossed};
     const Plane_point corners[3] = {0, 1, z}, left = corners[(i + 2) % 3], right = corners[(i + 1) % 3];
     start = (start - left) / (right - left);
     end = (end - left) / (right - left);
     h = complex.opposite(side);
   }
+  return std::nullopt;
 }
 
 } // namespace internal

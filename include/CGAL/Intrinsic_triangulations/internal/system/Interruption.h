@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// How a single decision that takes long is ended from outside.
+// How a single decision or solution that takes long is ended from outside.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_INTERRUPTION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_INTERRUPTION_H
@@ -19,12 +19,14 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The exact stages call check() before each step that takes a microsecond or more. The user's
+// The exact stages call check() before each step that takes a microsecond or more, the heat methods before each system. The user's
 // function is called a hundred times a second at most, so that it need not be fast, by whichever thread comes first.
 class Interruption
 {
 public:
   using Go_further = std::function<bool()>;
+
+  explicit Interruption(Go_further go_further = {}) : go_further_(std::move(go_further)) {}
 
   // Replaces the function; returns the one before.
   Go_further exchange(Go_further go_further)
@@ -48,7 +50,7 @@ private:
   void ask() const
   {
     if (!go_further_())
-      throw Cancelled_error("an exact decision was cancelled");
+      throw Cancelled_error("the computation was cancelled");
     next_question_.store(now() + Clock::duration(std::chrono::milliseconds(10)).count(), std::memory_order_relaxed);
   }
 
