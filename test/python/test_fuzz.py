@@ -103,11 +103,15 @@ class Maker:
 
 
 def call_laplacians(make):
-    kind = make.random.integers(3)
+    kind = make.random.integers(5)
     if kind == 0:
         it.laplacian(*make.surface(), **({"mass": make.pick(("galerkin", "lumped", 1))} if make.chance(0.3) else {}))
     elif kind == 1:
         it.mesh_laplacian(*make.surface(), *([make.number()] if make.chance(0.3) else []))
+    elif kind == 2:
+        assert numpy.isfinite(it.cotan_laplacian(*make.surface(), *([make.number()] if make.chance(0.3) else [])).data).all()
+    elif kind == 3:
+        make.pick((it.face_areas, it.vertex_areas))(*make.surface())
     else:
         it.point_cloud_laplacian(make.surface()[0], *([make.number()] if make.chance(0.2) else []),
                                  **({"n_neighbors": make.pick((2, 5, make.number()))} if make.chance(0.5) else {}))
@@ -189,7 +193,7 @@ def call_geodesics(make):
             make.pick((lambda: paths.find_geodesic_path(make.index(), make.index()),
                        lambda: paths.find_geodesic_path_poly(make.vertices()),
                        lambda: paths.find_geodesic_loop(make.vertices(), make.number() if make.chance(0.3) else None),
-                       lambda: tracer.trace_geodesic_from_vertex(make.index(), make.vector()),
+                       lambda: tracer.trace_geodesic_from_vertex(make.index(), make.vector(), *([make.number()] if make.chance(0.3) else [])),
                        lambda: tracer.trace_geodesic_from_face(make.index(), make.spoiled(make.random.dirichlet((1, 1, 1))),
                                                                make.vector())))()
         except ALLOWED:
