@@ -13,7 +13,7 @@
 namespace {
 
 // JSON knows no infinity.
-double finite(double number)
+double finite_number(double number)
 {
   return std::isfinite(number) ? number : 1e308;
 }
@@ -32,7 +32,7 @@ int main(int argc, char** argv)
     const Judgement judgement = judge(argv[1], read_surface(argv[2]), result);
     const char* const names[] = {"right", "close", "wrong"};
     std::cout << "{\"verdict\": \"" << names[int(judgement.verdict)] << "\", \"why\": \"" << judgement.why
-              << "\", \"largest_error\": " << finite(judgement.largest_error)
+              << "\", \"largest_error\": " << finite_number(judgement.largest_error)
               << ", \"wrong_faces\": " << judgement.wrong_faces << ", \"wrong_edges\": " << judgement.wrong_edges
               << ", \"triangulation_seconds\": " << result.triangulation_seconds
               << ", \"task_seconds\": " << result.task_seconds << "}\n";

@@ -164,7 +164,7 @@ private:
         complex().target(h).idx() != theirs_.target(side))
       return false;
     for (Halfedge over : find_apex(side, h).path)
-      if (state_.ours.flip(complex().edge(over)) != Own_triangulation::FLIPPED)
+      if (state_.ours.flip(complex().edge(over)) != Own_triangulation::Flip_outcome::FLIPPED)
         return false;
     if (complex().target(complex().next(h)).idx() != theirs_.apex(side))
       return false;

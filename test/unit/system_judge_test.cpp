@@ -50,7 +50,7 @@ std::size_t flip_ties(Own_triangulation& t, double tolerance)
   for (std::size_t i = 0; i < 3 * t.connectivity().number_of_edges(); ++i) {
     const IT::Edge_index e(random() % t.connectivity().number_of_edges());
     if (t.connectivity().is_flippable(e) && std::abs(t.cotangent_weight(e)) <= tolerance)
-      flips += t.flip(e) == Own_triangulation::FLIPPED;
+      flips += t.flip(e) == Own_triangulation::Flip_outcome::FLIPPED;
   }
   return flips;
 }
@@ -131,7 +131,7 @@ TEST(SystemJudge, CallsAMissingFlipWrong)
   std::size_t tried = 0;
   for (IT::Edge_index e : exact.connectivity().edges()) {
     Own_triangulation t = exact;
-    if (!t.connectivity().is_flippable(e) || t.cotangent_weight(e) < 0.1 || t.flip(e) != Own_triangulation::FLIPPED)
+    if (!t.connectivity().is_flippable(e) || t.cotangent_weight(e) < 0.1 || t.flip(e) != Own_triangulation::Flip_outcome::FLIPPED)
       continue;
     ++tried;
     const Judgement judgement = judge("triangulation", surface, result_of(t));
