@@ -176,62 +176,103 @@ private:
     return true;
   }
 
-  // Matches what can be reached from one pair of sides.
-  void match_from(std::size_t first_side, Halfedge first)
+  // Matches what can be reached from one pair of sides. \return whether nothing contradicted
+  bool match_from(std::size_t first_side, Halfedge first)
   {
+    bool is_same = true;
     std::vector<std::pair<std::size_t, Halfedge>> pairs{{first_side, first}};
     while (!pairs.empty()) {
       auto [side, h] = pairs.back();
       pairs.pop_back();
-      if (state_.halfedges[side].is_valid() || !match_face(side, h))
+      if (state_.halfedges[side].is_valid())
         continue;
+      if (!match_face(side, h)) {
+        is_same = false;
+        continue;
+      }
       for (int i = 0; i < 3; ++i, side = Triangles::next(side), h = complex().next(h))
         if (theirs_.opposite[side] >= 0)
           pairs.emplace_back(std::size_t(theirs_.opposite[side]), complex().opposite(h));
     }
+    return is_same;
   }
 
-  // Begins where fewest of our sides can be meant.
-  bool match_a_component()
+  // Of the angle opposite to a side, by their lengths.
+  double their_cotangent(std::size_t side) const
   {
+    const std::size_t next = Triangles::next(side);
+    const double a = theirs_.lengths[side], b = theirs_.lengths[next], c = theirs_.lengths[Triangles::next(next)];
+    return (b * b + c * c - a * a) / std::sqrt((a + b + c) * (b + c - a) * (a + c - b) * (a + b - c));
+  }
+
+  // Whether it is no diagonal in a tie, or near one, that may be missing in ours.
+  bool can_be_first(std::size_t side) const
+  {
+    if (theirs_.opposite[side] < 0)
+      return true;
+    const double a = their_cotangent(side), b = their_cotangent(std::size_t(theirs_.opposite[side]));
+    return std::abs(a + b) > 1e-3 * (std::max)(1., (std::max)(std::abs(a), std::abs(b)));
+  }
+
+  struct First_pair
+  {
+    bool is_preferred; // no tie, and the lengths agree
+    std::size_t side;
+    std::vector<Halfedge> candidates;
+  };
+
+  // Where fewest of our sides can be meant. Each side once.
+  std::vector<First_pair> first_pairs() const
+  {
+    constexpr std::size_t most_pairs = 8, most_candidates = 16;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Halfedge>> sides_of;
     for (Halfedge h : complex().halfedges())
       if (!complex().is_border(h) && !state_.is_matched[h.idx()] && !is_free_diagonal(h))
         sides_of[{complex().source(h).idx(), complex().target(h).idx()}].push_back(h);
-    std::size_t first_side = theirs_.number_of_sides();
-    std::vector<Halfedge> candidates;
+    std::vector<First_pair> result;
+    const auto is_before = [](const First_pair& a, const First_pair& b) {
+      return a.is_preferred != b.is_preferred ? a.is_preferred : a.candidates.size() < b.candidates.size();
+    };
     for (std::size_t side = 0; side < theirs_.number_of_sides(); ++side) {
-      if (state_.halfedges[side].is_valid() || tried_.count(side) > 0)
-        continue;
       const auto found = sides_of.find({theirs_.source(side), theirs_.target(side)});
-      if (found != sides_of.end() && (candidates.empty() || found->second.size() < candidates.size())) {
-        first_side = side;
-        candidates = found->second;
+      if (state_.halfedges[side].is_valid() || found == sides_of.end())
+        continue;
+      const auto error = [&](Halfedge h) { return std::abs(length(h) - theirs_.lengths[side]); };
+      First_pair pair{false, side, found->second};
+      std::stable_sort(pair.candidates.begin(), pair.candidates.end(),
+                       [&](Halfedge a, Halfedge b) { return error(a) < error(b); });
+      pair.is_preferred = can_be_first(side) && error(pair.candidates.front()) < 1e-3 * theirs_.lengths[side];
+      pair.candidates.resize((std::min)(pair.candidates.size(), most_candidates));
+      result.push_back(pair);
+      if (result.size() == 2 * most_pairs) {
+        std::stable_sort(result.begin(), result.end(), is_before);
+        result.resize(most_pairs);
       }
     }
-    if (candidates.empty())
-      return false;
-    tried_[first_side] = true;
-    if (candidates.size() == 1) {
-      match_from(first_side, candidates.front());
-      return true;
-    }
-    const auto error = [&](Halfedge h) { return std::abs(length(h) - theirs_.lengths[first_side]); };
-    std::stable_sort(candidates.begin(), candidates.end(), [&](Halfedge a, Halfedge b) { return error(a) < error(b); });
-    candidates.resize((std::min)(candidates.size(), std::size_t(64)));
+    std::stable_sort(result.begin(), result.end(), is_before);
+    result.resize((std::min)(result.size(), most_pairs));
+    return result;
+  }
+
+  // The best of some attempts. \return whether there was any
+  bool match_a_component()
+  {
     const State before = state_;
     State best = state_;
-    for (Halfedge h : candidates) {
-      state_ = before;
-      match_from(first_side, h);
-      if (state_.number_of_faces > best.number_of_faces || (state_.number_of_faces == best.number_of_faces &&
-                                                            largest_error(state_) < largest_error(best)))
-        best = state_;
-      if (best.number_of_faces == theirs_.corners.size() && largest_error(best) < 1e-6)
-        break;
-    }
+    for (const First_pair& first : first_pairs())
+      for (Halfedge h : first.candidates) {
+        state_ = before;
+        const bool is_same = match_from(first.side, h);
+        const double error = largest_error(state_);
+        if (state_.number_of_faces > best.number_of_faces ||
+            (state_.number_of_faces == best.number_of_faces && error < largest_error(best)))
+          best = state_;
+        if (is_same && error < 1e-6)
+          return true;
+      }
+    const bool is_larger = best.number_of_faces > before.number_of_faces;
     state_ = best;
-    return true;
+    return is_larger;
   }
 
   // Of the lengths, relative.
@@ -248,7 +289,6 @@ private:
 
   const Triangles& theirs_;
   State state_;
-  std::map<std::size_t, bool> tried_;
 };
 
 } // namespace systems

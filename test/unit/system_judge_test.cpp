@@ -63,6 +63,7 @@ TEST(SystemJudge, CallsTheExactResultRight)
   std::vector<Surface> surfaces = {
     surface_of(IT::bumpy_sphere(12, 8)), surface_of(IT::helical_tube(20)), surface_of(IT::prism(12)),
     surface_of(IT::cap(0)), surface_of(IT::one_vertex_torus()), surface_of(IT::sheared_one_vertex_torus(20)),
+    surface_of(IT::sheared_one_vertex_torus(10)),
     surface_of(IT::self_glued_sphere()), surface_of(IT::pillow(12)),
     surface_of(IT::random_diagonal_grid(5, 5, 1, 1))};
   for (std::uint64_t seed = 1; seed < 10; ++seed)
@@ -100,10 +101,11 @@ TEST(SystemJudge, DoesNotDependOnTheOrderOfFaces)
 
 TEST(SystemJudge, LeavesTheChoiceOfDiagonalsInTiesFree)
 {
-  for (const Surface& surface : {surface_of(IT::prism(40)), surface_of(IT::random_diagonal_grid(8, 8)),
-                                 surface_of(internal::box(4, 1))}) {
+  for (const Surface& surface :
+       {surface_of(IT::prism(40)), surface_of(IT::random_diagonal_grid(8, 8)), surface_of(internal::box(4, 1)),
+        surface_of(IT::pillow(20)), surface_of(IT::one_vertex_torus(3, 4, 5))}) {
     Own_triangulation t = Delaunay_triangulation(surface);
-    ASSERT_GT(flip_ties(t, 0), 20u);
+    ASSERT_GT(flip_ties(t, 0), 0u);
     for (const std::string& task : tasks) {
       const Judgement judgement = judge(task, surface, result_of(t));
       EXPECT_EQ(judgement.verdict, Verdict::RIGHT) << task << " " << judgement.why;
