@@ -34,10 +34,8 @@ public:
   // \pre `ours` is Delaunay, and `theirs` has as many faces, corners that exist, and sides that are glued in pairs
   Match(const Own_triangulation& ours, const Triangles& theirs) : theirs_(theirs), state_(ours, theirs)
   {
-    // More attempts than this would only count more precisely what is wrong.
-    for (int attempts = 0; attempts < 20 && state_.number_of_faces < theirs.corners.size(); ++attempts)
-      if (!match_a_component())
-        break;
+    while (state_.number_of_faces < theirs.corners.size() && match_a_component()) {
+    }
   }
 
   // How many faces of theirs are in ours.
@@ -261,6 +259,8 @@ private:
     State best = state_;
     for (const First_pair& first : first_pairs())
       for (Halfedge h : first.candidates) {
+        if (contradictions_ == most_contradictions)
+          break;
         state_ = before;
         const bool is_same = match_from(first.side, h);
         const double error = largest_error(state_);
@@ -269,6 +269,7 @@ private:
           best = state_;
         if (is_same && error < 1e-6)
           return true;
+        ++contradictions_;
       }
     const bool is_larger = best.number_of_faces > before.number_of_faces;
     state_ = best;
@@ -287,8 +288,12 @@ private:
     return result;
   }
 
+  // More attempts than this would only count more precisely what is wrong.
+  static constexpr int most_contradictions = 32;
+
   const Triangles& theirs_;
   State state_;
+  int contradictions_ = 0;
 };
 
 } // namespace systems
