@@ -4,11 +4,11 @@
 #include "input/gluing_file.h"
 
 #include "input/formats/Watched_file.h"
-#include "input/formats/checks.h"
 
 #include <CGAL/Intrinsic_triangulations/Crossing_counts.h>
 #include <CGAL/Intrinsic_triangulations/exact_gluing_io.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,10 +32,10 @@ bool is_gluing_file(const std::string& path)
 
 IT::Exact_gluing read_exact_gluing_file(const std::string& path, const IT::Progress_function& progress)
 {
-  const std::uintmax_t size = check_file(path);
+  const std::uintmax_t size = IT::internal::check_file(path);
   if (size == 0)
-    refuse(path, "the file is empty");
-  check_encoding(path);
+    IT::internal::refuse_file(path, "the file is empty");
+  IT::internal::check_encoding(path);
   Watched_file file(path, size, progress);
   const auto stop_if_cancelled = [&] {
     if (file.is_cancelled())
@@ -51,7 +51,7 @@ IT::Exact_gluing read_exact_gluing_file(const std::string& path, const IT::Progr
     stop_if_cancelled();
     throw IT::Invalid_surface_error(e.defect(), e.element(), e.count(), path + ": " + e.what());
   } catch (const std::bad_alloc&) {
-    refuse(path, "there is not enough memory for this file");
+    IT::internal::refuse_file(path, "there is not enough memory for this file");
   }
 }
 

@@ -5,7 +5,6 @@
 // its own message; the collection of bad files, if it is there.
 
 #include "Surface_file_test.h"
-#include "input/formats/Obj_filter.h"
 #include "input/mesh_file.h"
 #include "input/read_surface.h"
 
@@ -223,6 +222,144 @@ TEST_F(Read_surface, forms_that_are_read)
   }
 }
 
+// Three vertices and a triangle in every form that a binary file may have.
+TEST_F(Read_surface, forms_of_binary_ply)
+{
+  const Points points = {{{0, 0, 0.5}}, {{1, 0, 0}}, {{0, 1, 0}}};
+  const auto big = [](const auto value) {
+    std::string bytes;
+    append(bytes, value);
+    return std::string(bytes.rbegin(), bytes.rend());
+  };
+  const auto little = [](const auto value) {
+    std::string bytes;
+    append(bytes, value);
+    return bytes;
+  };
+  const std::string begin = "ply\nformat binary_little_endian 1.0\n", end = "end_header\n";
+  std::string content = "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+                        "property double z\nelement face 1\nproperty list uchar int vertex_indices\n" + end;
+  for (const auto& p : points)
+    for (const double x : p)
+      content += big(x);
+  content += '\3' + big(0) + big(1) + big(2);
+  idt::Surface_input input = idt::read_surface(write("big.ply", content));
+  EXPECT_EQ(input.points, points);
+  EXPECT_EQ(input.triangles, (Triangles{{{0, 1, 2}}}));
+
+  // Coordinates in another order and of two types, lists and numbers of no interest, another element in between.
+  content = begin + "element vertex 3\nproperty float z\nproperty list ushort short weights\nproperty double x\n"
+                    "property uchar red\nproperty float y\nelement edge 2\nproperty int a\nelement face 3\n"
+                    "property list uint float quality\nproperty list short uint vertex_index\nproperty char flag\n" + end;
+  for (const auto& p : points)
+    content += little(float(p[2])) + little(std::uint16_t(2)) + "abcd" + little(p[0]) + 'r' + little(float(p[1]));
+  content += "12345678";
+  for (const std::vector<std::uint32_t>& face : {std::vector<std::uint32_t>{0, 1, 2}, {2, 1, 0, 1}, {}}) {
+    content += little(std::uint32_t(1)) + "qqqq" + little(std::uint16_t(face.size()));
+    for (const std::uint32_t v : face)
+      content += little(v);
+    content += 'f';
+  }
+  input = idt::read_surface(write("mixed.ply", content + "what follows is ignored"));
+  EXPECT_EQ(input.points, points);
+  EXPECT_EQ(input.corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 0, 1}));
+  EXPECT_EQ(input.first_corner, (std::vector<std::size_t>{0, 3, 7, 7}));
+  refused("mixed.ply", content.substr(0, content.size() - 1), "element face 2: the file ends within flag");
+  refused("mixed.ply", content.substr(0, content.size() - 8), "element face 2: the file ends within quality");
+
+  // Triangles, then others, then triangles again.
+  content = ply_header("binary_little_endian", 3, 4);
+  for (const auto& p : points)
+    append(content, p);
+  for (const int size : {3, 2, 3, 3}) {
+    content += char(size);
+    for (int i = 0; i < size; ++i)
+      append(content, i);
+  }
+  input = idt::read_surface(write("a.ply", content));
+  EXPECT_EQ(input.corners, (std::vector<std::uint32_t>{0, 1, 2, 0, 1, 0, 1, 2, 0, 1, 2}));
+  refused("a.ply", content.substr(0, content.size() - 1), "element face 3: the file ends within vertex_indices");
+}
+
+TEST_F(Read_surface, all_formats_can_be_watched_and_stopped)
+{
+  const std::size_t n = 150000; // more than a piece of each file
+  std::string points, obj, stl = "solid\n", ts = "GOCAD TSurf 1\nTFACE\n", binary = ply_header("binary_little_endian", n, 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::string place = std::to_string(i) + " " + std::to_string(i * i % 7) + " 0\n";
+    points += place;
+    obj += "v " + place;
+    ts += "VRTX " + std::to_string(i) + " " + place;
+    stl += "vertex " + place; // in no facet, and so without a meaning
+    append(binary, std::array<double, 3>{{double(i), 0, 0}});
+  }
+  binary += '\3';
+  append(binary, std::array<std::int32_t, 3>{{0, 1, 2}});
+  std::string one_line = points;
+  std::replace(one_line.begin(), one_line.end(), '\n', ' ');
+  stl += "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet endsolid";
+  for (const std::string& file :
+       {write("a.obj", obj + "f 1 2 3\n"), write("a.ts", ts + "TRGL 0 1 2\nEND\n"), write("a.stl", stl), write("a.ply", binary),
+        write("b.ply", ply_header("ascii", n, 1) + points + "3 0 1 2\n"),
+        write("c.ply", ply_header("ascii", n, 1) + one_line + "3 0 1 2\n")}) {
+    SCOPED_TRACE(file);
+    std::vector<double> fractions;
+    const idt::Surface_input input = idt::read_surface(file, [&](double fraction) {
+      fractions.push_back(fraction);
+      return true;
+    });
+    EXPECT_EQ(input.points.size(), contains(file, ".stl") ? 3u : n);
+    EXPECT_EQ(input.triangles.size(), 1u);
+    ASSERT_GT(fractions.size(), 1u);
+    EXPECT_EQ(fractions.front(), 0);
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    EXPECT_LE(fractions.back(), 1);
+    for (std::size_t stop = 1; stop <= fractions.size(); ++stop) {
+      std::size_t asked = 0;
+      EXPECT_THROW(idt::read_surface(file, [&](double) { return ++asked < stop; }), IT::Cancelled_error) << stop;
+      EXPECT_EQ(asked, stop);
+    }
+  }
+}
+
+// Numbers that need a closer look than the usual ones.
+TEST_F(Read_surface, unusual_numbers)
+{
+  const Points points = {{{0.5, -0.0, 0}}, {{1, 1e-310, 0}}, {{0, 1, -0.0}}};
+  const std::string numbers[] = {"+.5 -0 1e-999\n", "1. 1E-310 +0e5\n", "0 00001.000 -1e-4000\n"};
+  const std::string all = numbers[0] + numbers[1] + numbers[2];
+  const std::string files[] = {
+    write("a.off", "OFF\n3 1 0\n" + all + "+3 +0 0000000000001 2\n"),
+    write("a.obj", "v " + numbers[0] + "v " + numbers[1] + "v " + numbers[2] + "f +1 0000000000002 -1\n"),
+    write("a.ply", ply_header("ascii", 3, 1) + all + "+3 +0 0000000000001 2\n"),
+    write("a.ts", "GOCAD TSurf 1\nTFACE\nVRTX 0 " + numbers[0] + "VRTX 1 " + numbers[1] + "VRTX 2 " + numbers[2] +
+                    "TRGL +0 00001 2\nEND\n"),
+    write("a.stl", "solid\nfacet\nvertex " + numbers[0] + "vertex " + numbers[1] + "vertex " + numbers[2] +
+                     "endfacet\nendsolid\n")};
+  for (const std::string& file : files) {
+    SCOPED_TRACE(file);
+    const idt::Surface_input input = idt::read_surface(file);
+    expect_same_bits(input.points, points);
+    EXPECT_EQ(input.triangles, (Triangles{{{0, 1, 2}}}));
+  }
+  // The nearest float to a number is not that of the nearest double.
+  const idt::Surface_input input = idt::read_surface(
+    write("a.ply", ply_header("ascii", 3, 1, "float") + "1.00000005960464477540 0 0\n1 1e-60 0\n0 1 3e38\n3 0 1 2\n"));
+  EXPECT_EQ(input.points[0][0], double(std::nextafter(1.f, 2.f)));
+  EXPECT_EQ(input.points[1][1], 0);
+  EXPECT_EQ(input.points[2][2], double(3e38f));
+}
+
+TEST_F(Read_surface, other_elements_of_obj)
+{
+  const idt::Surface_input input = idt::read_surface(
+    write("a.obj", "f 2 3 4\nmg 1 0.5\ncall a.obj\nv 0 0 0 1 0.5\nv 1 0 0 # a comment\nvp 1 2 3 \\\n4\n"
+                   "vt 0 \\\n 0\nv 0 1 0\n\tv 0 0 1\nf 1/1 2//1 3/1/1 4\nf\n# f 7\n#f\n"));
+  EXPECT_EQ(input.points.size(), 4u);
+  EXPECT_EQ(input.first_corner, (std::vector<std::size_t>{0, 3, 7, 7}));
+  EXPECT_EQ(input.corners, (std::vector<std::uint32_t>{1, 2, 3, 0, 1, 2, 3}));
+}
+
 TEST_F(Read_surface, corners_of_stl_are_merged_by_position)
 {
   const float tenth = 0.1f, next = std::nextafter(0.1f, 1.0f);
@@ -291,24 +428,6 @@ TEST_F(Read_surface, broken_off)
   EXPECT_EQ(error.element(), 1u);
   EXPECT_EQ(error.count(), 3u);
   refused("a.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 nan\n", "there is no face (3 vertices)", Defect::EMPTY);
-}
-
-TEST(Obj_filter, does_the_same_wherever_a_piece_ends)
-{
-  const std::string text = "v 0\t0 0\n  l 1 2 \\\r\n 3\\\n4\nl\n\nf 1 2 3\\\n4\n# \\\n5\ncurv 1 \\\n\n6\nlod 7",
-                    wanted = "v 0 0 0\n  # 1 2 \\\r\n #\\\n#\n#\n\nf 1 2 3\\\n4\n# \\\n5\ncurv 1 \\\n\n6\nlod 7";
-  for (std::size_t first = 0; first <= text.size(); ++first)
-    for (std::size_t second = first; second <= text.size(); ++second) {
-      std::string filtered = text;
-      idt::Obj_filter filter;
-      filter(&filtered[0], &filtered[first]);
-      filter(&filtered[first], &filtered[second]);
-      filter(&filtered[second], &filtered[0] + filtered.size());
-      // Whether more than a blank follows "l" is not known at the end of a piece.
-      if (first != text.find("lod") + 1 && second != text.find("lod") + 1) {
-        EXPECT_EQ(filtered, wanted) << first << ' ' << second;
-      }
-    }
 }
 
 TEST_F(Read_surface, broken_obj)

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The front door: from a mesh to its intrinsic Delaunay triangulation.
+// The front door: from a mesh, or from points and triangles, to the intrinsic Delaunay triangulation.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_DELAUNAY_TRIANGULATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_DELAUNAY_TRIANGULATION_H
@@ -31,6 +31,9 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
+#include <cstddef>
+#include <iterator>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -56,23 +59,37 @@ struct Triangulation_and_report
 namespace internal {
 
 // The metric exactly, or nothing if all coordinates are doubles, or not all finite.
-template <class TriangleMesh, class PointMap>
-std::optional<Input_metric> rational_metric(const TriangleMesh& mesh, const PointMap& point_map,
+// \param elements what there is a point for
+// \param coordinates_of three numbers for each
+template <class ElementRange, class CoordinatesOf>
+std::optional<Input_metric> rational_metric(const ElementRange& elements, const CoordinatesOf& coordinates_of,
                                             const Delta_complex& connectivity)
 {
   Rational_points points;
-  for (typename boost::graph_traits<TriangleMesh>::vertex_descriptor v : vertices(mesh)) {
-    const auto& p = get(point_map, v);
-    if (!CGAL::is_finite(p.x()) || !CGAL::is_finite(p.y()) || !CGAL::is_finite(p.z()))
+  for (const auto& element : elements) {
+    const auto& p = coordinates_of(element);
+    if (!CGAL::is_finite(p[0]) || !CGAL::is_finite(p[1]) || !CGAL::is_finite(p[2]))
       return std::nullopt;
-    points.add(p.x());
-    points.add(p.y());
-    points.add(p.z());
+    for (int i = 0; i < 3; ++i)
+      points.add(p[i]);
   }
   if (points.are_doubles())
     return std::nullopt;
   return points.metric(connectivity);
 }
+
+// Whether one can go over the elements of what a type stands for: of a range of points or triangles, but not of a mesh.
+template <class T, class = void>
+constexpr bool is_range = false;
+template <class T>
+constexpr bool is_range<T, std::void_t<decltype(std::begin(std::declval<const T&>()), std::end(std::declval<const T&>()))>> = true;
+
+// The number type of the coordinates p[0], p[1] and p[2], where a kernel is asked for.
+template <class PointRange>
+struct Kernel_of_coordinates
+{
+  using FT = std::decay_t<decltype((*std::begin(std::declval<const PointRange&>()))[0])>;
+};
 
 // A flag for each edge, as a property map.
 struct Edge_flags
@@ -128,7 +145,12 @@ using Default_intrinsic_triangulation_traits = std::conditional_t<
 /// named parameters `vertex_point_map` and `geom_traits` are as for
 /// `intrinsic_Delaunay_triangulation()`.
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<!internal::is_range<NamedParameters>, int> = 0
+#endif
+          >
 auto intrinsic_triangulation(const TriangleMesh& mesh,
                              const NamedParameters& np = parameters::default_values())
 {
@@ -150,7 +172,12 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
                                 Edge_length_traits<typename Kernel::FT>>::value,
                   "exact geometry needs points with rational coordinates");
     Delta_complex connectivity = internal::copy_face_graph<ConcurrencyTag>(mesh);
-    std::optional<Input_metric> metric = internal::rational_metric(mesh, point_map, connectivity);
+    const auto coordinates_of = [&point_map](auto v) {
+      const auto& p = get(point_map, v);
+      using FT = typename Kernel::FT;
+      return std::array<FT, 3>{FT(p.x()), FT(p.y()), FT(p.z())};
+    };
+    std::optional<Input_metric> metric = internal::rational_metric(vertices(mesh), coordinates_of, connectivity);
     if (metric) { // some coordinate is not a double
       internal::check_triangles(connectivity);
       return Triangulation::from_metric(std::move(connectivity), std::move(*metric), traits);
@@ -215,7 +242,12 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.2.
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<!internal::is_range<NamedParameters>, int> = 0
+#endif
+          >
 auto intrinsic_Delaunay_triangulation(const TriangleMesh& mesh,
                                       const NamedParameters& np = parameters::default_values())
 {
@@ -223,6 +255,103 @@ auto intrinsic_Delaunay_triangulation(const TriangleMesh& mesh,
   using Traits = typename decltype(triangulation)::Traits;
   const Flip_report report = internal::flip_to_Delaunay_with<ConcurrencyTag>(
     triangulation, internal::constraints_of_copy(mesh, np), np);
+  return Triangulation_and_report<Traits>{std::move(triangulation), report};
+}
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// \brief builds an intrinsic triangulation from points and triangles, without flipping anything.
+///
+/// Numbers of vertices, edges and faces are those of `make_Delta_complex_from_triangles()`. `ConcurrencyTag`, points, triangles, the named
+/// parameter `geom_traits` and the exceptions are as for `intrinsic_Delaunay_triangulation()`.
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class TriangleRange,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::is_range<PointRange> && internal::is_range<TriangleRange>, int> = 0
+#endif
+          >
+auto intrinsic_triangulation(const PointRange& points, const TriangleRange& triangles,
+                             const NamedParameters& np = parameters::default_values())
+{
+  using Kernel = internal::Kernel_of_coordinates<PointRange>;
+  using Traits = typename internal_np::Lookup_named_param_def<
+    internal_np::geom_traits_t, NamedParameters,
+    Default_intrinsic_triangulation_traits<Kernel>>::type;
+  using Triangulation = Intrinsic_triangulation<Traits>;
+  const Traits traits = parameters::choose_parameter<Traits>(parameters::get_parameter(np, internal_np::geom_traits));
+
+  const std::size_t number_of_vertices = std::size_t(std::distance(std::begin(points), std::end(points)));
+  Delta_complex connectivity = make_Delta_complex_from_triangles(number_of_vertices, triangles);
+  if constexpr (Triangulation::uses_exact_geometry && !internal::is_machine_number<typename Kernel::FT>) {
+    const auto coordinates_of = [](const auto& p) -> const auto& { return p; };
+    std::optional<Input_metric> metric = internal::rational_metric(points, coordinates_of, connectivity);
+    if (metric) // some coordinate is not a double
+      return Triangulation::from_metric(std::move(connectivity), std::move(*metric), traits);
+  }
+  using FT = typename Traits::FT;
+  typename Triangulation::Point_vector copied;
+  copied.reserve(number_of_vertices);
+  for (const auto& p : points)
+    copied.push_back({internal::convert_number<FT>(p[0]), internal::convert_number<FT>(p[1]),
+                      internal::convert_number<FT>(p[2])});
+  return Triangulation(std::move(connectivity), std::move(copied), traits, ConcurrencyTag());
+}
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// \brief constructs the intrinsic Delaunay triangulation of a surface that is given by points and triangles.
+///
+/// No mesh is built in between. Vertices and faces keep their numbers; edges are numbered by their first appearance
+/// around the faces, see `make_Delta_complex_from_triangles()`. Time as for a mesh, plus the search for the two faces at each edge, which is
+/// linear as well.
+///
+/// \tparam ConcurrencyTag as for a mesh; the connectivity is built by one thread
+/// \tparam PointRange a model of `ForwardRange`, of points whose coordinates are `p[0]`, `p[1]` and `p[2]`: points of a kernel, or
+///   arrays of numbers
+/// \tparam TriangleRange a model of `ForwardRange`, of random access ranges of three integers each
+/// \tparam NamedParameters a sequence of named parameters
+///
+/// \param points the vertices; those of no triangle are kept, as isolated vertices
+/// \param triangles the faces, as indices into `points`
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{the traits, which determine number type and formulas}
+///     \cgalParamType{a model of `IntrinsicTriangulationTraits`}
+///     \cgalParamDefault{`Default_intrinsic_triangulation_traits` for the number type of the coordinates: exact decisions}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{a property map that tells which edges must not be flipped}
+///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is constrained}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor, tie_proof, maximum_number}
+///     \cgalParamDescription{as for `flip_to_Delaunay()`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return as for a mesh
+///
+/// \exception Invalid_surface_error if the triangles are not an oriented surface, with the face, edge or vertex at fault, as
+///   `make_Delta_complex_from_triangles()` does; if a coordinate is not finite, or an edge has length zero. `examine_polygons()`
+///   tells everything that is wrong, and `repair_polygons()` mends it
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class TriangleRange,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<internal::is_range<PointRange> && internal::is_range<TriangleRange>, int> = 0
+#endif
+          >
+auto intrinsic_Delaunay_triangulation(const PointRange& points, const TriangleRange& triangles,
+                                      const NamedParameters& np = parameters::default_values())
+{
+  auto triangulation = intrinsic_triangulation<ConcurrencyTag>(points, triangles, np);
+  using Traits = typename decltype(triangulation)::Traits;
+  const Flip_report report = internal::flip_to_Delaunay_with<ConcurrencyTag>(
+    triangulation,
+    parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
+                                 Static_boolean_property_map<Edge_index, false>()),
+    np);
   return Triangulation_and_report<Traits>{std::move(triangulation), report};
 }
 

@@ -3,7 +3,7 @@
 
 #include "input/formats/vtp.h"
 
-#include "input/formats/text_file.h"
+#include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 
 #include <vtkCellArray.h>
 #include <vtkLogger.h>
@@ -15,11 +15,16 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <limits>
 
 namespace idt {
 namespace {
+
+using CGAL::Intrinsic_triangulations::internal::load_file;
+using CGAL::Intrinsic_triangulations::internal::quote;
+using CGAL::Intrinsic_triangulations::internal::refuse_file;
 
 // Keeps the first error that VTK would print, whichever of its objects it is that complains.
 class Error_keeper : public vtkOutputWindow
@@ -86,15 +91,17 @@ private:
 // VTK allocates what a piece announces. Compression makes data smaller by a factor of about 1000 at most.
 void check_numbers(const std::string& path)
 {
-  const std::string text = load(path), name = "NumberOf";
+  const std::string text = load_file(path), name = "NumberOf";
+  if (text.empty())
+    refuse_file(path, "the file is empty");
   for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
     const std::size_t number = text.find_first_of("\"'", at);
     if (number == std::string::npos)
       return;
     const double value = std::strtod(text.c_str() + number + 1, nullptr);
     if (!(value >= 0 && value <= 2000. * static_cast<double>(text.size())))
-      refuse(path, "the number in " + quote(text.substr(at, text.find_first_of("\"'", number + 1) - at + 1)) +
-                     " does not agree with the size of the file");
+      refuse_file(path, "the number in " + quote(text.substr(at, text.find_first_of("\"'", number + 1) - at + 1)) +
+                          " does not agree with the size of the file");
   }
 }
 
@@ -108,7 +115,7 @@ std::uint32_t vertex_number(vtkIdType id)
 
 } // namespace
 
-void read_vtp(const std::string& path, Points& points, Polygons& polygons)
+CGAL::Intrinsic_triangulations::Polygon_soup read_vtp(const std::string& path)
 {
   check_numbers(path);
   const Silence silence;
@@ -116,35 +123,38 @@ void read_vtp(const std::string& path, Points& points, Polygons& polygons)
   reader->SetFileName(path.c_str());
   reader->Update();
   if (silence.keeper().has_error() || reader->GetErrorCode() != 0)
-    refuse(path, "the file cannot be read" +
-                   (silence.keeper().has_error() ? " (VTK: " + silence.keeper().error() + ")" : std::string()));
+    refuse_file(path, "the file cannot be read" +
+                        (silence.keeper().has_error() ? " (VTK: " + silence.keeper().error() + ")" : std::string()));
   vtkPolyData* const data = reader->GetOutput();
   if (data == nullptr)
-    refuse(path, "the file holds no polygons");
+    refuse_file(path, "the file holds no polygons");
   if (data->GetNumberOfStrips() != 0)
-    refuse(path, "the file holds " + std::to_string(data->GetNumberOfStrips()) +
-                   " triangle strips, which are not read: turn them into triangles first");
+    refuse_file(path, "the file holds " + std::to_string(data->GetNumberOfStrips()) +
+                        " triangle strips, which are not read: turn them into triangles first");
   const vtkIdType others = data->GetNumberOfVerts() + data->GetNumberOfLines();
   if (others != 0 && data->GetNumberOfPolys() == 0)
-    refuse(path, "the file holds " + std::to_string(others) + " points or lines and no polygon");
+    refuse_file(path, "the file holds " + std::to_string(others) + " points or lines and no polygon");
 
-  points.reserve(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  CGAL::Intrinsic_triangulations::Polygon_soup soup;
+  soup.points.reserve(static_cast<std::size_t>(data->GetNumberOfPoints()));
   for (vtkIdType v = 0; v < data->GetNumberOfPoints(); ++v) {
-    double p[3];
-    data->GetPoint(v, p);
-    points.emplace_back(p[0], p[1], p[2]);
+    std::array<double, 3> point;
+    data->GetPoint(v, point.data());
+    soup.points.push_back(point);
   }
   vtkCellArray* const cells = data->GetPolys();
   if (cells == nullptr)
-    return;
-  polygons.resize(static_cast<std::size_t>(cells->GetNumberOfCells()));
+    return soup;
+  std::vector<std::uint32_t> face;
   for (vtkIdType f = 0; f < cells->GetNumberOfCells(); ++f) {
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     cells->GetCellAtId(f, size, corners);
-    for (vtkIdType i = 0; i < size; ++i)
-      polygons[static_cast<std::size_t>(f)].push_back(vertex_number(corners[i]));
+    face.resize(static_cast<std::size_t>(size));
+    std::transform(corners, corners + size, face.begin(), vertex_number);
+    soup.add_face(face.data(), face.data() + face.size());
   }
+  return soup;
 }
 
 } // namespace idt

@@ -7,7 +7,7 @@
 #ifndef IDT_FORMATS_VTP_H
 #define IDT_FORMATS_VTP_H
 
-#include "input/formats/polygon_soup.h"
+#include <CGAL/Intrinsic_triangulations/Polygon_soup.h>
 
 #include <array>
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace idt {
 
 // \exception Invalid_surface_error if VTK cannot read the file, or if it holds other cells than
 // polygons alone
-void read_vtp(const std::string& path, Points& points, Polygons& polygons);
+CGAL::Intrinsic_triangulations::Polygon_soup read_vtp(const std::string& path);
 
 // Polygon i has the corners from ends[i - 1] to before ends[i].
 struct Flat_polygons

@@ -23,6 +23,22 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+constexpr std::size_t huge_page = std::size_t(1) << 21;
+
+// Asks for huge pages for memory that is not used yet. A wish: failure changes nothing.
+inline void wish_for_huge_pages(void* const p, const std::size_t size)
+{
+#ifdef __linux__
+  const std::uintptr_t first = (std::uintptr_t(p) + huge_page - 1) / huge_page * huge_page,
+                       last = (std::uintptr_t(p) + size) / huge_page * huge_page;
+  if (first < last)
+    ::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+#else
+  (void)p;
+  (void)size;
+#endif
+}
+
 // Asks for huge pages where an array is large enough. The arrays are filled once and little
 // else happens to them: with small pages, the page faults of that first pass can take
 // longer than everything that is computed. Elsewhere than on Linux this is malloc().
@@ -50,8 +66,8 @@ public:
       void* const block = checked(std::malloc(rounded + huge_page));
       const std::uintptr_t begin = std::uintptr_t(block) / huge_page * huge_page + huge_page;
       void* const p = static_cast<char*>(block) + (begin - std::uintptr_t(block));
-      static_cast<void**>(p)[-1] = block;   // malloc() aligns to more than a pointer: there is room
-      ::madvise(p, rounded, MADV_HUGEPAGE); // a wish: failure changes nothing
+      static_cast<void**>(p)[-1] = block; // malloc() aligns to more than a pointer: there is room
+      wish_for_huge_pages(p, rounded);
       return static_cast<T*>(p);
     }
 #endif
@@ -80,8 +96,6 @@ private:
       throw std::bad_alloc();
     return p;
   }
-
-  static constexpr std::size_t huge_page = std::size_t(1) << 21;
 };
 
 } // namespace internal

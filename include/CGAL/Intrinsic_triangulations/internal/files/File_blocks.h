@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// A file in large pieces. It is gone through once, never held as a whole, and asks before each piece whether to go on.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FILE_BLOCKS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FILE_BLOCKS_H
+
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <ios>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+class File_blocks
+{
+public:
+  // \param size the size of the file, not 0
+  // \param begin the first byte that is wanted
+  File_blocks(const std::string& path, std::uintmax_t size, std::uintmax_t begin, const Progress_function& progress)
+    : path_(path), size_(size), taken_(begin), progress_(progress),
+      buffer_(size_of_piece)
+  {
+    file_.pubsetbuf(nullptr, 0); // reads go where they are wanted
+    file_.open(path, std::ios::in | std::ios::binary);
+    file_.pubseekpos(static_cast<std::streampos>(static_cast<std::streamoff>(begin)), std::ios::in);
+  }
+  File_blocks(const File_blocks&) = delete;
+  File_blocks& operator=(const File_blocks&) = delete;
+
+  // What was taken from the file and not used: the caller moves `first` on. Pointers hold until the next piece comes.
+  const char* first = nullptr;
+  const char* last = nullptr;
+
+  std::size_t available() const { return static_cast<std::size_t>(last - first); }
+  // How many bytes there are from `first` to the end of the file.
+  std::uintmax_t left() const
+  {
+    const std::uintmax_t gone = taken_ - static_cast<std::uintmax_t>(end_ - first);
+    return size_ - (std::min)(size_, gone);
+  }
+
+  // Makes available the rest of the last piece and the next one; false if there is none.
+  // \exception Cancelled_error if that is wanted
+  bool take_piece()
+  {
+    if (is_at_end_) {
+      if (!is_end_told_)
+        tell();
+      is_end_told_ = true;
+      return false;
+    }
+    tell();
+    const std::size_t rest = static_cast<std::size_t>(end_ - first);
+    if (rest > buffer_.size() / 2) // of a long line, or a long list
+      grow(rest);
+    else if (rest > 0)
+      std::memmove(buffer_.data(), first, rest);
+    const std::streamsize got =
+      file_.sgetn(buffer_.data() + rest, static_cast<std::streamsize>(buffer_.size() - rest));
+    first = buffer_.data();
+    end_ = last = first + rest + got;
+    taken_ += static_cast<std::uintmax_t>(got);
+    is_at_end_ = got < static_cast<std::streamsize>(buffer_.size() - rest);
+    return true;
+  }
+
+  // The same for a text: nothing is available but whole lines, or whole words if they are shorter.
+  bool take_lines()
+  {
+    return take_up_to([](char c) { return c == '\n'; });
+  }
+  bool take_words() { return take_up_to(is_white); }
+
+  // Goes over a line, which is [begin, end) without what ends it; false if there is none.
+  bool take_line(const char*& begin, const char*& end)
+  {
+    if (first == last && !take_lines())
+      return false;
+    begin = first;
+    const void* const found = std::memchr(first, '\n', available());
+    end = found == nullptr ? last : static_cast<const char*>(found);
+    first = found == nullptr ? last : end + 1;
+    return true;
+  }
+
+  // Makes bytes available; false if the file ends before.
+  bool require(const std::size_t bytes)
+  {
+    while (available() < bytes)
+      if (!take_piece())
+        return false;
+    return true;
+  }
+
+  // Goes over bytes; false if the file ends before.
+  bool skip(std::uintmax_t bytes)
+  {
+    while (bytes > available()) {
+      bytes -= available();
+      first = last;
+      if (!take_piece())
+        return false;
+    }
+    first += bytes;
+    return true;
+  }
+
+private:
+  void tell() const
+  {
+    if (progress_ && !progress_((std::min)(1., static_cast<double>(taken_) / static_cast<double>(size_))))
+      throw Cancelled_error(path_ + ": cancelled while it was read");
+  }
+
+  static constexpr std::size_t size_of_piece = std::size_t(1) << 20;
+
+  template <class Is_separator>
+  bool take_up_to(const Is_separator& is_separator)
+  {
+    while (take_piece()) {
+      if (is_at_end_)
+        return first != last;
+      while (last != first && !is_separator(last[-1]))
+        --last;
+      if (last != first)
+        return true;
+    }
+    return false;
+  }
+
+  void grow(const std::size_t rest)
+  {
+    std::vector<char> larger(2 * buffer_.size());
+    std::memcpy(larger.data(), first, rest);
+    buffer_.swap(larger);
+  }
+
+  std::string path_;
+  std::uintmax_t size_, taken_;
+  const Progress_function& progress_;
+  std::vector<char> buffer_;
+  const char* end_ = nullptr; // of what was taken, which may be behind `last`
+  std::filebuf file_;
+  bool is_at_end_ = false;
+  bool is_end_told_ = false;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FILE_BLOCKS_H

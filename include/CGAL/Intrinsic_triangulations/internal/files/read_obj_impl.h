@@ -1,0 +1,261 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// OBJ: lines that begin with a word that tells what they are; vertices and faces are read, the others skipped.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OBJ_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OBJ_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/internal/files/File_blocks.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/formats.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/reserve.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Whether a line may begin with a word that is neither `v` nor `f`, and may go on behind a backslash: what is there is valid, and is
+// no vertex and no face.
+inline bool is_other_obj_keyword(const std::string_view word)
+{
+  static constexpr std::string_view keywords[] = {
+    "vt", "vn", "vp", "l", "p", "o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib",
+    // how it is shown
+    "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech", "stech",
+    // curves and surfaces
+    "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end", "con",
+    "surf_1", "q0_1", "q1_1", "curv2d_1", "surf_2", "q0_2", "q1_2", "curv2d_2",
+    // other files and programs
+    "call", "csh",
+    // those that were superseded
+    "bsp", "bzp", "cdc", "cdp", "res"};
+  return std::find(std::begin(keywords), std::end(keywords), word) != std::end(keywords);
+}
+
+class Obj_reader
+{
+public:
+  Obj_reader(const std::string& path, Polygon_soup& soup) : path_(path), soup_(soup) {}
+
+  void read(const std::uintmax_t size, const Progress_function& progress)
+  {
+    File_blocks file(path_, size, 0, progress);
+    reserve(soup_, size / 64, size / 32); // a guess: the usual file has fewer
+    for (const char *p = nullptr, *last = nullptr; file.take_line(p, last);) {
+      ++number_;
+      take_line(p, last);
+    }
+    const std::size_t vertices = soup_.points.size();
+    // Faces may come before their vertices: whether all are there is known at the end.
+    if (limit_ == no_limit && greatest_index_ > vertices) {
+      Polygon_soup ignored;
+      Obj_reader second(path_, ignored);
+      second.limit_ = vertices;
+      second.read(size, progress);
+    }
+    if (limit_ != no_limit && bad_faces_ > 0) {
+      if (bad_faces_ > 1)
+        first_bad_index_ += ", and " + std::to_string(bad_faces_ - 1) +
+                            (bad_faces_ == 2 ? " more face like it" : " more faces like it");
+      refuse_file(path_, first_bad_index_, Defect::BAD_INDEX, first_bad_face_, bad_faces_);
+    }
+    if (vertices == 0 || soup_.number_of_faces() == 0)
+      refuse_file(path_,
+                  "there is " + std::string(vertices == 0 ? "no vertex" : "no face") + " in the file (" + so_far() + ")",
+                  Defect::EMPTY);
+  }
+
+private:
+  static constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
+
+  void take_line(const char* const first, const char* const last)
+  {
+    const char* p = skip_white(first, last);
+    if (p == last) {
+      is_continued_ = false;
+      return;
+    }
+    if (!is_continued_) {
+      if (*p == '#')
+        return;
+      const char* const end = skip_word(p, last);
+      if (end - p == 1 && *p == 'v')
+        return take_vertex(end, last);
+      if (end - p == 1 && *p == 'f')
+        return take_face(end, last);
+      if (!is_other_obj_keyword(std::string_view(p, static_cast<std::size_t>(end - p))))
+        refuse_line(first, last);
+    }
+    const char* end = last;
+    while (end[-1] == '\r')
+      --end;
+    is_continued_ = end[-1] == '\\';
+  }
+
+  void take_vertex(const char* p, const char* const last)
+  {
+    std::array<double, 3> point;
+    for (std::size_t i = 0; i < 3; ++i) {
+      p = skip_white(p, last);
+      if (take_real(p, last, point[i]))
+        continue;
+      if (p == last || *p == '#')
+        refuse_file(path_, where("vertex", soup_.points.size()) + ": there are " + std::to_string(i) + " numbers where 3 are needed",
+                    Defect::UNREADABLE, soup_.points.size());
+      const char* const end = std::find(p, skip_word(p, last), '#');
+      point[i] = check_coordinate(path_, std::string(p, end), where("vertex", soup_.points.size()), soup_.points.size());
+      p = end;
+    }
+    soup_.points.push_back(point);
+  }
+
+  void take_face(const char* p, const char* const last)
+  {
+    corners_.clear();
+    is_bad_ = false;
+    for (p = skip_white(p, last); p != last && *p != '#'; p = skip_white(p, last)) {
+      std::uint32_t index = 0;
+      const char* q = p;
+      if (take_count(q, last, index) && (q == last || is_white(*q)) && index > 0)
+        add_corner(index);
+      else {
+        q = skip_word(p, last);
+        take_corner(p, q);
+      }
+      p = q;
+    }
+    soup_.add_face(corners_.data(), corners_.data() + corners_.size());
+  }
+
+  // A corner with a sign, or with texture and normal behind slashes.
+  void take_corner(const char* const p, const char* const end)
+  {
+    long long index = 0;
+    const char* q = read_index(p, end, index);
+    for (int slashes = 0; q != nullptr && q != end;) {
+      if (*q != '/' || ++slashes > 2)
+        q = nullptr;
+      else if (++q != end && *q != '/') {
+        long long ignored = 0;
+        q = read_index(q, end, ignored);
+      }
+    }
+    const std::size_t face = soup_.number_of_faces(), vertices = soup_.points.size();
+    if (q == nullptr)
+      refuse_corner(std::string(p, end));
+    if (index == 0)
+      refuse_file(path_, where("face", face) + ": " + quote(std::string(p, end)) + " names vertex 0, but vertices are counted from 1",
+                  Defect::BAD_INDEX, face);
+    if (index > 0)
+      return add_corner(static_cast<std::uint32_t>(index));
+    if (static_cast<std::size_t>(-index) > vertices)
+      refuse_file(path_,
+                  where("face", face) + ": the face names vertex " + std::to_string(index) + ", but " +
+                    std::to_string(vertices) + " vertices come before it",
+                  Defect::BAD_INDEX, face);
+    corners_.push_back(static_cast<std::uint32_t>(vertices - static_cast<std::size_t>(-index)));
+  }
+
+  // \param index counted from 1
+  void add_corner(const std::uint32_t index)
+  {
+    corners_.push_back(index - 1);
+    if (index <= greatest_index_)
+      return;
+    if (limit_ == no_limit)
+      greatest_index_ = index;
+    else if (index > limit_ && !is_bad_) {
+      is_bad_ = true;
+      if (bad_faces_++ == 0) {
+        first_bad_face_ = soup_.number_of_faces();
+        first_bad_index_ = where("face", first_bad_face_) + ": the face names vertex " + std::to_string(index) +
+                           ", but there are " + std::to_string(limit_) + " vertices (counted from 1)";
+      }
+    }
+  }
+
+  // Behind an index, null if there is none.
+  static const char* read_index(const char* p, const char* const end, long long& index)
+  {
+    if (p != end && *p == '+' && p + 1 != end && p[1] != '-')
+      ++p;
+    const std::from_chars_result result = std::from_chars(p, end, index);
+    return result.ec == std::errc() && index <= (std::numeric_limits<int>::max)() &&
+               index >= -(std::numeric_limits<int>::max)()
+             ? result.ptr
+             : nullptr;
+  }
+
+  [[noreturn]] void refuse_corner(const std::string& word) const
+  {
+    const std::size_t face = soup_.number_of_faces();
+    const std::string begin = where("face", face) + ": " + quote(word);
+    long long index = 0;
+    if (word == "\\")
+      refuse_file(path_, begin + ": lines that go on behind a backslash are not read, write the face in one line",
+                  Defect::UNREADABLE, face);
+    const std::string corner = word.substr(0, word.find('/'));
+    const std::size_t sign = !corner.empty() && (corner[0] == '+' || corner[0] == '-') ? 1 : 0;
+    if (corner.size() > sign && corner.find_first_not_of("0123456789", sign) == std::string::npos &&
+        read_index(corner.data(), corner.data() + corner.size(), index) == nullptr)
+      refuse_file(path_, begin + " is beyond all numbers of vertices", Defect::BAD_INDEX, face);
+    refuse_file(path_,
+                begin + " is not a corner of a face (the number of a vertex, alone or as in 1/2/3; comments begin"
+                        " with # behind a blank)",
+                Defect::UNREADABLE, face);
+  }
+
+  [[noreturn]] void refuse_line(const char* const first, const char* last) const
+  {
+    while (last != first && is_white(last[-1]))
+      --last;
+    std::string line(first, last);
+    std::replace(line.begin(), line.end(), '\t', ' ');
+    refuse_file(path_, "line " + std::to_string(number_) + ": " + quote(line) + " is not understood (after " + so_far() + ")");
+  }
+
+  std::string so_far() const
+  {
+    return std::to_string(soup_.points.size()) + " vertices and " + std::to_string(soup_.number_of_faces()) + " faces";
+  }
+
+  std::string where(const char* const kind, const std::size_t element) const { return place(number_, kind, element); }
+
+  std::string path_;
+  Polygon_soup& soup_;
+  std::size_t number_ = 0;             // of the line, counted from 1
+  bool is_continued_ = false;          // the last line was of another kind, and goes on
+  std::vector<std::uint32_t> corners_; // of a face
+  std::size_t greatest_index_ = 0;
+  std::size_t limit_ = no_limit; // faces with greater indices are counted
+  bool is_bad_ = false;          // the face has one
+  std::size_t bad_faces_ = 0, first_bad_face_ = 0;
+  std::string first_bad_index_;
+};
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void read_obj(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
+{
+  Obj_reader(path, soup).read(size, progress);
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OBJ_IMPL_H

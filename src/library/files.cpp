@@ -1,0 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What is compiled once of reading files.
+
+#include <CGAL/Intrinsic_triangulations/internal/files/read_polygon_soup_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/text_file_impl.h>
