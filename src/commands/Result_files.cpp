@@ -81,19 +81,23 @@ void Result_files::add_to(Requested_results& wanted) const
 
 void Result_files::write(Triangulation_result& result) const
 {
-  const Stopwatch stopwatch;
-  write_file(repair_map, [&](std::ostream& os) { write_repair_map(os, result.surface); });
-  write_file(vertex_map, [&](std::ostream& os) { write_vertex_map(os, result.surface); });
-  write_file(points, [&](std::ostream& os) { write_points(os, result); });
-  write_file(edges, [&](std::ostream& os) { write_edges(os, result); });
-  write_file(Laplacian, [&](std::ostream& os) { write_Laplacian(os, result); });
-  write_file(mass, [&](std::ostream& os) { write_mass(os, result); });
+  const auto write_one = [&result](const char* option, const std::string& path, const auto& write) {
+    if (path.empty())
+      return;
+    const Stopwatch stopwatch;
+    write_file(path, write);
+    result.file_seconds.emplace_back(option, stopwatch.seconds());
+  };
+  write_one("repair-map", repair_map, [&](std::ostream& os) { write_repair_map(os, result.surface); });
+  write_one("vertex-map", vertex_map, [&](std::ostream& os) { write_vertex_map(os, result.surface); });
+  write_one("points", points, [&](std::ostream& os) { write_points(os, result); });
+  write_one("edges", edges, [&](std::ostream& os) { write_edges(os, result); });
+  write_one("laplacian", Laplacian, [&](std::ostream& os) { write_Laplacian(os, result); });
+  write_one("mass", mass, [&](std::ostream& os) { write_mass(os, result); });
   if (result.outcome.subdivision) {
-    write_file(crossings, [&](std::ostream& os) { write_crossings(os, result); });
-    write_file(overlay, [&](std::ostream& os) { write_overlay(os, result, *find_mesh_format(overlay)); });
+    write_one("crossings", crossings, [&](std::ostream& os) { write_crossings(os, result); });
+    write_one("overlay", overlay, [&](std::ostream& os) { write_overlay(os, result, *find_mesh_format(overlay)); });
   }
-  if (result.options.wanted.numbers || result.outcome.subdivision || !points.empty())
-    result.write_seconds = stopwatch.seconds();
   write_json(stats, statistics(result));
 }
 

@@ -173,7 +173,9 @@ Triangulation_result triangulate(Surface surface, const Kernel_options& options)
     };
     result.outcome = run({result.surface, options, show_flips, has_time_to_decide, show_overlay, show_points});
   }
+  const Stopwatch stopwatch;
   result.counts = count_elements(result.outcome.connectivity);
+  result.count_seconds = stopwatch.seconds();
   return result;
 }
 

@@ -6,6 +6,8 @@
 #ifndef IDT_SURFACE_H
 #define IDT_SURFACE_H
 
+#include "system/Stopwatch.h"
+
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Repaired_polygons.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
@@ -58,6 +60,7 @@ struct Surface
   std::size_t number_of_removed_vertices = 0;
   // What a user should know though the surface can be used.
   std::vector<std::string> notes;
+  Stopwatch stopwatch; // since loading began
   double read_seconds = 0;
   double build_seconds = 0;
   double untwist_seconds = 0;

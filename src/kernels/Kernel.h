@@ -110,7 +110,8 @@ struct Crossing_summary
   std::uint64_t longest = 0;   // the largest number of segments in one intrinsic edge
   std::uint64_t crossings = 0; // in all
   std::uint64_t changed = 0;   // intrinsic edges that are no input edges
-  double seconds = 0;          // for these numbers, and for the overlay where it was wanted
+  double seconds = 0;          // for these numbers, and for the graph of the overlay where it was wanted
+  double position_seconds = 0; // for the places of the crossings in the overlay
 };
 
 // The cells that are left of a Delaunay triangulation when the ties are removed.
@@ -172,6 +173,9 @@ struct Outcome
   std::optional<std::uint64_t> wrong_decisions;
   double build_seconds = 0;
   double flip_seconds = 0;
+  double check_seconds = 0;   // for verification, ties and shapes
+  double number_seconds = 0;  // for lengths, weights and areas of the result
+  double summary_seconds = 0; // for the summaries of weights
 };
 
 // Makes a surface Delaunay with the number type that the options name.

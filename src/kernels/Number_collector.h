@@ -7,10 +7,12 @@
 #define IDT_KERNELS_NUMBER_COLLECTOR_H
 
 #include "kernels/Kernel.h"
+#include "system/for_each_block.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -20,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -215,13 +218,10 @@ Weight_summary summarize_weights(const Triangulation& triangulation)
 }
 
 template <class Triangulation>
-void collect_lengths(const Triangulation& triangulation, Numbers& numbers)
+double length(const Triangulation& triangulation, IT::Edge_index e)
 {
-  numbers.lengths.reserve(triangulation.connectivity().number_of_edges());
-  for (IT::Edge_index e : triangulation.connectivity().edges())
-    numbers.lengths.push_back(
-      unless_cancelled([&] { return CGAL::to_double(triangulation.length(e)); },
-                       [&] { return std::sqrt(CGAL::to_double(triangulation.squared_length(e))); }));
+  return unless_cancelled([&] { return CGAL::to_double(triangulation.length(e)); },
+                          [&] { return std::sqrt(CGAL::to_double(triangulation.squared_length(e))); });
 }
 
 template <class Triangulation>
@@ -237,17 +237,67 @@ double area(const Triangulation& triangulation, IT::Face_index f)
     return std::ldexp(stored, 2 * triangulation.unit_exponent()); });
 }
 
+// What the functions above return for most elements, found for all corners at a vertex together and by several threads; NaN for the
+// others, and for all if the number type has no exact geometry.
+class Known_numbers
+{
+public:
+  template <class Triangulation>
+  explicit Known_numbers(const Triangulation& triangulation) : complex_(triangulation.connectivity())
+  {
+    if constexpr (Triangulation::uses_exact_geometry) {
+      numbers_.emplace(complex_);
+      unit_exponent_ = triangulation.unit_exponent();
+      const IT::Exact_geometry& geometry = triangulation.exact_geometry();
+      for_each_block(complex_.number_of_vertices(), [&](std::size_t first, std::size_t last) {
+        unless_cancelled([&] { geometry.find_numbers(complex_, first, last, *numbers_); }, [] {});
+      });
+    }
+  }
+
+  double length(IT::Edge_index e) const { return numbers_ ? numbers_->lengths[e.idx()] : unknown; }
+  double weight(IT::Edge_index e) const
+  {
+    return numbers_ && !complex_.is_border(e) ? numbers_->cotangent_weight(complex_, e) : unknown;
+  }
+  double area(IT::Face_index f) const
+  {
+    return numbers_ && !std::isnan(numbers_->areas[f.idx()])
+             ? IT::internal::area_in_input_unit(numbers_->areas[f.idx()], unit_exponent_, f)
+             : unknown;
+  }
+
+private:
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+  const IT::Delta_complex& complex_;
+  std::optional<IT::Exact_geometry::Rounded_numbers> numbers_;
+  int unit_exponent_ = 0;
+};
+
 template <class Triangulation>
-void collect_weights_and_areas(const Triangulation& triangulation, Numbers& numbers)
+void collect_numbers(const Triangulation& triangulation, bool with_lengths, Numbers& numbers)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
+  const Known_numbers known(triangulation);
+  if (with_lengths) {
+    numbers.lengths.reserve(complex.number_of_edges());
+    for (IT::Edge_index e : complex.edges()) {
+      const double x = known.length(e);
+      numbers.lengths.push_back(std::isnan(x) ? length(triangulation, e) : x);
+    }
+  }
   Weight_evaluator<Triangulation> weight(triangulation);
   numbers.weights.reserve(complex.number_of_edges());
-  for (IT::Edge_index e : complex.edges())
-    numbers.weights.push_back(weight(e));
+  for (IT::Edge_index e : complex.edges()) {
+    const double x = known.weight(e);
+    numbers.weights.push_back(std::isnan(x) ? weight(e) : x);
+  }
   numbers.areas.reserve(complex.number_of_faces());
-  for (IT::Face_index f : complex.faces())
-    numbers.areas.push_back(area(triangulation, f));
+  for (IT::Face_index f : complex.faces()) {
+    const double x = known.area(f);
+    numbers.areas.push_back(std::isnan(x) ? area(triangulation, f) : x);
+  }
 }
 
 } // namespace idt

@@ -3,6 +3,8 @@
 
 #include "kernels/find_overlay.h"
 
+#include "system/Stopwatch.h"
+
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <string>
@@ -15,8 +17,16 @@ void find_overlay(const CGAL::Intrinsic_triangulations::Delta_complex& complex,
                   Outcome& outcome)
 {
   namespace IT = CGAL::Intrinsic_triangulations;
+  const Stopwatch stopwatch;
+  double graph_seconds = 0;
+  const auto note_time = [&](double fraction) {
+    if (fraction <= IT::Common_subdivision::part_of_graph)
+      graph_seconds = stopwatch.seconds();
+    return !progress || progress(fraction);
+  };
   try {
-    outcome.subdivision.emplace(complex, geometry, progress);
+    outcome.subdivision.emplace(complex, geometry, note_time);
+    outcome.crossing_summary->position_seconds = stopwatch.seconds() - graph_seconds;
   } catch (const IT::Cancelled_error& error) {
     outcome.is_interrupted = true;
     if (outcome.failure.empty())

@@ -265,8 +265,8 @@ void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome
 {
   const Requested_results& wanted = job.options.wanted;
   const IT::Delta_complex& complex = triangulation.connectivity();
+  Stopwatch stopwatch;
   try {
-    const Stopwatch stopwatch;
     if constexpr (Triangulation::uses_exact_geometry)
       if (!job.options.refinement) // which does not count its tests
         find_stages(triangulation.exact_geometry(), outcome);
@@ -274,7 +274,7 @@ void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome
       find_crossings(triangulation, outcome);
       if (wanted.overlay)
         find_overlay(complex, triangulation.exact_geometry(), job.overlay_progress, outcome);
-      outcome.crossing_summary->seconds = stopwatch.seconds();
+      outcome.crossing_summary->seconds = stopwatch.restart() - outcome.crossing_summary->position_seconds;
     }
     if (wanted.verification)
       outcome.verification = verify(triangulation, job);
@@ -300,6 +300,7 @@ void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome
     if (outcome.failure.empty())
       outcome.failure = error.what();
   }
+  outcome.check_seconds = stopwatch.seconds();
 }
 
 template <class Traits>
@@ -324,8 +325,7 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
       if (wanted.weights)
         outcome.weights_before = summarize_weights(input);
       if (wanted.input_numbers) {
-        collect_lengths(input, outcome.input_numbers);
-        collect_weights_and_areas(input, outcome.input_numbers);
+        collect_numbers(input, true, outcome.input_numbers);
       }
     };
     // Questions to the exact geometry change how it follows the flips, so a copy is asked.
@@ -336,6 +336,8 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
     } else
       ask(triangulation);
   }
+
+  outcome.summary_seconds = stopwatch.restart();
 
   if (triangulation.keeps_input())
     triangulation.set_tie_proof(job.options.tie_proof);
@@ -352,12 +354,13 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
   // Proofs were demanded of decisions: to find a weight, a tie is not proven once more.
   if (triangulation.keeps_input())
     triangulation.set_tie_proof(IT::Tie_proof::PROBABLE_IF_COSTLY);
+  stopwatch.restart();
   if (wanted.weights)
     outcome.weights_after = summarize_weights(triangulation);
-  if (wanted.lengths)
-    collect_lengths(triangulation, outcome.numbers);
+  outcome.summary_seconds += stopwatch.restart();
   if (wanted.numbers)
-    collect_weights_and_areas(triangulation, outcome.numbers);
+    collect_numbers(triangulation, wanted.lengths, outcome.numbers);
+  outcome.number_seconds = stopwatch.seconds();
   outcome.connectivity = triangulation.connectivity();
   return outcome;
 }

@@ -20,6 +20,8 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace idt {
 
@@ -28,8 +30,18 @@ struct Triangulation_result
   Surface surface;
   Kernel_options options;
   Outcome outcome;
-  Surface_counts counts; // of the intrinsic triangulation
-  double write_seconds = 0;
+  Surface_counts counts;                                    // of the intrinsic triangulation
+  double count_seconds = 0;                                 // for `counts`
+  std::vector<std::pair<const char*, double>> file_seconds; // for each file, by the option that asked for it
+
+  // For all of them.
+  double write_seconds() const
+  {
+    double sum = 0;
+    for (const auto& [option, seconds] : file_seconds)
+      sum += seconds;
+    return sum;
+  }
 };
 
 // What the result means for the shell.

@@ -94,7 +94,21 @@ Json seconds(const Triangulation_result& result)
   if (result.options.refinement)
     json["refine"] = member(outcome.refinement, &Refinement_summary::seconds);
   json["overlay"] = member(outcome.crossing_summary, &Crossing_summary::seconds);
-  json["write"] = result.write_seconds;
+  json["positions"] = outcome.subdivision ? Json(outcome.crossing_summary->position_seconds) : Json(nullptr);
+  json["check"] = outcome.check_seconds;
+  json["numbers"] = outcome.number_seconds;
+  json["summary"] = outcome.summary_seconds + result.count_seconds;
+  json["write"] = result.write_seconds();
+  const double total = result.surface.stopwatch.seconds();
+  double rest = total;
+  for (const auto& stage : json)
+    if (stage.is_number())
+      rest -= stage.get<double>();
+  json["rest"] = rest;
+  json["total"] = total;
+  json["files"] = Json::object();
+  for (const auto& [option, seconds] : result.file_seconds)
+    json["files"][option] = seconds;
   return json;
 }
 

@@ -3,31 +3,15 @@
 
 #include "output/write_distances.h"
 
-#include "system/text.h"
+#include "system/Long_text.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <string>
 #include <vector>
 
 namespace idt {
 namespace {
-
-// The lowest byte first, whatever this machine does.
-template <class Integer>
-void write_bytes(std::ostream& os, Integer bits)
-{
-  for (std::size_t b = 0; b < sizeof(Integer); ++b)
-    os.put(static_cast<char>(bits >> 8 * b & 0xff));
-}
-
-void write_double(std::ostream& os, double x)
-{
-  std::uint64_t bits;
-  std::memcpy(&bits, &x, sizeof bits);
-  write_bytes(os, bits);
-}
 
 // The name of each coordinate, vertex values one after the other.
 std::vector<std::string> column_names(const Surface_with_distances& surface)
@@ -56,11 +40,11 @@ void write_distances_csv(std::ostream& os, const Surface_with_distances& surface
   for (const std::string& name : column_names(surface))
     os << ',' << name;
   os << '\n';
-  for (std::size_t v = 0; v < surface.number_of_vertices; ++v) {
-    os << v << ',' << in_full(surface.distances[v]);
-    for_each_coordinate(surface, v, [&os](double x) { os << ',' << in_full(x); });
-    os << '\n';
-  }
+  write_elements(os, surface.number_of_vertices, [&surface](Long_text& text, std::size_t v) {
+    text << v << ',' << surface.distances[v];
+    for_each_coordinate(surface, v, [&text](double x) { text << ',' << x; });
+    text << '\n';
+  });
 }
 
 void write_distances_ply(std::ostream& os, const Surface_with_distances& surface)
@@ -70,17 +54,17 @@ void write_distances_ply(std::ostream& os, const Surface_with_distances& surface
   for (const std::string& name : column_names(surface))
     os << "property double " << name << '\n';
   os << "element face " << surface.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
-  for (std::size_t v = 0; v < surface.number_of_vertices; ++v) {
+  write_elements(os, surface.number_of_vertices, [&surface](Long_text& text, std::size_t v) {
     for (double x : surface.points[v])
-      write_double(os, x);
-    write_double(os, surface.distances[v]);
-    for_each_coordinate(surface, v, [&os](double x) { write_double(os, x); });
-  }
-  for (const auto& triangle : surface.triangles) {
-    os.put(3);
-    for (std::uint32_t v : triangle)
-      write_bytes(os, v);
-  }
+      text.add_bytes(x);
+    text.add_bytes(surface.distances[v]);
+    for_each_coordinate(surface, v, [&text](double x) { text.add_bytes(x); });
+  });
+  write_elements(os, surface.triangles.size(), [&surface](Long_text& text, std::size_t f) {
+    text.add_bytes(std::uint8_t(3));
+    for (std::uint32_t v : surface.triangles[f])
+      text.add_bytes(v);
+  });
 }
 
 void write_distances_vtp(std::ostream& os, const Surface_with_distances& surface)

@@ -3,41 +3,37 @@
 
 #include "output/Triangulation_result.h"
 
-#include "system/text.h"
+#include "system/Long_text.h"
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <string>
 
 namespace idt {
-namespace {
-
-// Beside a face of zero area there is no cotangent.
-std::string finite(double x) { return std::isfinite(x) ? in_full(x) : std::string(); }
-
-} // namespace
 
 void write_edges(std::ostream& os, const Triangulation_result& result)
 {
   namespace IT = CGAL::Intrinsic_triangulations;
   const Outcome& outcome = result.outcome;
   os << "source,target,length,cotan_weight,crossings,original\n";
-  for (IT::Edge_index e : outcome.connectivity.edges()) {
-    const IT::Halfedge_index h = outcome.connectivity.halfedge(e);
-    os << outcome.connectivity.source(h).idx() << ',' << outcome.connectivity.target(h).idx()
-       << ',' << in_full(outcome.numbers.lengths[e.idx()]) << ',' << finite(outcome.numbers.weights[e.idx()]) << ',';
+  write_elements(os, outcome.connectivity.number_of_edges(), [&outcome](Long_text& text, std::size_t e) {
+    const IT::Edge_index edge(static_cast<std::uint32_t>(e));
+    const IT::Halfedge_index h = outcome.connectivity.halfedge(edge);
+    text << outcome.connectivity.source(h).idx() << ',' << outcome.connectivity.target(h).idx() << ','
+         << outcome.numbers.lengths[e] << ',';
+    if (std::isfinite(outcome.numbers.weights[e])) // beside a face of zero area there is no cotangent
+      text << outcome.numbers.weights[e];
+    text << ',';
     if (outcome.original_crossings) {
       const auto& crossings = *outcome.original_crossings;
-      os << crossings.number_of_crossings(e) << ',' << (crossings.is_original(e) ? '1' : '0') << '\n';
-    } else if (e.idx() < outcome.crossings.size()) {
-      const std::int64_t crossings = outcome.crossings[e.idx()];
-      os << (crossings < 0 ? 0 : crossings) << ',' << (crossings < 0 ? '1' : '0') << '\n';
+      text << crossings.number_of_crossings(edge).str() << ',' << (crossings.is_original(edge) ? '1' : '0') << '\n';
+    } else if (e < outcome.crossings.size()) {
+      const std::int64_t crossings = outcome.crossings[e];
+      text << (crossings < 0 ? 0 : crossings) << ',' << (crossings < 0 ? '1' : '0') << '\n';
     } else {
-      os << ",\n"; // more crossings than could be counted
+      text << ",\n"; // more crossings than could be counted
     }
-    if (!os)
-      return; // the disk is full: the caller finds out
-  }
+  });
 }
 
 } // namespace idt

@@ -135,9 +135,13 @@ void write_report(std::ostream& os, const Triangulation_result& result)
     times += ", refine " + seconds_text(outcome.refinement->seconds);
   if (outcome.crossing_summary)
     times += ", crossings " + seconds_text(outcome.crossing_summary->seconds);
-  if (result.write_seconds > 0)
-    times += ", write " + seconds_text(result.write_seconds);
-  report.line("time", times);
+  if (outcome.subdivision)
+    times += ", positions " + seconds_text(outcome.crossing_summary->position_seconds);
+  if (result.options.wanted.numbers)
+    times += ", numbers " + seconds_text(outcome.number_seconds);
+  for (const auto& [option, seconds] : result.file_seconds)
+    times += std::string(", write ") + option + ' ' + seconds_text(seconds);
+  report.line("time", times + "; " + seconds_text(surface.stopwatch.seconds()) + " in all");
   report.line("peak memory", in_short(double(peak_memory_bytes()) / (1 << 20)) + " MiB");
   report.line("status", describe_status(result));
 }

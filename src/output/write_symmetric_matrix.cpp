@@ -3,7 +3,7 @@
 
 #include "output/write_symmetric_matrix.h"
 
-#include "system/text.h"
+#include "system/Long_text.h"
 
 #include <cstddef>
 
@@ -18,10 +18,11 @@ void write_symmetric_matrix(std::ostream& os, const char* what, const Eigen::Spa
       entries += i.row() >= i.col();
   os << "%%MatrixMarket matrix coordinate real symmetric\n% " << what << '\n'
      << matrix.rows() << ' ' << matrix.cols() << ' ' << entries << '\n';
-  for (int c = 0; c < matrix.outerSize() && os; ++c)
-    for (Eigen::SparseMatrix<double>::InnerIterator i(matrix, c); i; ++i)
+  write_elements(os, static_cast<std::size_t>(matrix.outerSize()), [&matrix](Long_text& text, std::size_t c) {
+    for (Eigen::SparseMatrix<double>::InnerIterator i(matrix, static_cast<int>(c)); i; ++i)
       if (i.row() >= i.col())
-        os << i.row() + 1 << ' ' << i.col() + 1 << ' ' << in_full(i.value()) << '\n';
+        text << i.row() + 1 << ' ' << i.col() + 1 << ' ' << i.value() << '\n';
+  });
 }
 
 } // namespace idt

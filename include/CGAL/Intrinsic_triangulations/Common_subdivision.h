@@ -60,8 +60,8 @@ public:
   Common_subdivision(const Delta_complex& intrinsic, const Exact_geometry& geometry,
                      const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
     : overlay_(intrinsic, prepared(geometry, intrinsic).correspondence(),
-               internal::part_of_progress(progress, 0, overlay_part), ConcurrencyTag()),
-      positions_(intrinsic, geometry, overlay_, internal::part_of_progress(progress, overlay_part, 1), ConcurrencyTag()),
+               internal::part_of_progress(progress, 0, part_of_graph), ConcurrencyTag()),
+      positions_(intrinsic, geometry, overlay_, internal::part_of_progress(progress, part_of_graph, 1), ConcurrencyTag()),
       intrinsic_(intrinsic), geometry_(geometry)
   {}
 
@@ -117,15 +117,17 @@ public:
     return result;
   }
 
+  /// \cond SKIP_IN_MANUAL
+  // Of the progress that is reported: the positions take longer than the graph.
+  static constexpr double part_of_graph = 0.3;
+  /// \endcond
+
 private:
   static const Exact_geometry& prepared(const Exact_geometry& geometry, const Delta_complex& intrinsic)
   {
     geometry.prepare(intrinsic);
     return geometry;
   }
-
-  // Of the time: the positions take longer than the graph.
-  static constexpr double overlay_part = 0.3;
 
   Overlay overlay_;
   Overlay_positions positions_;

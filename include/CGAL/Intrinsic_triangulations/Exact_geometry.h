@@ -219,6 +219,20 @@ public:
   // counterclockwise.
   std::vector<std::pair<Halfedge_index, Corner>> corners_at(const Delta_complex& complex, Vertex_index v) const;
 
+  // The numbers of all elements, each edge laid out once where both take long. NaN where double-doubles do not tell.
+  struct Rounded_numbers
+  {
+    explicit Rounded_numbers(const Delta_complex& complex);
+    // What cotangent_weight() returns, or NaN. \pre e is no border edge
+    double cotangent_weight(const Delta_complex& complex, Edge_index e) const;
+
+    std::vector<double> lengths;                             // as length() returns them
+    std::vector<double> areas;                               // in the unit of the metric
+    std::vector<internal::Bounded_double_double> cotangents; // opposite to each halfedge
+  };
+  // Finds what belongs to vertices from first to before last: any number of threads may do that for other vertices.
+  void find_numbers(const Delta_complex& complex, std::size_t first, std::size_t last, Rounded_numbers& numbers) const;
+
   // Whether a corner of the face of h was inserted into an input that is given by points.
   bool has_inserted_corner(const Delta_complex& complex, Halfedge_index h) const;
 

@@ -25,6 +25,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -189,6 +190,38 @@ public:
       const Edge_vector v = kj == first ? vector_of_first : edge_vector(kj);
       if (!complex_.is_border(ki))
         visit(h, corner_between(h, u, v));
+      u = v;
+      ki = kj;
+    } while (ki != first);
+  }
+
+  // Calls `visit_edge(e, s)` with the squared length of each edge whose halfedge `2e` begins at k, and `visit_corner(h, corner)` with the
+  // corner of each face that has the corner k, opposite to h, unless `is_known(h)`. They are what squared_length() and opposite_corner()
+  // return, but an edge between two corners is laid out once.
+  template <class Is_known, class Visit_edge, class Visit_corner>
+  void for_each_edge_and_corner_at(Vertex_index k, const Is_known& is_known, const Visit_edge& visit_edge, const Visit_corner& visit_corner) const
+  {
+    const Halfedge_index first = complex_.opposite(complex_.halfedge(k));
+    std::optional<Edge_vector> vector_of_first, u, v;
+    Halfedge_index ki = first;
+    do {
+      const Halfedge_index kj = complex_.next_around_source(ki), h = complex_.next(ki);
+      const bool has_corner = !complex_.is_border(ki) && !is_known(h), is_laid_out = has_corner && !is_input_face(h);
+      const Edge_index e = complex_.edge(ki);
+      const bool is_edge = ki == complex_.halfedge(e);
+      if (!u && (is_laid_out || is_edge))
+        u = edge_vector(ki);
+      if (ki == first)
+        vector_of_first = u;
+      if (is_edge)
+        visit_edge(e, squared_norm(u->vector) * reference_length(*u));
+      v.reset();
+      if (is_laid_out) {
+        v = kj == first && vector_of_first ? *vector_of_first : edge_vector(kj);
+        visit_corner(h, corner_between(h, *u, *v));
+      } else if (has_corner) {
+        visit_corner(h, input_corner(h));
+      }
       u = v;
       ki = kj;
     } while (ki != first);

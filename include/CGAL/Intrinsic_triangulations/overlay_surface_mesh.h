@@ -39,53 +39,6 @@ namespace Intrinsic_triangulations {
 /// overlay, inserted by `triangulate_overlay_faces()`.
 constexpr std::uint8_t diagonal_label = 3;
 
-/// \cond SKIP_IN_MANUAL
-namespace internal {
-
-// The mesh without its corner points, which take more memory than all the rest; a file has no
-// use for them.
-template <class PointRange>
-auto overlay_to_surface_mesh_without_corners(const Common_subdivision& subdivision, const PointRange& points)
-{
-  const Overlay& overlay = subdivision.overlay();
-  using Point = std::decay_t<decltype(*std::begin(points))>;
-  using Mesh = CGAL::Surface_mesh<Point>;
-  using Vertex = typename Mesh::Vertex_index;
-  using Edge = typename Mesh::Edge_index;
-  using Face = typename Mesh::Face_index;
-  const std::vector<Point> original_points(std::begin(points), std::end(points));
-  check_number_of_points(original_points.size(), overlay.number_of_input_vertices());
-
-  Mesh mesh;
-  mesh.reserve(overlay.number_of_vertices(), overlay.number_of_segments(), overlay.number_of_faces());
-  for (const Point& p : original_points)
-    mesh.add_vertex(p);
-  for (Overlay::Vertex x : overlay.vertices()) {
-    if (x.idx() < overlay.number_of_input_vertices())
-      continue;
-    const auto [a, b, c] = subdivision.point(x, original_points);
-    mesh.add_vertex(Point{a, b, c});
-  }
-  copy_links(overlay, mesh);
-
-  auto kind = mesh.template add_property_map<Vertex, std::uint8_t>("v:kind", 0).first;
-  for (Overlay::Vertex x : overlay.crossings())
-    kind[Vertex(x.idx())] = 1;
-  auto label = mesh.template add_property_map<Edge, std::uint8_t>("e:label").first;
-  for (Overlay::Segment s : overlay.segments())
-    label[Edge(s.idx())] = std::uint8_t(overlay.label(s));
-  auto input_face = mesh.template add_property_map<Face, std::uint32_t>("f:input_face").first;
-  auto intrinsic_face = mesh.template add_property_map<Face, std::uint32_t>("f:intrinsic_face").first;
-  for (Overlay::Face f : overlay.faces()) {
-    input_face[Face(f.idx())] = overlay.input_face(f).idx();
-    intrinsic_face[Face(f.idx())] = overlay.intrinsic_face(f).idx();
-  }
-  return mesh;
-}
-
-} // namespace internal
-/// \endcond
-
 /// \ingroup PkgIntrinsicTriangulationsAdaptors
 /// \brief copies an overlay into a `Surface_mesh` whose faces are convex polygons in space.
 ///
@@ -113,8 +66,40 @@ template <class PointRange, class = std::enable_if_t<boost::has_range_const_iter
 auto overlay_to_surface_mesh(const Common_subdivision& subdivision, const PointRange& points)
 {
   const Overlay& overlay = subdivision.overlay();
-  auto mesh = internal::overlay_to_surface_mesh_without_corners(subdivision, points);
-  using Halfedge = typename decltype(mesh)::Halfedge_index;
+  using Point = std::decay_t<decltype(*std::begin(points))>;
+  using Mesh = CGAL::Surface_mesh<Point>;
+  using Vertex = typename Mesh::Vertex_index;
+  using Edge = typename Mesh::Edge_index;
+  using Face = typename Mesh::Face_index;
+  const std::vector<Point> original_points(std::begin(points), std::end(points));
+  internal::check_number_of_points(original_points.size(), overlay.number_of_input_vertices());
+
+  Mesh mesh;
+  mesh.reserve(overlay.number_of_vertices(), overlay.number_of_segments(), overlay.number_of_faces());
+  for (const Point& p : original_points)
+    mesh.add_vertex(p);
+  for (Overlay::Vertex x : overlay.vertices()) {
+    if (x.idx() < overlay.number_of_input_vertices())
+      continue;
+    const auto [a, b, c] = subdivision.point(x, original_points);
+    mesh.add_vertex(Point{a, b, c});
+  }
+  internal::copy_links(overlay, mesh);
+
+  auto kind = mesh.template add_property_map<Vertex, std::uint8_t>("v:kind", 0).first;
+  for (Overlay::Vertex x : overlay.crossings())
+    kind[Vertex(x.idx())] = 1;
+  auto label = mesh.template add_property_map<Edge, std::uint8_t>("e:label").first;
+  for (Overlay::Segment s : overlay.segments())
+    label[Edge(s.idx())] = std::uint8_t(overlay.label(s));
+  auto input_face = mesh.template add_property_map<Face, std::uint32_t>("f:input_face").first;
+  auto intrinsic_face = mesh.template add_property_map<Face, std::uint32_t>("f:intrinsic_face").first;
+  for (Overlay::Face f : overlay.faces()) {
+    input_face[Face(f.idx())] = overlay.input_face(f).idx();
+    intrinsic_face[Face(f.idx())] = overlay.intrinsic_face(f).idx();
+  }
+
+  using Halfedge = typename Mesh::Halfedge_index;
   const Surface_point none{Halfedge_index(), {0, 0, 0}};
   auto input_point =
     mesh.template add_property_map<Halfedge, Surface_point>("h:input_point", none).first;

@@ -3,7 +3,9 @@
 
 #include "input/formats/vtp.h"
 
-#include "system/text.h"
+#include "system/Long_text.h"
+
+#include <cstddef>
 
 namespace idt {
 
@@ -24,24 +26,25 @@ void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& point
       if (at.components > 1)
         os << " NumberOfComponents=\"" << at.components << '"';
       os << " format=\"ascii\">\n";
-      for (std::size_t i = 0; i < at.values.size(); ++i)
-        os << in_full(at.values[i]) << ((i + 1) % at.components == 0 ? '\n' : ' ');
+      write_elements(os, at.values.size(), [&at](Long_text& text, std::size_t i) {
+        text << at.values[i] << ((i + 1) % at.components == 0 ? '\n' : ' ');
+      });
       os << "</DataArray>\n";
     }
     os << "</PointData>\n";
   }
   os << "<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
-  for (const auto& [x, y, z] : points)
-    os << in_full(x) << ' ' << in_full(y) << ' ' << in_full(z) << '\n';
+  write_elements(os, points.size(), [&points](Long_text& text, std::size_t i) {
+    text << points[i][0] << ' ' << points[i][1] << ' ' << points[i][2] << '\n';
+  });
   os << "</DataArray>\n</Points>\n<Polys>\n"
         "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
-  std::size_t c = 0;
-  for (std::size_t end : polygons.ends)
-    for (; c < end; ++c)
-      os << polygons.corners[c] << (c + 1 == end ? '\n' : ' ');
+  write_elements(os, polygons.ends.size(), [&polygons](Long_text& text, std::size_t f) {
+    for (std::size_t c = f == 0 ? 0 : polygons.ends[f - 1]; c < polygons.ends[f]; ++c)
+      text << polygons.corners[c] << (c + 1 == polygons.ends[f] ? '\n' : ' ');
+  });
   os << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
-  for (std::size_t end : polygons.ends)
-    os << end << '\n';
+  write_elements(os, polygons.ends.size(), [&polygons](Long_text& text, std::size_t f) { text << polygons.ends[f] << '\n'; });
   os << "</DataArray>\n</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 

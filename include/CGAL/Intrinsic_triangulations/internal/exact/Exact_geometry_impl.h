@@ -652,16 +652,32 @@ Sign Exact_geometry::side_of(const Delta_complex& complex, Halfedge_index h, std
 
 // ---------------------------------------------------------------- numbers
 
+namespace internal {
+
+// Whether double-doubles tell the number that is asked for: the root of a squared length, the sum of two cotangents with its sign, an area.
+inline bool has_good_root(const Bounded_double_double& s) { return s.relative_error() < 0x1p-70; }
+inline bool is_good_weight(const Bounded_double_double& weight)
+{
+  return is_certain(weight.sign()) && weight.error() < 0x1p-52 * (1 + std::abs(weight.hi()));
+}
+inline bool is_good_area(const Bounded_double_double& a) { return a.is_zero() || a.relative_error() < 0x1p-54; }
+
+inline double rounded_root(const Bounded_double_double& s, int unit_exponent)
+{
+  const Bounded_double_double l = sqrt(s);
+  return std::ldexp(l.hi() + l.lo(), unit_exponent);
+}
+
+} // namespace internal
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_geometry::length(const Delta_complex& complex, Edge_index e) const
 {
   prepare(complex);
   const Surface_lease surface = input_surface();
   const internal::Bounded_double_double s = squared_length(complex, e, *surface);
-  if (s.relative_error() < 0x1p-70) {
-    const internal::Bounded_double_double l = sqrt(s);
-    return std::ldexp(l.hi() + l.lo(), metric_.unit_exponent());
-  }
+  if (internal::has_good_root(s))
+    return internal::rounded_root(s, metric_.unit_exponent());
   return std::ldexp(late_stages(complex, *surface).length(e), metric_.unit_exponent());
 }
 
@@ -746,7 +762,7 @@ double Exact_geometry::cotangent_weight(const Delta_complex& complex, Edge_index
     return cotangent(complex, h, *surface);
   const Corner k = corner(complex, h, *surface), l = corner(complex, g, *surface);
   const internal::Bounded_double_double weight = k.p / k.four_areas + l.p / l.four_areas;
-  if (is_certain(weight.sign()) && weight.error() < 0x1p-52 * (1 + std::abs(weight.hi())))
+  if (internal::is_good_weight(weight))
     return weight.hi();
   const double sum = cotangent(complex, h, *surface) + cotangent(complex, g, *surface);
   if (!complex.is_flippable(e))
@@ -773,10 +789,60 @@ double Exact_geometry::area(const Delta_complex& complex, Face_index f) const
         h, [](const auto& corner) { return corner.four_areas; },
         [](double width, double magnitude) { return width <= 0x1p-51 * magnitude; });
   };
-  const double value = a.is_zero() || a.relative_error() < 0x1p-54  ? a.hi()
+  const double value = internal::is_good_area(a)                    ? a.hi()
                        : sign_of_area(complex, f, *surface) == ZERO ? 0
                                                                     : precise_value();
   return internal::area_in_input_unit(value / 4, metric_.unit_exponent(), f);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Rounded_numbers::Rounded_numbers(const Delta_complex& complex)
+  : lengths(complex.number_of_edges(), std::numeric_limits<double>::quiet_NaN()),
+    areas(complex.number_of_faces(), std::numeric_limits<double>::quiet_NaN()),
+    cotangents(complex.number_of_halfedges(), {0, 0, std::numeric_limits<double>::infinity()})
+{
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::Rounded_numbers::cotangent_weight(const Delta_complex& complex, Edge_index e) const
+{
+  const Halfedge_index h = complex.halfedge(e);
+  const internal::Bounded_double_double weight = cotangents[h.idx()] + cotangents[complex.opposite(h).idx()];
+  return internal::is_good_weight(weight) ? weight.hi() : std::numeric_limits<double>::quiet_NaN();
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::find_numbers(const Delta_complex& complex, const std::size_t first, const std::size_t last,
+                                  Rounded_numbers& numbers) const
+{
+  prepare(complex);
+  find_straight_faces(complex);
+  const Surface_lease surface = input_surface();
+  internal::Double_double_metric metric(*surface);
+  const Unfolding<internal::Double_double_metric> unfolding(complex, correspondence_, metric);
+  const auto note_edge = [&](Edge_index e, const internal::Bounded_double_double& s) {
+    if (internal::has_good_root(s))
+      numbers.lengths[e.idx()] = internal::rounded_root(s, metric_.unit_exponent());
+  };
+  const auto note_corner = [&](Halfedge_index h, const Corner& c) {
+    if (certainly(c.four_areas.sign() == POSITIVE))
+      numbers.cotangents[h.idx()] = c.p / c.four_areas;
+    const Face_index f = complex.face(h);
+    if (h == complex.halfedge(f) && internal::is_good_area(c.four_areas))
+      numbers.areas[f.idx()] = c.four_areas.hi() / 4;
+  };
+  for (std::size_t v = first; v < last; ++v) {
+    const Vertex_index k(static_cast<Vertex_index::size_type>(v));
+    if (!complex.halfedge(k).is_valid())
+      continue;
+    const auto is_in_straight_face = [&](Halfedge_index h) {
+      const bool result = is_straight(complex.face(h));
+      if (result)
+        note_corner(h, straight_corner(complex, h));
+      return result;
+    };
+    unfolding.for_each_edge_and_corner_at(k, is_in_straight_face, note_edge, note_corner);
+  }
 }
 
 // ---------------------------------------------------------------- corners
