@@ -276,7 +276,7 @@ private:
 };
 
 template <class Triangulation>
-void collect_numbers(const Triangulation& triangulation, bool with_lengths, Numbers& numbers)
+void collect_numbers(const Triangulation& triangulation, bool with_lengths, bool with_weights_and_areas, Numbers& numbers)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
   const Known_numbers known(triangulation);
@@ -287,6 +287,8 @@ void collect_numbers(const Triangulation& triangulation, bool with_lengths, Numb
       numbers.lengths.push_back(std::isnan(x) ? length(triangulation, e) : x);
     }
   }
+  if (!with_weights_and_areas)
+    return;
   Weight_evaluator<Triangulation> weight(triangulation);
   numbers.weights.reserve(complex.number_of_edges());
   for (IT::Edge_index e : complex.edges()) {

@@ -325,7 +325,7 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
       if (wanted.weights)
         outcome.weights_before = summarize_weights(input);
       if (wanted.input_numbers) {
-        collect_numbers(input, true, outcome.input_numbers);
+        collect_numbers(input, true, true, outcome.input_numbers);
       }
     };
     // Questions to the exact geometry change how it follows the flips, so a copy is asked.
@@ -358,8 +358,8 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
   if (wanted.weights)
     outcome.weights_after = summarize_weights(triangulation);
   outcome.summary_seconds += stopwatch.restart();
-  if (wanted.numbers)
-    collect_numbers(triangulation, wanted.lengths, outcome.numbers);
+  if (wanted.lengths || wanted.numbers)
+    collect_numbers(triangulation, wanted.lengths, wanted.numbers, outcome.numbers);
   outcome.number_seconds = stopwatch.seconds();
   outcome.connectivity = triangulation.connectivity();
   return outcome;

@@ -91,6 +91,8 @@ Json seconds(const Triangulation_result& result)
   Json json = {{"read", result.surface.read_seconds},
                {"build", result.surface.build_seconds + outcome.build_seconds},
                {"flip", outcome.flip_seconds}};
+  if (result.surface.untwisting)
+    json["fast_forward"] = result.surface.untwist_seconds;
   if (result.options.refinement)
     json["refine"] = member(outcome.refinement, &Refinement_summary::seconds);
   json["overlay"] = member(outcome.crossing_summary, &Crossing_summary::seconds);

@@ -30,7 +30,7 @@ public:
   // \param size the size of the file, not 0
   // \param begin the first byte that is wanted
   File_blocks(const std::string& path, std::uintmax_t size, std::uintmax_t begin, const Progress_function& progress)
-    : path_(path), size_(size), taken_(begin), progress_(progress),
+    : path_(path), size_(size), begin_(begin), taken_(begin), progress_(progress),
       buffer_(size_of_piece)
   {
     file_.pubsetbuf(nullptr, 0); // reads go where they are wanted
@@ -121,7 +121,10 @@ public:
 private:
   void tell() const
   {
-    if (progress_ && !progress_((std::min)(1., static_cast<double>(taken_) / static_cast<double>(size_))))
+    // Of what was to be read: the file may have shrunk, or grown.
+    const double all = static_cast<double>(size_) - static_cast<double>(begin_), done = static_cast<double>(taken_ - begin_);
+    if (progress_ && !progress_(done < all ? done / all : done > 0 ? 1
+                                                                   : 0))
       throw Cancelled_error(path_ + ": cancelled while it was read");
   }
 
@@ -149,7 +152,7 @@ private:
   }
 
   std::string path_;
-  std::uintmax_t size_, taken_;
+  std::uintmax_t size_, begin_, taken_;
   const Progress_function& progress_;
   std::vector<char> buffer_;
   const char* end_ = nullptr; // of what was taken, which may be behind `last`
