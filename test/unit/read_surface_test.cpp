@@ -238,7 +238,8 @@ TEST_F(Read_surface, forms_of_binary_ply)
   };
   const std::string begin = "ply\nformat binary_little_endian 1.0\n", end = "end_header\n";
   std::string content = "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
-                        "property double z\nelement face 1\nproperty list uchar int vertex_indices\n" + end;
+                        "property double z\nelement face 1\nproperty list uchar int vertex_indices\n" +
+                        end;
   for (const auto& p : points)
     for (const double x : p)
       content += big(x);
@@ -250,7 +251,8 @@ TEST_F(Read_surface, forms_of_binary_ply)
   // Coordinates in another order and of two types, lists and numbers of no interest, another element in between.
   content = begin + "element vertex 3\nproperty float z\nproperty list ushort short weights\nproperty double x\n"
                     "property uchar red\nproperty float y\nelement edge 2\nproperty int a\nelement face 3\n"
-                    "property list uint float quality\nproperty list short uint vertex_index\nproperty char flag\n" + end;
+                    "property list uint float quality\nproperty list short uint vertex_index\nproperty char flag\n" +
+            end;
   for (const auto& p : points)
     content += little(float(p[2])) + little(std::uint16_t(2)) + "abcd" + little(p[0]) + 'r' + little(float(p[1]));
   content += "12345678";
