@@ -56,7 +56,7 @@ def laplacian(V: Any, F: Any, mass: str = "lumped") -> Tuple[scipy.sparse.csc_ma
     --------
     >>> import intrinsic_triangulations as it
     >>> L, M = it.laplacian([[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, -1, 0]], [[0, 1, 2], [1, 0, 3]])
-    >>> L.shape, round(M.sum(), 6)
+    >>> L.shape, round(float(M.sum()), 6)
     ((4, 4), 4.0)
     """
     is_lumped = _arrays.choice(mass, "mass", ("lumped", "galerkin")) == 0

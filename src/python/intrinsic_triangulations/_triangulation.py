@@ -87,8 +87,8 @@ class Triangulation:
     >>> t = it.Triangulation([[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]], [[0, 1, 2], [1, 0, 3]])
     >>> t.flip_to_delaunay().flips
     1
-    >>> t.edges[0], t.lengths[0]
-    (array([3, 2]), 2.0)
+    >>> t.edges[0].tolist(), float(t.lengths[0])
+    ([3, 2], 2.0)
     """
 
     def __init__(self, V: Any, F: Any) -> None:
