@@ -17,6 +17,7 @@ import scipy.spatial
 
 import intrinsic_triangulations as robust_laplacian
 import intrinsic_triangulations as pp3d
+from many_surfaces import read_off  # beside this file
 
 
 def vertex_normals(verts, faces, number_of_neighbors=30):
@@ -71,15 +72,6 @@ def compute_operators(verts, faces, k_eig=32):
     evals, evecs = sla.eigsh((L + scipy.sparse.identity(len(verts)) * small).tocsc(), k=k_eig, M=scipy.sparse.diags(mass), sigma=small)
     grad_x, grad_y = gradient(verts, frames, tails, tips)
     return frames, mass, L, np.clip(evals, 0, None), evecs, grad_x, grad_y
-
-
-def read_off(path):
-    """the vertices and triangles of an OFF file."""
-    with open(path) as file:
-        words = file.read().split()
-    n, m = int(words[1]), int(words[2])
-    return (np.array(words[4:4 + 3 * n], dtype=float).reshape(n, 3),
-            np.array(words[4 + 3 * n:4 + 3 * n + 4 * m], dtype=int).reshape(m, 4)[:, 1:])
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ import sys
 import numpy as np
 
 import intrinsic_triangulations as pp3d
+from many_surfaces import read_off  # beside this file
 
 
 def distances(V, F, sources):
@@ -49,15 +50,6 @@ def lines(V, F, sources):
 def everything(V, F, sources):
     """all of it, in a dictionary."""
     return {**distances(V, F, sources), **vectors(V, F, sources), **lines(V, F, sources)}
-
-
-def read_off(path):
-    """the vertices and triangles of an OFF file."""
-    with open(path) as file:
-        words = file.read().split()
-    n, m = int(words[1]), int(words[2])
-    return (np.array(words[4:4 + 3 * n], dtype=float).reshape(n, 3),
-            np.array(words[4 + 3 * n:4 + 3 * n + 4 * m], dtype=int).reshape(m, 4)[:, 1:])
 
 
 if __name__ == "__main__":

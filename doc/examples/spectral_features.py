@@ -13,6 +13,7 @@ import numpy as np
 import scipy.sparse.linalg as sla
 
 import intrinsic_triangulations as robust_laplacian
+from many_surfaces import read_off  # beside this file
 
 
 def eigenpairs(verts, faces, number=40):
@@ -46,15 +47,6 @@ def features(verts, faces, number=40):
     times = np.geomspace(0.01, 1, 16) * area / (4 * np.pi)
     return {"evals": evals * area, "mass": mass, "hks": heat_kernel_signature(evals, evecs, times) * area,
             "wks": wave_kernel_signature(evals, evecs) * area}
-
-
-def read_off(path):
-    """the vertices and triangles of an OFF file."""
-    with open(path) as file:
-        words = file.read().split()
-    n, m = int(words[1]), int(words[2])
-    return (np.array(words[4:4 + 3 * n], dtype=float).reshape(n, 3),
-            np.array(words[4 + 3 * n:4 + 3 * n + 4 * m], dtype=int).reshape(m, 4)[:, 1:])
 
 
 if __name__ == "__main__":

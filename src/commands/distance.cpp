@@ -9,6 +9,7 @@
 #include "input/Surface.h"
 #include "input/Triangle_soup.h"
 #include "input/gluing_file.h"
+#include "kernels/make_triangulation.h"
 #include "output/Output_file.h"
 #include "output/write_distances.h"
 #include "output/write_json.h"
@@ -221,10 +222,7 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
   set_number_of_vertices(options, complex.number_of_vertices(), result);
   result.read_seconds = stopwatch.restart();
   Progress progress(options.input);
-  Triangulation triangulation =
-    surface.has_points()               ? Triangulation(complex, surface.points)
-    : !surface.squared_lengths.empty() ? Triangulation::from_metric(complex, IT::metric_from_squared_lengths(surface.squared_lengths))
-                                       : Triangulation::from_lengths(complex, surface.lengths);
+  auto triangulation = make_triangulation<Triangulation::Traits>(surface);
   const IT::Flip_report report = IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
   require(report.status == IT::Flip_status::DELAUNAY);
   result.flips = report.flips;

@@ -7,6 +7,7 @@
 #include "commands/commands.h"
 #include "input/Surface.h"
 #include "input/mesh_file.h"
+#include "kernels/make_triangulation.h"
 #include "output/Output_file.h"
 #include "output/write_json.h"
 #include "system/Interruption.h"
@@ -280,10 +281,7 @@ Exit_status run_geodesic(const Geodesic_options& options)
     if (!surface.has_points() && (type == ".obj" || type == ".ply"))
       throw Usage_error(options.output_path + ": " + path + " has lengths alone, no points: write a .csv file");
     const Stopwatch stopwatch;
-    Triangulation triangulation =
-      surface.has_points()               ? Triangulation(surface.connectivity, surface.points)
-      : !surface.squared_lengths.empty() ? Triangulation::from_metric(surface.connectivity, IT::metric_from_squared_lengths(surface.squared_lengths))
-                                         : Triangulation::from_lengths(surface.connectivity, surface.lengths);
+    auto triangulation = make_triangulation<Triangulation::Traits>(surface);
     const Curve curve = options.direction ? trace(options, triangulation) : find_path(options, triangulation);
     const double seconds = stopwatch.seconds();
     Points points;

@@ -10,6 +10,7 @@
 #include "kernels/Decision_counter.h"
 #include "kernels/Kernel.h"
 #include "kernels/Number_collector.h"
+#include "kernels/make_triangulation.h"
 #include "kernels/find_overlay.h"
 #include "kernels/refine.h"
 #include "kernels/summarize_shapes.h"
@@ -22,7 +23,6 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
@@ -46,30 +46,6 @@
 namespace idt {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-
-template <class Traits>
-IT::Intrinsic_triangulation<Traits> make_triangulation(const Surface& surface, const Traits& traits)
-{
-  using FT = typename Traits::FT;
-  using Triangulation = IT::Intrinsic_triangulation<Traits>;
-  if constexpr (Triangulation::uses_exact_geometry)
-    if (!surface.squared_lengths.empty())
-      return Triangulation::from_metric(surface.connectivity, IT::metric_from_squared_lengths(surface.squared_lengths), traits);
-  if (!surface.has_points()) {
-    std::vector<FT> lengths;
-    lengths.reserve(surface.lengths.size());
-    for (double length : surface.lengths)
-      lengths.push_back(IT::internal::convert_number<FT>(length));
-    return Triangulation::from_lengths(surface.connectivity, std::move(lengths), traits);
-  }
-  typename Triangulation::Point_vector points;
-  points.reserve(surface.points.size());
-  for (const std::array<double, 3>& p : surface.points)
-    points.push_back({IT::internal::convert_number<FT>(p[0]),
-                      IT::internal::convert_number<FT>(p[1]),
-                      IT::internal::convert_number<FT>(p[2])});
-  return Triangulation(surface.connectivity, std::move(points), traits);
-}
 
 // The metric that the file says, before any rounding to a number type.
 inline IT::Input_metric input_metric(const Surface& surface)

@@ -20,6 +20,8 @@ EXAMPLES = pathlib.Path(__file__).parents[2] / "doc/examples"
 
 
 def example(name):
+    if str(EXAMPLES) not in sys.path:  # as when it is run
+        sys.path.append(str(EXAMPLES))
     spec = importlib.util.spec_from_file_location(name, EXAMPLES / f"{name}.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)

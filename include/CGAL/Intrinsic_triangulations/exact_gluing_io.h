@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/gluing_text.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 
 #include <CGAL/assertions.h>
 
@@ -45,7 +46,7 @@ public:
   {
     is_squared_ = version == "2";
     if (!is_squared_ && version != "1")
-      throw Line_defect{Defect::UNREADABLE, "asks for version " + shown_field(version) + " of the format; there are 1 and 2"};
+      throw Line_defect{Defect::UNREADABLE, "asks for version " + shown_text(version) + " of the format; there are 1 and 2"};
   }
 
   void add(const std::string& field)
@@ -59,9 +60,9 @@ public:
     const std::string above = field.substr(0, slash), below = slash == field.size() ? "1" : field.substr(slash + 1);
     Integer n, d;
     if (!parse(above, n) || !parse(below, d) || d == 0)
-      throw Line_defect{Defect::UNREADABLE, "has '" + shown_field(field) + "' where a squared length is expected, an integer or a fraction of two"};
+      throw Line_defect{Defect::UNREADABLE, "has '" + shown_text(field) + "' where a squared length is expected, an integer or a fraction of two"};
     if (n == 0)
-      throw Line_defect{Defect::ZERO_LENGTH_EDGE, "has the squared length " + shown_field(field) + ", which is not positive"};
+      throw Line_defect{Defect::ZERO_LENGTH_EDGE, "has the squared length " + shown_text(field) + ", which is not positive"};
     squared_lengths.push_back(Rational(n, d));
   }
 

@@ -30,6 +30,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
+#include <boost/range/has_range_iterator.hpp>
 
 #include <array>
 #include <cstddef>
@@ -78,12 +79,6 @@ std::optional<Input_metric> rational_metric(const ElementRange& elements, const 
   return points.metric(connectivity);
 }
 
-// Whether one can go over the elements of what a type stands for: of a range of points or triangles, but not of a mesh.
-template <class T, class = void>
-constexpr bool is_range = false;
-template <class T>
-constexpr bool is_range<T, std::void_t<decltype(std::begin(std::declval<const T&>()), std::end(std::declval<const T&>()))>> = true;
-
 // The number type of the coordinates p[0], p[1] and p[2], where a kernel is asked for.
 template <class PointRange>
 struct Kernel_of_coordinates
@@ -124,6 +119,14 @@ auto constraints_of_copy(const TriangleMesh& mesh, const NamedParameters& np)
   }
 }
 
+// A triangulation after its flips.
+template <class ConcurrencyTag, class Traits, class ConstraintMap, class NamedParameters>
+Triangulation_and_report<Traits> flipped(Intrinsic_triangulation<Traits> triangulation, const ConstraintMap& is_constrained, const NamedParameters& np)
+{
+  const Flip_report report = flip_to_Delaunay_with<ConcurrencyTag>(triangulation, is_constrained, np);
+  return {std::move(triangulation), report};
+}
+
 } // namespace internal
 /// \endcond
 
@@ -148,7 +151,7 @@ template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
-          std::enable_if_t<!internal::is_range<NamedParameters>, int> = 0
+          std::enable_if_t<!boost::has_range_const_iterator<NamedParameters>::value, int> = 0
 #endif
           >
 auto intrinsic_triangulation(const TriangleMesh& mesh,
@@ -245,17 +248,13 @@ template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
-          std::enable_if_t<!internal::is_range<NamedParameters>, int> = 0
+          std::enable_if_t<!boost::has_range_const_iterator<NamedParameters>::value, int> = 0
 #endif
           >
 auto intrinsic_Delaunay_triangulation(const TriangleMesh& mesh,
                                       const NamedParameters& np = parameters::default_values())
 {
-  auto triangulation = intrinsic_triangulation<ConcurrencyTag>(mesh, np);
-  using Traits = typename decltype(triangulation)::Traits;
-  const Flip_report report = internal::flip_to_Delaunay_with<ConcurrencyTag>(
-    triangulation, internal::constraints_of_copy(mesh, np), np);
-  return Triangulation_and_report<Traits>{std::move(triangulation), report};
+  return internal::flipped<ConcurrencyTag>(intrinsic_triangulation<ConcurrencyTag>(mesh, np), internal::constraints_of_copy(mesh, np), np);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRef
@@ -267,7 +266,7 @@ template <class ConcurrencyTag = Sequential_tag, class PointRange, class Triangl
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
-          std::enable_if_t<internal::is_range<PointRange> && internal::is_range<TriangleRange>, int> = 0
+          std::enable_if_t<boost::has_range_const_iterator<PointRange>::value && boost::has_range_const_iterator<TriangleRange>::value, int> = 0
 #endif
           >
 auto intrinsic_triangulation(const PointRange& points, const TriangleRange& triangles,
@@ -339,20 +338,17 @@ template <class ConcurrencyTag = Sequential_tag, class PointRange, class Triangl
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
-          std::enable_if_t<internal::is_range<PointRange> && internal::is_range<TriangleRange>, int> = 0
+          std::enable_if_t<boost::has_range_const_iterator<PointRange>::value && boost::has_range_const_iterator<TriangleRange>::value, int> = 0
 #endif
           >
 auto intrinsic_Delaunay_triangulation(const PointRange& points, const TriangleRange& triangles,
                                       const NamedParameters& np = parameters::default_values())
 {
-  auto triangulation = intrinsic_triangulation<ConcurrencyTag>(points, triangles, np);
-  using Traits = typename decltype(triangulation)::Traits;
-  const Flip_report report = internal::flip_to_Delaunay_with<ConcurrencyTag>(
-    triangulation,
+  return internal::flipped<ConcurrencyTag>(
+    intrinsic_triangulation<ConcurrencyTag>(points, triangles, np),
     parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
                                  Static_boolean_property_map<Edge_index, false>()),
     np);
-  return Triangulation_and_report<Traits>{std::move(triangulation), report};
 }
 
 } // namespace Intrinsic_triangulations

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
 
 #include <algorithm>
@@ -45,15 +46,6 @@ struct Line_defect
   std::string what;
 };
 
-// A field as it can stand in a message: what is in a file may steer a terminal, or be long.
-inline std::string shown_field(const std::string& field)
-{
-  std::string result = field.substr(0, 40);
-  std::replace_if(
-    result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return result + (field.size() > 40 ? "..." : "");
-}
-
 // The last fields of the lines of edges, in version 1 of the format: lengths as doubles.
 class Length_fields
 {
@@ -69,9 +61,9 @@ public:
     parser_.str(field);
     parser_ >> x;
     if (parser_.fail() || parser_.peek() != std::istringstream::traits_type::eof())
-      throw Line_defect{Defect::UNREADABLE, "has '" + shown_field(field) + "' where a length is expected"};
+      throw Line_defect{Defect::UNREADABLE, "has '" + shown_text(field) + "' where a length is expected"};
     if (!is_positive_and_finite(x))
-      throw Line_defect{Defect::NOT_FINITE, "has the length " + shown_field(field) + ", which is not positive and finite"};
+      throw Line_defect{Defect::NOT_FINITE, "has the length " + shown_text(field) + ", which is not positive and finite"};
     lengths.push_back(x);
   }
 
@@ -92,7 +84,7 @@ public:
     if (version == "2")
       throw Line_defect{Defect::UNREADABLE, "asks for version 2 of the format, with exact squared lengths, which read_exact_gluing() reads"};
     if (version != "1")
-      throw Line_defect{Defect::UNREADABLE, "asks for version " + shown_field(version) + " of the format; this is version 1"};
+      throw Line_defect{Defect::UNREADABLE, "asks for version " + shown_text(version) + " of the format; this is version 1"};
   }
 };
 
@@ -143,7 +135,7 @@ private:
       for (const std::string& field : fields_) {
         const std::int64_t v = integer(field);
         if (v < 0 || std::size_t(v) >= number_of_vertices_)
-          fail(Defect::BAD_INDEX, "names vertex " + shown_field(field) + ", but there are " +
+          fail(Defect::BAD_INDEX, "names vertex " + shown_text(field) + ", but there are " +
                                     std::to_string(number_of_vertices_) + " vertices");
         corner_vertex_.push_back(std::uint32_t(v));
       }
@@ -215,7 +207,7 @@ private:
     const char* const end = field.data() + field.size();
     const auto result = std::from_chars(field.data(), end, n);
     if (result.ptr != end || result.ec != std::errc())
-      fail(Defect::UNREADABLE, "has '" + shown_field(field) + "' where an integer is expected");
+      fail(Defect::UNREADABLE, "has '" + shown_text(field) + "' where an integer is expected");
     return n;
   }
 
@@ -223,9 +215,9 @@ private:
   {
     const std::int64_t n = integer(field);
     if (n < 0)
-      fail(Defect::UNREADABLE, "has the negative number " + shown_field(field) + " for a count");
+      fail(Defect::UNREADABLE, "has the negative number " + shown_text(field) + " for a count");
     if (n >= std::int64_t(null / 2))
-      fail(Defect::OUT_OF_RANGE, "has " + shown_field(field) + " elements of a kind: too many for 32-bit indices");
+      fail(Defect::OUT_OF_RANGE, "has " + shown_text(field) + " elements of a kind: too many for 32-bit indices");
     return std::size_t(n);
   }
 
@@ -235,10 +227,10 @@ private:
     if (s == -1)
       return null;
     if (s < 0 || std::size_t(s) >= halfedge_of_.size())
-      fail(Defect::INVALID_GLUING, "names side " + shown_field(field) + ", but there are " +
+      fail(Defect::INVALID_GLUING, "names side " + shown_text(field) + ", but there are " +
                                      std::to_string(halfedge_of_.size()) + " sides");
     if (halfedge_of_[std::size_t(s)] != null)
-      fail(Defect::INVALID_GLUING, "names side " + shown_field(field) + ", which already has an edge");
+      fail(Defect::INVALID_GLUING, "names side " + shown_text(field) + ", which already has an edge");
     halfedge_of_[std::size_t(s)] = std::uint32_t(halfedge);
     return std::uint32_t(s);
   }

@@ -124,8 +124,7 @@ private:
         const auto it = vertex_of_number_.find(corner);
         if (it == vertex_of_number_.end())
           refuse_file(path_,
-                      "line " + std::to_string(triangle.line) + " (face " + std::to_string(face) + "): the face names vertex " +
-                        std::to_string(corner) + ", but its part has no vertex of this number",
+                      place(triangle.line, "face", face) + ": the face names vertex " + std::to_string(corner) + ", but its part has no vertex of this number",
                       Defect::BAD_INDEX, face);
         corners[i] = it->second;
       }
@@ -162,10 +161,7 @@ private:
     return number;
   }
 
-  std::string where(const char* const kind, const std::size_t element) const
-  {
-    return "line " + std::to_string(number_) + " (" + kind + " " + std::to_string(element) + ")";
-  }
+  std::string where(const char* const kind, const std::size_t element) const { return place(number_, kind, element); }
 
   struct Triangle
   {

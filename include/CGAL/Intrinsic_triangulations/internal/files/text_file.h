@@ -11,6 +11,7 @@
 
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 
 #include <charconv>
 #include <cmath>
@@ -42,7 +43,7 @@ void check_encoding(const std::string& path);
 std::string load_file(const std::string& path, std::size_t at_most = (std::numeric_limits<std::size_t>::max)());
 
 // A piece of a file as it can stand in a message.
-std::string quote(const std::string& text);
+inline std::string quote(const std::string& text) { return '"' + shown_text(text) + '"'; }
 
 inline bool is_white(const char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 inline bool is_digit(const char c) { return c >= '0' && c <= '9'; }

@@ -75,15 +75,6 @@ std::string load_file(const std::string& path, const std::size_t at_most)
   return text;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::string quote(const std::string& text)
-{
-  std::string quoted = "\"";
-  for (const char c : text.substr(0, 40))
-    quoted += c >= ' ' && c <= '~' ? c : '?';
-  return quoted + (text.size() > 40 ? "...\"" : "\"");
-}
-
 enum class Number_state {
   GOOD,
   NOT_FINITE,

@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// A piece of a file as it can stand in a message.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_SHOWN_TEXT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_SHOWN_TEXT_H
+
+#include <algorithm>
+#include <string>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// What is in a file may steer a terminal, or be long.
+inline std::string shown_text(const std::string& text)
+{
+  std::string result = text.substr(0, 40);
+  std::replace_if(
+    result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return result + (text.size() > 40 ? "..." : "");
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_SHOWN_TEXT_H
