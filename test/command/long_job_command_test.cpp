@@ -74,11 +74,30 @@ protected:
         ::execv(argv[0], argv.data());
       ::_exit(127);
     }
-    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    const auto begin = std::chrono::steady_clock::now();
+    wait_until_caught(child, signal);
+    std::this_thread::sleep_until(begin + std::chrono::duration<double>(seconds));
     ::kill(child, signal);
     int status = 0;
     ::waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+
+  // Until it says which signals it catches, a process that has just begun is ended by them as any other is. Where
+  // the system does not tell, nothing is waited for.
+  static void wait_until_caught(pid_t process, int signal)
+  {
+    const std::string status = "/proc/" + std::to_string(process) + "/status";
+    for (int millisecond = 0; millisecond < 10000; ++millisecond) {
+      std::ifstream lines(status);
+      std::string word, mask;
+      bool ended = false;
+      while (lines >> word && word != "SigCgt:")
+        ended = ended || word == "Z";
+      if (ended || !(lines >> mask) || (std::stoull(mask, nullptr, 16) >> (signal - 1) & 1) != 0)
+        return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
   }
 
   // The time for the whole job.
