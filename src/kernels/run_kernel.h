@@ -16,6 +16,7 @@
 #include "kernels/summarize_shapes.h"
 
 #include "system/Stopwatch.h"
+#include "system/for_each_block.h"
 
 #include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
@@ -27,7 +28,6 @@
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
@@ -224,15 +224,22 @@ inline void find_stages(const IT::Exact_geometry& geometry, Outcome& outcome)
   outcome.stages = counts;
 }
 
+// On all processors.
+template <class Triangulation, class ConstraintMap>
+IT::Delaunay_verification verify(const Triangulation& triangulation, const ConstraintMap& is_constrained)
+{
+  return IT::internal::Delaunay_verifier(triangulation.connectivity(), triangulation.exact_geometry(), is_constrained)
+    .verify([](std::size_t n, const auto& f) { for_each_block(n, 1, f); });
+}
 template <class Triangulation>
 IT::Delaunay_verification verify(const Triangulation& triangulation, const Job& job)
 {
   if constexpr (Triangulation::uses_exact_geometry)
     if (job.options.refinement) {
       const std::vector<bool> is_constrained = constrained_parts(triangulation, job.options.refinement->is_constrained);
-      return IT::verify_Delaunay(triangulation, CGAL::parameters::edge_is_constrained_map(Edge_flags{&is_constrained}));
+      return verify(triangulation, Edge_flags{&is_constrained});
     }
-  return IT::verify_Delaunay(triangulation);
+  return verify(triangulation, CGAL::Static_boolean_property_map<IT::Edge_index, false>());
 }
 
 // What the input and the integers tell about the result.

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Several threads: overlays, positions, weights and matrices are those of one thread, bit for bit.
+// Several threads: verifications, overlays, positions, weights and matrices are those of one thread, bit for bit.
 // Most surfaces have some blocks of 2^14 elements.
 
 #include "samples/sample_gluings.h"
@@ -17,6 +17,10 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/property_map.h>
 
 #include <tbb/global_control.h>
 
@@ -26,11 +30,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <functional>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -145,6 +151,99 @@ void for_each_number_of_threads(const Function& function)
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     function();
   }
+}
+
+void expect_same_verification(const IT::Delaunay_verification& a, const IT::Delaunay_verification& b)
+{
+  EXPECT_EQ(a.tests, b.tests);
+  EXPECT_EQ(a.ties, b.ties);
+  EXPECT_EQ(a.not_Delaunay, b.not_Delaunay);
+  EXPECT_EQ(a.inverted, b.inverted);
+}
+
+TEST(Parallel_results, verifications)
+{
+  const auto verify = [](const Filtered& t) {
+    const IT::Delaunay_verification expected = IT::verify_Delaunay(t);
+    for_each_number_of_threads([&] { expect_same_verification(IT::verify_Delaunay<Parallel_tag>(t), expected); });
+    return expected;
+  };
+  const IT::Indexed_triangles torus = shuffled(IT::bad_torus(60, 60));
+  EXPECT_GT(verify(triangulation(torus)).not_Delaunay.size(), 1000u);
+  EXPECT_TRUE(verify(Delaunay(torus)).is_Delaunay());
+  EXPECT_GT(verify(Delaunay(IT::sheared_grid(60, 50, 0))).ties, 1000u);
+  EXPECT_TRUE(verify(Delaunay(IT::random_gluing(3000, 3))).is_Delaunay());
+  EXPECT_TRUE(verify(Delaunay(IT::self_glued_triangle())).is_Delaunay());
+}
+
+// Flips of any hinges, as a number type makes that decides wrongly.
+struct Flipped_anyhow
+{
+  explicit Flipped_anyhow(const Filtered& t) : complex(t.connectivity()), geometry(t.exact_geometry())
+  {
+    std::mt19937 random(1);
+    for (std::uint32_t i = 0; i < complex.number_of_edges(); ++i) {
+      const IT::Edge_index e(i);
+      if (random() % 8 != 0 || !complex.is_flippable(e))
+        continue;
+      geometry.flip(complex, complex.hinge(e));
+      complex.flip(e);
+    }
+  }
+  const IT::Delta_complex& connectivity() const { return complex; }
+  const IT::Exact_geometry& exact_geometry() const { return geometry; }
+
+  IT::Delta_complex complex;
+  IT::Exact_geometry geometry;
+};
+
+TEST(Parallel_results, faces_inside_out)
+{
+  const Flipped_anyhow t(triangulation(IT::random_diagonal_grid(60, 50, 1, 7)));
+  const IT::Delaunay_verification expected = IT::verify_Delaunay(t);
+  EXPECT_GT(expected.inverted.size(), 100u);
+  for_each_number_of_threads([&] { expect_same_verification(IT::verify_Delaunay<Parallel_tag>(t), expected); });
+}
+
+// A property map that fails for many edges.
+struct Failing_map
+{
+  using key_type = IT::Edge_index;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+  friend bool get(const Failing_map&, IT::Edge_index e)
+  {
+    if (e.idx() % 1000 == 700 && e.idx() > 9000)
+      throw std::out_of_range(std::to_string(e.idx()));
+    return false;
+  }
+};
+
+TEST(Parallel_results, the_first_failure_of_a_verification_is_told)
+{
+  const Filtered t = Delaunay(IT::bad_torus(100, 100));
+  for_each_number_of_threads([&] {
+    try {
+      IT::verify_Delaunay<Parallel_tag>(t, CGAL::parameters::edge_is_constrained_map(Failing_map()));
+      ADD_FAILURE() << "nothing was thrown";
+    } catch (const std::out_of_range& error) {
+      EXPECT_STREQ(error.what(), "9700");
+    }
+  });
+}
+
+TEST(Parallel_results, verifications_can_be_cancelled)
+{
+  Filtered t = Delaunay(IT::bad_torus(150, 150));
+  for (int calls : {0, 1, 2})
+    for_each_number_of_threads([&] {
+      std::atomic<int> left = calls;
+      t.set_interruption([&left] { return left-- != 0; }); // says so once
+      EXPECT_THROW(IT::verify_Delaunay<Parallel_tag>(t), IT::Cancelled_error);
+    });
+  t.set_interruption({});
+  EXPECT_TRUE(IT::verify_Delaunay<Parallel_tag>(t).is_Delaunay());
 }
 
 TEST(Parallel_results, overlays_and_positions)
