@@ -5,6 +5,8 @@
 #
 #   python3 many_surfaces.py FOLDER RESULTS.jsonl [--scheduler ADDRESS] [--workers N] [--limit SECONDS] [--table F.(csv|parquet)]
 #   python3 many_surfaces.py --one FILE        # one line, for GNU parallel or an array of Slurm
+#   python3 many_surfaces.py --failed FILE WHY # a line for a surface whose process was ended
+#   python3 many_surfaces.py --has-line FILE RESULTS.jsonl    # exit status 0 if it has
 #   python3 many_surfaces.py --table RESULTS.jsonl F.(csv|parquet)
 #
 # Each OFF file becomes a line of RESULTS.jsonl: its first eigenvalues, or what went wrong. A run that was stopped goes on where it
@@ -45,28 +47,33 @@ def features(path):
     return {"vertices": len(V), "faces": len(F), "area": M.sum(), "eigenvalues": eigenvalues.tolist()}
 
 
+def name_of(path):
+    """the name of a file as text: bytes that are no UTF-8 are shown as \\xff."""
+    return os.fsencode(os.path.basename(path)).decode("utf-8", "backslashreplace")
+
+
+def failure(path, why):
+    """the line of a surface without features."""
+    return {"file": name_of(path), "error": why.encode("utf-8", "backslashreplace").decode()}
+
+
 def print_features(path):
     """what the process of one surface does."""
-    line = {"file": os.path.basename(path)}
     try:
-        line.update(features(path))
+        text = json.dumps({"file": name_of(path), **features(path)}, allow_nan=False)
     except Exception as error:
-        line["error"] = f"{type(error).__name__}: {error}"
-    print(json.dumps(line))
+        text = json.dumps(failure(path, f"{type(error).__name__}: {error}"))
+    print(text)
 
 
 def one_surface(path, program, limit):
     """the features of one surface, or why there are none: in a process of its own, which is ended when its time is up."""
     start = time.monotonic()
-    result = {"file": os.path.basename(path)}
     try:
-        run = subprocess.run([sys.executable, program, "--one", path], capture_output=True, text=True, timeout=limit)
-        if run.returncode == 0:
-            result.update(json.loads(run.stdout))
-        else:
-            result["error"] = f"exit status {run.returncode}: {run.stderr[-500:]}"
+        run = subprocess.run([sys.executable, program, "--one", path], capture_output=True, text=True, errors="backslashreplace", timeout=limit)
+        result = json.loads(run.stdout) if run.returncode == 0 else failure(path, f"exit status {run.returncode}: {run.stderr[-500:]}")
     except subprocess.TimeoutExpired:
-        result["error"] = f"more than {limit} seconds"
+        result = failure(path, f"more than {limit} seconds")
     result["seconds"] = round(time.monotonic() - start, 3)
     return result
 
@@ -119,7 +126,7 @@ def run(client, folder, results, limit):
     """writes a line for each surface that has none; returns how many."""
     from distributed import as_completed
     done = finished(results)
-    paths = [str(p.resolve()) for p in sorted(folder.glob("*.off")) if p.name not in done]
+    paths = [str(p.resolve()) for p in sorted(folder.glob("*.off")) if name_of(p) not in done]
     tasks = client.map(one_surface, paths, program=os.path.abspath(__file__), limit=limit, pure=False)
     path_of = {task.key: path for task, path in zip(tasks, paths)}
     with open(results, "a", encoding="utf-8") as file:
@@ -127,7 +134,7 @@ def run(client, folder, results, limit):
             try:
                 line = task.result()
             except Exception as error:  # workers were lost with it again and again
-                line = {"file": os.path.basename(path_of[task.key]), "error": f"{type(error).__name__}: {error}"}
+                line = failure(path_of[task.key], f"{type(error).__name__}: {error}")
             file.write(json.dumps(line) + "\n")
             file.flush()
     return len(paths)
@@ -157,6 +164,10 @@ def main():
 if __name__ == "__main__":
     if sys.argv[1:2] == ["--one"]:
         print_features(sys.argv[2])
+    elif sys.argv[1:2] == ["--failed"]:
+        print(json.dumps(failure(sys.argv[2], sys.argv[3])))
+    elif sys.argv[1:2] == ["--has-line"]:
+        sys.exit(0 if name_of(sys.argv[2]) in finished(pathlib.Path(sys.argv[3])) else 1)
     elif sys.argv[1:2] == ["--table"]:
         check_table(pathlib.Path(sys.argv[3]))
         write_table(pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]))

@@ -21,6 +21,7 @@ py::tuple Laplacian_of_triangles(const Doubles& points, const Indices& triangles
   const auto faces = copied_rows(triangles);
   IT::Tufted_Laplacian_options options;
   options.mollification = mollification;
+  options.go_further = &Signal_watch::goes_on;
   options.mass_type = is_lumped ? IT::Mass_type::LUMPED : IT::Mass_type::GALERKIN;
   IT::Tufted_Laplacian result = without_lock(
     [&] { return IT::tufted_Laplacian(rows, faces, options, CGAL::parameters::visitor(Signal_visitor())); });

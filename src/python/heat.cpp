@@ -64,7 +64,9 @@ std::unique_ptr<Heat> heat_on_any_triangles(const Doubles& points, const Indices
   const auto faces = copied_rows(triangles);
   const IT::Heat_method_options options = heat_options(time_coefficient, boundary, keeps_ridges);
   return without_lock([&] {
-    IT::Tufted_cover cover = IT::make_tufted_cover(rows, faces);
+    IT::Tufted_cover_options cover_options;
+    cover_options.go_further = &Signal_watch::goes_on;
+    IT::Tufted_cover cover = IT::make_tufted_cover(rows, faces, cover_options);
     cover.triangulation.set_interruption(&Signal_watch::goes_on);
     const IT::Flip_report report = IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(Signal_visitor()));
     if (report.status == IT::Flip_status::CANCELLED)

@@ -166,6 +166,8 @@ py::array corner_angles(Surface& surface)
     const IT::Delta_complex& complex = t.connectivity();
     std::vector<double> result;
     for (IT::Face_index f : complex.faces()) {
+      if (f.idx() % 1024 == 0)
+        Signal_watch::check();
       IT::Halfedge_index h = complex.halfedge(f);
       for (int i = 0; i < 3; ++i, h = complex.next(h))
         result.push_back(IT::angle(t, complex.next(h)));

@@ -119,7 +119,7 @@ def test_parallel(tmp_path):
     """The command of the manual: a run goes on where it ended."""
     write_surfaces(tmp_path, 3)
     files = sorted(map(str, tmp_path.glob("*.off")))
-    command = ["parallel", "--joblog", str(tmp_path / "log.txt"), "--resume", "--timeout", "60", sys.executable, str(PROGRAM), "--one", "{}",
+    command = ["parallel", "-0", "--joblog", str(tmp_path / "log.txt"), "--resume", "--timeout", "60", sys.executable, str(PROGRAM), "--one", "{}",
                ":::"]
     first = subprocess.run(command + files[:2], capture_output=True, text=True)
     again = subprocess.run(command + files, capture_output=True, text=True)
@@ -128,16 +128,79 @@ def test_parallel(tmp_path):
         assert sorted(line["file"] for line in lines) == names and all(len(line["eigenvalues"]) == 6 for line in lines), done.stderr
 
 
+def run_array_task(folder, task, count, **variables):
+    environment = {**os.environ, "SLURM_ARRAY_TASK_ID": task, "SLURM_ARRAY_TASK_COUNT": count, "SLURM_ARRAY_TASK_MIN": "1",
+                   "MANY_SURFACES": str(PROGRAM), "PYTHON": sys.executable, **variables}
+    done = subprocess.run(["bash", str(PROGRAM.with_suffix(".sbatch")), str(folder), str(folder / "parts")], env=environment,
+                          capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+def lines_of_parts(folder):
+    return [json.loads(line) for part in (folder / "parts").glob("*.jsonl") for line in part.read_text().splitlines()]
+
+
+def write_odd_names(folder):
+    """surfaces whose names need to be quoted, in a shell or in JSON; and how a line names them."""
+    names = {b"a b.off": "a b.off", b'q"u\'o.off': 'q"u\'o.off', b"back\\slash.off": "back\\slash.off", b"new\nline.off": "new\nline.off",
+             b"$(touch x).off": "$(touch x).off", b"\xff.off": "\\xff.off", "ö\u2028.off".encode(): "ö\u2028.off", b"-one.off": "-one.off"}
+    write_surfaces(folder, 1)
+    surface = (folder / "0.off").read_bytes()
+    (folder / "0.off").unlink()
+    for name in names:
+        with open(os.path.join(os.fsencode(folder), name), "wb") as file:
+            file.write(surface)
+    return sorted(names.values())
+
+
+def test_slurm_array_of_odd_names(tmp_path):
+    """Lines are JSON, also those of surfaces whose time is up or whose process fails; none is done twice."""
+    names = write_odd_names(tmp_path)
+    for _ in range(2):
+        run_array_task(tmp_path, "1", "1")
+        lines = lines_of_parts(tmp_path)
+        assert sorted(line["file"] for line in lines) == names and all(len(line["eigenvalues"]) == 6 for line in lines)
+    broken = tmp_path / "broken.sh"
+    broken.write_text(f'#!/bin/sh\ncase "$*" in *--one*) exit 3;; esac\nexec "{sys.executable}" "$@"\n')
+    broken.chmod(0o755)
+    for variables, error in (({"LIMIT": "0.001"}, "more than 0.001 seconds"), ({"PYTHON": str(broken)}, "exit status 3")):
+        shutil.rmtree(tmp_path / "parts")
+        run_array_task(tmp_path, "1", "1", **variables)
+        lines = lines_of_parts(tmp_path)
+        assert sorted(line["file"] for line in lines) == names and all(line["error"] == error for line in lines)
+
+
+def test_slurm_array_without_surfaces(tmp_path):
+    run_array_task(tmp_path, "1", "1")
+    assert lines_of_parts(tmp_path) == []
+
+
+@needs_dask
+def test_odd_names(tmp_path):
+    names = write_odd_names(tmp_path)
+    out, lines, number = run(tmp_path, "--table", str(tmp_path / "r.csv"))
+    assert sorted(lines) == names and number == len(names) and not any("error" in line for line in lines.values())
+    with open(tmp_path / "r.csv", newline="", encoding="utf-8") as file:
+        assert sorted(row["file"] for row in csv.DictReader(file)) == names
+    assert run(tmp_path)[0] == "0 surfaces\n"
+
+
+@needs_parallel
+def test_parallel_with_odd_names(tmp_path):
+    names = write_odd_names(tmp_path)
+    files = [os.path.join(os.fsencode(tmp_path), name) for name in os.listdir(os.fsencode(tmp_path))]
+    command = ["parallel", "-0", "--joblog", str(tmp_path / "log.txt"), "--resume", "--timeout", "60", sys.executable, str(PROGRAM), "--one", "{}",
+               ":::"]
+    for expected in (names, []):
+        done = subprocess.run([*map(os.fsencode, command), *sorted(files)], capture_output=True, text=True)
+        assert sorted(json.loads(line)["file"] for line in done.stdout.splitlines()) == expected, done.stderr
+
+
 def test_slurm_array(tmp_path):
     """The script, as Slurm would call it for three tasks; one of them twice."""
     write_surfaces(tmp_path, 4)
     (tmp_path / "bad.off").write_text("OFF\n1\n")
     for task in ("1", "2", "3", "2"):
-        environment = {**os.environ, "SLURM_ARRAY_TASK_ID": task, "SLURM_ARRAY_TASK_COUNT": "3", "SLURM_ARRAY_TASK_MIN": "1",
-                       "MANY_SURFACES": str(PROGRAM), "PYTHON": sys.executable}
-        done = subprocess.run(["bash", str(PROGRAM.with_suffix(".sbatch")), str(tmp_path), str(tmp_path / "parts")], env=environment,
-                              capture_output=True, text=True)
-        assert done.returncode == 0, done.stderr
-    lines = [json.loads(line) for part in (tmp_path / "parts").glob("*.jsonl") for line in part.read_text().splitlines()]
-    assert sorted(line["file"] for line in lines) == ["0.off", "1.off", "2.off", "3.off", "bad.off"]
+        run_array_task(tmp_path, task, "3")
+    assert sorted(line["file"] for line in lines_of_parts(tmp_path)) == ["0.off", "1.off", "2.off", "3.off", "bad.off"]
     assert len(list((tmp_path / "parts").glob("*.jsonl"))) == 3

@@ -365,4 +365,26 @@ TEST(Tufted_Laplacian, flips_can_be_cancelled)
                IT::Cancelled_error);
 }
 
+TEST(Tufted_Laplacian, a_function_ends_it)
+{
+  const IT::Indexed_triangles surface = IT::bumpy_dome(9, 7);
+  IT::Tufted_Laplacian_options options;
+  bool goes_on = false;
+  options.go_further = [&goes_on] { return goes_on; };
+  EXPECT_THROW(IT::make_tufted_cover(surface.points, surface.triangles, options), IT::Cancelled_error);
+  EXPECT_THROW(IT::tufted_Laplacian(surface.points, surface.triangles, options), IT::Cancelled_error);
+  goes_on = true;
+  EXPECT_EQ(IT::tufted_Laplacian(surface.points, surface.triangles, options).mass.rows(), int(surface.points.size()));
+}
+
+TEST(Tufted_Laplacian, a_function_ends_weights_that_are_computed_exactly)
+{
+  // The weight of the diagonal of a square is zero, which no error bound tells.
+  const std::vector<std::array<double, 3>> points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}, {0, 2, 3}};
+  IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> t(IT::make_Delta_complex_from_triangles(4, triangles), points);
+  t.set_interruption([] { return false; });
+  EXPECT_THROW(IT::stiffness_matrix(t), IT::Cancelled_error);
+}
+
 } // namespace

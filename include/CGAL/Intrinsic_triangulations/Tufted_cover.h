@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -51,6 +52,8 @@ struct Tufted_cover_options
   /// if positive, lengths are rounded and edges lengthened as by `mollify_lengths()` with this margin; the metric
   /// changes, and the report says how much
   double mollification = 0;
+  /// is asked now and then while the cover is built, and while its operator is assembled; if it returns `false`, `Cancelled_error` is thrown
+  std::function<bool()> go_further = {};
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCover

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <CGAL/Uncertain.h>
@@ -65,6 +66,8 @@ template <class Triangulation>
 BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& triangulation,
                                                       Edge_index e)
 {
+  if constexpr (Triangulation::uses_exact_geometry)
+    triangulation.exact_geometry().interruption().check();
   require_positive_areas(triangulation, e);
   const double weight = CGAL::to_double(triangulation.cotangent_weight(e));
   if (!std::isfinite(weight))

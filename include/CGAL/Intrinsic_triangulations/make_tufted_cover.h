@@ -93,6 +93,7 @@ std::vector<Index_triangle> copy_triangles(const TriangleRange& triangles, std::
 /// \exception Invalid_surface_error if there is no face, an index is invalid, the point of a face is not finite or its
 ///   squared lengths leave the range of `double`; if an edge has length zero and `Coincident_vertices::ERROR` is
 ///   chosen; or if `Surface_cover::NONE` is chosen and the faces are not an orientable surface
+/// \exception Cancelled_error if `options.go_further` says so
 ///
 /// Complexity: O(n), and O(k log k) for an edge with k faces.
 ///

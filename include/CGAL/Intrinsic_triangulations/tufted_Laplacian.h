@@ -197,7 +197,7 @@ inline Tufted_Laplacian operator_of_cover(Tufted_cover cover, Flip_report flips,
 ///
 /// \exception Invalid_surface_error as `make_tufted_cover()`; also if there is a face without area that
 ///   flips cannot remove, which needs a border
-/// \exception Cancelled_error if the visitor ends the flips
+/// \exception Cancelled_error if the visitor ends the flips, or `options.go_further` says so
 ///
 /// Complexity: that of `make_tufted_cover()` and the flips.
 ///
@@ -208,6 +208,7 @@ Tufted_Laplacian tufted_Laplacian(const PointRange& points, const TriangleRange&
                                   const NamedParameters& np = parameters::default_values())
 {
   Tufted_cover cover = make_tufted_cover(points, triangles, options);
+  cover.triangulation.set_interruption(options.go_further);
   Flip_report flips = flip_to_Delaunay(cover.triangulation, np);
   return internal::operator_of_cover(std::move(cover), std::move(flips), options.mass_type);
 }
@@ -224,6 +225,7 @@ Tufted_Laplacian tufted_Laplacian(const Delta_complex& complex, const std::vecto
                                   const NamedParameters& np = parameters::default_values())
 {
   Tufted_cover cover = make_tufted_cover(complex, lengths, options);
+  cover.triangulation.set_interruption(options.go_further);
   Flip_report flips = flip_to_Delaunay(cover.triangulation, np);
   return internal::operator_of_cover(std::move(cover), std::move(flips), options.mass_type);
 }

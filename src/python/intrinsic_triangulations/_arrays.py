@@ -108,7 +108,7 @@ def vertex(value: Any, name: str, number: int) -> int:
 
 
 def number(value: Any, name: str) -> float:
-    if isinstance(value, (str, bytes)):
+    if isinstance(value, (str, bytes)) or numpy.ndim(value) > 0:
         raise ValueError(f"{name} has to be a number, not {type(value).__name__}")
     try:
         return float(value)

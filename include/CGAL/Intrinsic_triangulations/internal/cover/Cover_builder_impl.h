@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/cover/Sides_by_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ class Cover_builder
 
 public:
   Cover_builder(const Points& points, Cleaned_triangles&& cleaned, const Tufted_cover_options& options)
-    : points_(points), cleaned_(std::move(cleaned)), options_(options),
+    : points_(points), cleaned_(std::move(cleaned)), options_(options), interruption_(options.go_further),
       sides_(points.size(), cleaned_.triangles)
   {}
 
@@ -47,14 +48,16 @@ public:
   std::optional<Tufted_cover> run(std::vector<Vertex_number_pair>& coincident)
   {
     check_size(12 * cleaned_.triangles.size());
-    find_neighbors();
-    find_pieces();
-    count_nonmanifold_vertices();
-    make_copies();
-    glue();
+    // Each takes some tenths of a second for a million triangles.
+    for (const auto step : {&Cover_builder::find_neighbors, &Cover_builder::find_pieces, &Cover_builder::count_nonmanifold_vertices,
+                            &Cover_builder::make_copies, &Cover_builder::glue}) {
+      interruption_.check();
+      (this->*step)();
+    }
     coincident = remove_flat_faces();
     if (!coincident.empty())
       return std::nullopt;
+    interruption_.check();
     return assemble();
   }
 
@@ -227,6 +230,7 @@ private:
       around.clear();
       for (const Side* s = begin; s < end; ++s)
         around.push_back({third_vertex(s->side()), Index(s - begin)});
+      interruption_.check();
       if (!scaled_points_)
         scale_points();
       Faces_around_edge(*scaled_points_, v, begin->larger_end).sort(around);
@@ -253,6 +257,8 @@ private:
     std::vector<bool> is_flat(triangles().size());
     bool is_any_flat = false;
     for (Index f = 0; f < triangles().size(); ++f) {
+      if (f % 1024 == 0)
+        interruption_.check();
       const auto& [a, b, c] = triangles()[f];
       is_flat[f] = are_collinear(points_[a], points_[b], points_[c]);
       is_any_flat = is_any_flat || is_flat[f];
@@ -345,6 +351,7 @@ private:
     for (Vertex_index v : complex.vertices())
       if (!complex.halfedge(v).is_valid())
         points[v.idx()] = {0, 0, 0}; // it may have been anything
+    interruption_.check();
     std::vector<bool> is_half;
     is_half.reserve(cover_.size());
     for (Index& f : cover_.face_of) {
@@ -372,6 +379,7 @@ private:
   const Points& points_;
   Cleaned_triangles cleaned_;
   const Tufted_cover_options& options_;
+  const Interruption interruption_;
   Sides_by_edge sides_;
   Index_vector neighbor_;                    // of each side twice the other one, plus 1 if both run in the same direction
   std::vector<bool> is_doubled_, is_turned_; // of each triangle
