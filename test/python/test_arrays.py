@@ -120,3 +120,25 @@ def test_errors_tell_the_element():
         it.Triangulation(V, [[0, 1, 2], [2, 1, 3]])
     assert caught.value.defect == "NOT_FINITE"
     assert isinstance(caught.value, it.Error) and isinstance(caught.value, ValueError)
+
+
+def test_masked_arrays():
+    """What is masked is not used all the same."""
+    V, F = numpy.eye(3), numpy.array([[0, 1, 2]])
+    for bad in (lambda: it.laplacian(numpy.ma.masked_greater(V, 0.5), F), lambda: it.Triangulation(V, numpy.ma.masked_equal(F, 1))):
+        with pytest.raises(ValueError, match="masked"):
+            bad()
+    assert it.Triangulation(numpy.ma.masked_array(V), F).number_of_faces == 1
+
+
+@pytest.mark.parametrize("angle", [numpy.array([25.0]), [25], numpy.complex128(25), 25j, "25", None])
+def test_what_is_no_number(angle):
+    with pytest.raises(ValueError, match="minimum_angle has to be a number"):
+        it.Triangulation(numpy.eye(3), [[0, 1, 2]]).refine(angle)
+
+
+@pytest.mark.parametrize("value", [numpy.nan, numpy.inf, -numpy.inf])
+def test_values_that_are_not_finite(value, sphere):
+    for solver in (it.MeshHeatMethodDistanceSolver, it.MeshVectorHeatSolver):
+        with pytest.raises(ValueError, match=r"values\[1\] is not finite"):
+            solver(*sphere).extend_scalar([3, 4], [1, value])

@@ -32,6 +32,7 @@ def test_ctrl_c(call):
         import os, signal, threading, time
         import intrinsic_triangulations as it
         from conftest import grid
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # in the background it is ignored
         {call}
         sent = []
         def send():

@@ -101,3 +101,8 @@ def test_bad_arguments(solver_on_sphere):
                  lambda: it.MeshVectorHeatSolver(*icosphere(1), t_coef=0), lambda: it.MeshVectorHeatSolver(*icosphere(1), 1.0, False)):
         with pytest.raises(ValueError):
             call()
+
+
+def test_no_heat_arrives(sphere):
+    with pytest.raises(it.NumericalError, match="too little heat"):
+        it.MeshVectorHeatSolver(*sphere, t_coef=1e-300).compute_log_map(0)

@@ -380,9 +380,15 @@ TEST(Tufted_Laplacian, a_function_ends_it)
 TEST(Tufted_Laplacian, a_function_ends_weights_that_are_computed_exactly)
 {
   // The weight of the diagonal of a square is zero, which no error bound tells.
-  const std::vector<std::array<double, 3>> points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}, {0, 2, 3}};
-  IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> t(IT::make_Delta_complex_from_triangles(4, triangles), points);
+  std::vector<std::array<double, 3>> points = {{0, 0, 0}, {0, 1, 0}};
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    points.push_back({i + 1., 0, 0});
+    points.push_back({i + 1., 1, 0});
+    triangles.push_back({2 * i, 2 * i + 2, 2 * i + 3});
+    triangles.push_back({2 * i, 2 * i + 3, 2 * i + 1});
+  }
+  IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> t(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
   t.set_interruption([] { return false; });
   EXPECT_THROW(IT::stiffness_matrix(t), IT::Cancelled_error);
 }

@@ -145,7 +145,7 @@ public:
   /// is an average over the ways that are about as short as the shortest one.
   /// \return a vector for each vertex, in the unit of the input: (0, 0) at the source, infinite where it is not connected
   /// \exception Invalid_surface_error if there is no such vertex
-  /// \exception Numerical_error if a linear system cannot be solved
+  /// \exception Numerical_error if a linear system cannot be solved, or heat spreads for so short a time that none arrives
   ///
   /// Source: Y. Soliman, N. Sharp, "The affine heat method", 2025. Their matrix with three rows for each vertex is triangular by blocks if
   /// positions are seen from the source: the factors for vectors and for numbers suffice.
@@ -187,7 +187,10 @@ public:
         continue;
       }
       const Positions& p = positions[spread.layer_of[v]];
-      result.push_back({surface_->in_input_unit(p(Eigen::Index(v), 0) / spread[v]), surface_->in_input_unit(p(Eigen::Index(v), 1) / spread[v])});
+      const double x = p(Eigen::Index(v), 0) / spread[v], y = p(Eigen::Index(v), 1) / spread[v];
+      if (!std::isfinite(x) || !std::isfinite(y))
+        throw Numerical_error("at vertex " + std::to_string(v) + ", too little heat arrives: the time is too short");
+      result.push_back({surface_->in_input_unit(x), surface_->in_input_unit(y)});
     }
     result[source.idx()] = {0, 0};
     return result;

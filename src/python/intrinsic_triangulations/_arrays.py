@@ -20,6 +20,8 @@ LARGEST_INDEX = 2**32 - 2
 
 def as_array(value: Any, name: str, kinds: str, what: str) -> numpy.ndarray:
     """an array of numbers, as it was given. `kinds` are letters of NumPy for types of numbers."""
+    if numpy.ma.is_masked(value):
+        raise ValueError(f"{name} has masked entries: leave them out, or fill them")
     try:
         array = numpy.asarray(value)
     except Exception as error:
@@ -39,6 +41,15 @@ def doubles(value: Any, name: str, shape: Sequence[Optional[int]]) -> numpy.ndar
     if array.dtype.itemsize >= 8 and not _are_equal(array, result):
         raise ValueError(f"{name} of type {array.dtype} has numbers that doubles cannot hold: round it first")
     return result
+
+
+def finite(value: Any, name: str, shape: Sequence[Optional[int]]) -> numpy.ndarray:
+    """as doubles(), and all of them are finite."""
+    array = doubles(value, name, shape)
+    is_bad = ~numpy.isfinite(array)
+    if is_bad.any():
+        raise ValueError(f"{name}[{int(numpy.argwhere(is_bad)[0][0])}] is not finite")
+    return array
 
 
 def _are_equal(array: numpy.ndarray, result: numpy.ndarray) -> bool:
@@ -108,7 +119,7 @@ def vertex(value: Any, name: str, number: int) -> int:
 
 
 def number(value: Any, name: str) -> float:
-    if isinstance(value, (str, bytes)) or numpy.ndim(value) > 0:
+    if isinstance(value, (str, bytes)) or numpy.iscomplexobj(value) or numpy.ndim(value) > 0:
         raise ValueError(f"{name} has to be a number, not {type(value).__name__}")
     try:
         return float(value)

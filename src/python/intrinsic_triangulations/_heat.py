@@ -126,7 +126,7 @@ class MeshHeatMethodDistanceSolver:
             Zero where none of the vertices can be reached.
         """
         vertices = _arrays.indices(v_inds, "v_inds", (None,), self._number_of_vertices)
-        return self._heat.extend(vertices, _arrays.doubles(values, "values", (len(vertices),)), 0.0)
+        return self._heat.extend(vertices, _arrays.finite(values, "values", (len(vertices),)), 0.0)
 
 
 def compute_distance(V: Any, F: Any, v_ind: int) -> numpy.ndarray:

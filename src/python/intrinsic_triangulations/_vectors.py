@@ -151,4 +151,4 @@ class MeshVectorHeatSolver:
             Zero where none of the vertices can be reached.
         """
         vertices = _arrays.indices(v_inds, "v_inds", (None,), self._number_of_vertices)
-        return self._heat.extend(vertices, _arrays.doubles(values, "values", (len(vertices),)))
+        return self._heat.extend(vertices, _arrays.finite(values, "values", (len(vertices),)))
