@@ -107,8 +107,27 @@ TEST(Refined_families, caps_down_to_the_precision_of_double)
     const IT::Refinement_report report = refine(triangulation_of({{{0, 0, 0}, {1, 0, 0}, {0.5, h, 0}, {0.5, 0, 1}}, {{0, 1, 2}, {1, 3, 2}, {3, 0, 2}}}));
     EXPECT_GE(report.segment_splits, std::size_t(k));
   }
-  for (double bulge : {1e-1, 1e-3, 1e-10})
+  for (double bulge : {1e-1, 1e-3, 1e-10, 0.})
     refine(triangulation_of(IT::cap(bulge)));
+}
+
+// Vertices 2 and 4 lie on the edge from 0 to 1, in two faces without area that stay at the border, or if that edge is constrained.
+TEST(Refined_families, faces_without_area)
+{
+  IT::Indexed_triangles surface;
+  surface.points = {{{0, 0, 0}}, {{4, 0, 0}}, {{1, 0, 0}}, {{2, 3, 0}}, {{2, 0, 0}}};
+  surface.triangles = {{0, 2, 3}, {2, 4, 3}, {4, 1, 3}, {0, 4, 2}, {0, 1, 4}};
+  const IT::Refinement_report report = refine(triangulation_of(surface));
+  EXPECT_EQ(report.unrefined.size(), count(report, IT::Refinement_obstacle::SMALL_INPUT_ANGLE));
+  surface.points.push_back({2, -0.1, 0});
+  surface.triangles.push_back({0, 5, 1});
+  EXPECT_TRUE(refine(triangulation_of(surface)).unrefined.empty());
+  const Triangulation t = triangulation_of(surface);
+  std::vector<bool> is_constrained(t.connectivity().number_of_edges());
+  for (IT::Edge_index e : t.connectivity().edges())
+    if (t.length(e) == 4)
+      is_constrained[e.idx()] = true;
+  refine(t, is_constrained);
 }
 
 TEST(Refined_families, boxes_and_prisms)

@@ -48,7 +48,7 @@ public:
     return sum;
   }
 
-  void expect_consistent() const
+  void expect_consistent(bool has_faces_without_area = false) const
   {
     const IT::Delta_complex& complex = triangulation.connectivity();
     ASSERT_TRUE(complex.is_valid());
@@ -59,7 +59,7 @@ public:
       }
     }
     for (IT::Face_index f : complex.faces())
-      ASSERT_EQ(geometry.sign_of_area(complex, f), CGAL::POSITIVE) << f;
+      ASSERT_GE(geometry.sign_of_area(complex, f), has_faces_without_area ? CGAL::ZERO : CGAL::POSITIVE) << f;
     EXPECT_NEAR(area() / area_, 1, 1e-13);
   }
 
@@ -109,7 +109,7 @@ TEST(Insert_vertex, of_curved_surfaces)
 {
   std::mt19937 random(2);
   for (const IT::Indexed_triangles& surface :
-       {IT::torus(), IT::bad_torus(30, 30), IT::bumpy_dome(), IT::disk_with_spike(), IT::Schwarz_lantern(), IT::cap(), IT::prism(),
+       {IT::torus(), IT::bad_torus(30, 30), IT::bumpy_dome(), IT::disk_with_spike(), IT::Schwarz_lantern(), IT::cap(), IT::cap(0), IT::prism(),
         IT::pillow(60), IT::sliver_sheet(), IT::helical_tube()})
     for (unsigned largest_coordinate : {3u, 1000u}) {
       Inserted_vertices test(surface);
@@ -131,6 +131,54 @@ TEST(Insert_vertex, does_not_change_the_metric)
       continue;
     EXPECT_NEAR(IT::angle_defect(test.triangulation, v), 0, 1e-9) << v;
   }
+}
+
+// Vertices 2 and 4 lie on the edge from 0 to 1, in faces 3 and 4, which have no area and stay where that edge is on the border.
+IT::Indexed_triangles triangle_over_flat_faces(bool is_closed_below)
+{
+  IT::Indexed_triangles result;
+  result.points = {{{0, 0, 0}}, {{4, 0, 0}}, {{1, 0, 0}}, {{2, 3, 0}}, {{2, 0, 0}}, {{2, -3, 0}}};
+  result.triangles = {{0, 2, 3}, {2, 4, 3}, {4, 1, 3}, {0, 4, 2}, {0, 1, 4}};
+  if (is_closed_below)
+    result.triangles.push_back({0, 5, 1});
+  else
+    result.points.pop_back();
+  return result;
+}
+
+TEST(Insert_vertex, faces_without_area)
+{
+  std::mt19937 random(4);
+  for (bool is_closed_below : {false, true})
+    for (unsigned largest_coordinate : {1u, 3u, 1000u})
+      for (int i = 0; i < 10; ++i) {
+        Inserted_vertices test(triangle_over_flat_faces(is_closed_below));
+        EXPECT_GT(IT::insert_random_vertices(test.triangulation, 30, largest_coordinate, random), 3u);
+        test.expect_consistent(!is_closed_below);
+      }
+  Inserted_vertices test(triangle_over_flat_faces(false));
+  const IT::Delta_complex input = test.triangulation.exact_geometry().correspondence().input();
+  const auto insert = [&](std::uint32_t face, const std::array<double, 3>& coordinates) {
+    IT::insert_vertex(test.triangulation, {input.halfedge(IT::Face_index(face)), coordinates});
+  };
+  for (std::uint32_t face : {3u, 4u})
+    try {
+      insert(face, {1, 1, 1});
+      ADD_FAILURE() << "a vertex in a face without area";
+    } catch (const IT::Invalid_point_error& error) {
+      EXPECT_NE(std::string(error.what()).find("face " + std::to_string(face) + " of the input, which has no area"), std::string::npos)
+        << error.what();
+    }
+  const auto side_between = [&](std::uint32_t v, std::uint32_t w) {
+    for (IT::Halfedge_index h : input.halfedges())
+      if (!input.is_border(h) && input.source(h).idx() == v && input.target(h).idx() == w)
+        return IT::Surface_point{h, {1, 2, 0}};
+    return IT::Surface_point{};
+  };
+  EXPECT_THROW(IT::insert_vertex(test.triangulation, side_between(0, 1)), IT::Invalid_point_error); // on the border
+  for (const auto& [v, w] : {std::pair(0u, 2u), std::pair(4u, 2u), std::pair(4u, 1u)})
+    IT::insert_vertex(test.triangulation, side_between(v, w)); // shorter sides
+  test.expect_consistent(true);
 }
 
 TEST(Insert_vertex, refuses_what_is_no_new_point)

@@ -107,7 +107,7 @@ TEST(Remove_vertex, undoes_insertions_in_any_order)
   std::mt19937 random(1);
   for (const IT::Indexed_triangles& surface :
        {IT::sheared_grid(), IT::random_diagonal_grid(), IT::torus(), IT::bad_torus(30, 30), IT::bumpy_dome(), IT::disk_with_spike(),
-        IT::Schwarz_lantern(), IT::cap(), IT::prism(16), IT::pillow(60), IT::sliver_sheet(12), IT::helical_tube()})
+        IT::Schwarz_lantern(), IT::cap(), IT::cap(0), IT::prism(16), IT::pillow(60), IT::sliver_sheet(12), IT::helical_tube()})
     for (unsigned largest_coordinate : {1u, 1000u}) {
       Triangulation triangulation = Delaunay_triangulation_of(surface);
       const Edge_set before = edges_without_ties(triangulation);
@@ -148,7 +148,7 @@ TEST(Remove_vertex, flat_parts_are_decided_as_by_unfolding)
   std::mt19937 random(7);
   std::uint64_t in_planes = 0;
   std::size_t ties = 0;
-  for (const IT::Indexed_triangles& surface : {IT::prism(8), IT::prism(12, 1), IT::sheared_grid(6, 6), IT::random_diagonal_grid(6), IT::cap()})
+  for (const IT::Indexed_triangles& surface : {IT::prism(8), IT::prism(12, 1), IT::sheared_grid(6, 6), IT::random_diagonal_grid(6), IT::cap(), IT::cap(0)})
     for (unsigned largest_coordinate : {1u, 3u, 1000000u}) {
       Triangulation triangulation = Delaunay_triangulation_of(surface);
       const IT::Delta_complex& complex = triangulation.connectivity();

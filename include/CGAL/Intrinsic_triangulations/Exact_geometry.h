@@ -172,6 +172,9 @@ public:
   /// some flip was made in a hinge that is not convex.
   Sign sign_of_area(const Delta_complex& complex, Face_index f) const;
 
+  /// returns whether a face of the input has positive area.
+  bool has_input_face_area(Face_index f) const;
+
   /// returns the length of `e` in the unit of the input, within one unit in the last
   /// place.
   double length(const Delta_complex& complex, Edge_index e) const;

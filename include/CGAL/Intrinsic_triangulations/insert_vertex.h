@@ -103,6 +103,32 @@ inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex, const
   return std::nullopt;
 }
 
+inline void check_area(const Exact_geometry& geometry, const Surface_point& point)
+{
+  const Face_index f = geometry.correspondence().input().face(point.halfedge);
+  if (!geometry.has_input_face_area(f))
+    throw Invalid_point_error("a new vertex lies in face " + std::to_string(f.idx()) +
+                              " of the input, which has no area: move it to a shorter side of that face or into another one");
+}
+
+template <class Traits>
+bool has_area(const Intrinsic_triangulation<Traits>& triangulation, Face_index f)
+{
+  return triangulation.traits().has_positive_area_object()(triangulation.face_data(f)) ||
+         triangulation.exact_geometry().sign_of_area(triangulation.connectivity(), f) != ZERO;
+}
+
+// The halfedge of an edge in a face without area of which it is the longest side, so that the two others coincide with it.
+template <class Traits>
+std::optional<Halfedge_index> longest_side_without_area(const Intrinsic_triangulation<Traits>& triangulation, Edge_index e)
+{
+  const Delta_complex& complex = triangulation.connectivity();
+  for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
+    if (!complex.is_border(h) && !has_area(triangulation, complex.face(h)) && triangulation.exact_geometry().angle(complex, h) > 1)
+      return h;
+  return std::nullopt;
+}
+
 } // namespace internal
 /// \endcond
 
@@ -113,9 +139,12 @@ inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex, const
 /// sum, and lengths, decisions and all else follow from them and from the input exactly. In which triangle the point lies is decided exactly,
 /// too. No descriptor changes; the new vertex, its edges and faces have the next ones.
 ///
+/// Faces of the input without area have no inside: their points coincide with those of their sides. A vertex can lie on the two shorter sides.
+///
 /// \param triangulation a Delaunay triangulation, or a constrained one
 /// \param point a point strictly inside a face of `triangulation.exact_geometry().correspondence().input()`, or on an edge of it that
-///   coincides with an edge of the triangulation, as those on the border and those that were never flipped do
+///   coincides with an edge of the triangulation, as those on the border and those that were never flipped do, and is not the longest
+///   side of a face without area
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
@@ -127,7 +156,8 @@ inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex, const
 /// \cgalNamedParamsEnd
 ///
 /// \return the new vertex
-/// \exception Invalid_point_error if the point is no such point, or a vertex of the triangulation lies there
+/// \exception Invalid_point_error if the point is no such point, or a vertex of the triangulation lies there. The message names
+///   the face of the input or the vertex
 /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
 /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
 /// \pre `triangulation.keeps_input()`, with traits that use exact geometry
@@ -152,8 +182,13 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
                                 "constrain that edge before flips");
     if (complex.is_self_glued(complex.edge(*h)))
       throw Invalid_point_error("a new vertex lies on an edge with the same face on both sides: move it into the face");
+    if (const auto side = internal::longest_side_without_area(triangulation, complex.edge(*h)))
+      throw Invalid_point_error("a new vertex lies on the longest side of face " +
+                                std::to_string(correspondence.input().face(correspondence.input_halfedge(*side)).idx()) +
+                                " of the input, which has no area: move it to a shorter side of that face or into another one");
     v = triangulation.split_edge(*h, point);
   } else {
+    internal::check_area(geometry, point);
     const Triangle_piece start = internal::piece_at_source(complex, correspondence, point.halfedge);
     const Triangle_piece piece = internal::Piece_search(complex, geometry)(start, point);
     if (const auto there = internal::vertex_at(complex, correspondence, piece.side, point))

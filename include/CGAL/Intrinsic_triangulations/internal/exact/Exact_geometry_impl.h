@@ -556,6 +556,14 @@ Sign Exact_geometry::sign_of_area(const Delta_complex& complex, Face_index f) co
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_geometry::has_input_face_area(Face_index f) const
+{
+  const Delta_complex& input = correspondence_.input();
+  const Uncertain<Sign> sign = metric_.four_areas_double_double(input, f).sign();
+  return is_certain(sign) ? get_certain(sign) != ZERO : squared_four_areas(metric_, input, f) != 0;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Sign Exact_geometry::sign_of_area(const Delta_complex& complex, Face_index f, internal::Input_surface& surface) const
 {
   const Halfedge_index h = complex.halfedge(f);

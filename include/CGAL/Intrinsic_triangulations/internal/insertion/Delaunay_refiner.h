@@ -81,6 +81,7 @@ private:
     lengths_.resize(complex_.number_of_edges());
     for (Edge_index e : complex_.edges())
       measure(e);
+    fix_faces_without_area();
     find_cones();
     if (goes_on())
       protect_cones();
@@ -252,6 +253,18 @@ private:
           return true;
       }
     return false;
+  }
+
+  // Faces without area are left at the border and at constrained edges: their longest side is one. They are kept as they are, and
+  // what would be inserted beyond them splits a shorter side.
+  void fix_faces_without_area()
+  {
+    for (Face_index f : complex_.faces())
+      if (!has_area(triangulation_, f)) {
+        const Halfedge_index h = complex_.halfedge(f);
+        for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)})
+          is_segment_[complex_.edge(side).idx()] = has_segments_ = true;
+      }
   }
 
   void find_cones()
@@ -426,6 +439,8 @@ private:
   // \return nothing if a vertex lies there
   std::optional<Vertex_index> insert(const Point_to_insert& place)
   {
+    if (!(shapes_.four_areas(correspondence_.input().face(place.point.halfedge)) > 0))
+      return std::nullopt;
     const Triangle_piece piece = Piece_search(complex_, geometry_)(place.start, place.point);
     if (vertex_at(complex_, correspondence_, piece.side, place.point))
       return std::nullopt;
@@ -439,7 +454,7 @@ private:
   bool split_segment(Edge_index e)
   {
     const Delta_complex& input = correspondence_.input();
-    if (!correspondence_.coordinates().is_original(e) || complex_.is_self_glued(e))
+    if (!correspondence_.coordinates().is_original(e) || complex_.is_self_glued(e) || longest_side_without_area(triangulation_, e))
       return false;
     Halfedge_index h = complex_.halfedge(e), along = correspondence_.input_halfedge(h);
     if (input.is_border(along)) {
@@ -555,7 +570,7 @@ private:
   std::vector<double> lengths_; // of the edges, in the unit of the input
   Visitor& visitor_;
   const std::uint64_t maximum_number_;
-  const bool has_segments_;
+  bool has_segments_;
   Refinement_report report_;
   std::priority_queue<Candidate> bad_faces_;
   std::vector<Edge_index> segments_, stack_, flipped_;

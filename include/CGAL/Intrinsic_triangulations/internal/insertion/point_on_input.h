@@ -56,7 +56,7 @@ public:
       squared_lengths_.push_back(geometry.metric().squared_length_double_double(input_, e).hi());
     four_areas_.reserve(input_.number_of_faces());
     for (Face_index f : input_.faces())
-      four_areas_.push_back(geometry.metric().four_areas_double_double(input_, f).hi());
+      four_areas_.push_back(geometry.has_input_face_area(f) ? geometry.metric().four_areas_double_double(input_, f).hi() : 0);
   }
 
   // In the internal unit.
@@ -119,7 +119,7 @@ std::optional<Point_to_insert> point_on_input(const Delta_complex& complex, cons
     bool is_second_turn = false;
     for (Plane_point z = shapes.apex(base); cross_product(z, to_point) > 0; z = shapes.apex(base)) {
       const Halfedge_index next = input.next_around_source(base);
-      if (input.is_border(next) || !(z.imag() > 0))
+      if (input.is_border(next))
         break;
       // No triangle has a larger corner. But if all corners of the input are tiny there, a rounded one can be.
       if (base == reference && std::exchange(is_second_turn, true))

@@ -55,6 +55,7 @@ struct Walk_end
 };
 
 // Walks from a point in the face of h to another one, both given in the frame of h: its source is 0, its target 1.
+// A triangle without area is crossed from its longest side to another one, or the other way.
 // \param leaves_corner whether the walk starts at the source of h, into the triangle
 // \param apex gives the third corner of the face of a halfedge, in the frame of that
 // \param is_barrier whether an edge that is met must not be crossed
@@ -80,11 +81,12 @@ std::optional<Walk_end> walk_straight(const Delta_complex& complex, Halfedge_ind
   for (std::size_t crossed = 0; crossed <= most_edges; ++crossed) {
     const Plane_point z = apex(h);
     const std::array<double, 3> w = weights(z, end);
+    const bool has_area = z.imag() > 0;
     // Corner i is opposite to the side that the line leaves by, if it does.
     std::size_t i = 0;
     if (crossed > 0) // it came through h
       i = cross_product(end - start, z - start) > 0 ? 0 : 1;
-    else if (!leaves_corner) {
+    else if (!leaves_corner && has_area) {
       const std::array<double, 3> from = weights(z, start);
       double first = 2;
       for (std::size_t k = 0; k < 3; ++k)
@@ -96,7 +98,7 @@ std::optional<Walk_end> walk_straight(const Delta_complex& complex, Halfedge_ind
           }
         }
     }
-    if (!(w[i] < 0) || !(z.imag() > 0))
+    if (has_area ? !(w[i] < 0) : crossed == 0 && !(leaves_corner && z.real() < 0))
       return Walk_end{h, inside(w), {}, crossed};
     const Halfedge_index side = i == 0 ? complex.next(h) : i == 1 ? complex.prev(h)
                                                                   : h;
