@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/remove_vertex.h>
 
 #include <gtest/gtest.h>
 
@@ -20,8 +21,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -177,7 +180,7 @@ TEST(Insert_vertex, faces_without_area)
   };
   EXPECT_THROW(IT::insert_vertex(test.triangulation, side_between(0, 1)), IT::Invalid_point_error); // on the border
   for (const auto& [v, w] : {std::pair(0u, 2u), std::pair(4u, 2u), std::pair(4u, 1u)})
-    IT::insert_vertex(test.triangulation, side_between(v, w)); // shorter sides
+    EXPECT_THROW(IT::remove_vertex(test.triangulation, IT::insert_vertex(test.triangulation, side_between(v, w))), IT::Invalid_removal_error);
   test.expect_consistent(true);
 }
 

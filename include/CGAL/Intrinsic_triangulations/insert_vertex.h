@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/compare_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/faces_without_area.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
@@ -109,24 +110,6 @@ inline void check_area(const Exact_geometry& geometry, const Surface_point& poin
   if (!geometry.has_input_face_area(f))
     throw Invalid_point_error("a new vertex lies in face " + std::to_string(f.idx()) +
                               " of the input, which has no area: move it to a shorter side of that face or into another one");
-}
-
-template <class Traits>
-bool has_area(const Intrinsic_triangulation<Traits>& triangulation, Face_index f)
-{
-  return triangulation.traits().has_positive_area_object()(triangulation.face_data(f)) ||
-         triangulation.exact_geometry().sign_of_area(triangulation.connectivity(), f) != ZERO;
-}
-
-// The halfedge of an edge in a face without area of which it is the longest side, so that the two others coincide with it.
-template <class Traits>
-std::optional<Halfedge_index> longest_side_without_area(const Intrinsic_triangulation<Traits>& triangulation, Edge_index e)
-{
-  const Delta_complex& complex = triangulation.connectivity();
-  for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
-    if (!complex.is_border(h) && !has_area(triangulation, complex.face(h)) && triangulation.exact_geometry().angle(complex, h) > 1)
-      return h;
-  return std::nullopt;
 }
 
 } // namespace internal

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Faces of the triangulation without area. Once it is Delaunay, they are parts of such faces of the input and end at the border or at a
+// constrained edge, as their longest side would be flipped elsewhere.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_FACES_WITHOUT_AREA_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_FACES_WITHOUT_AREA_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+
+#include <CGAL/enum.h>
+
+#include <optional>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+template <class Traits>
+bool has_area(const Intrinsic_triangulation<Traits>& triangulation, Face_index f)
+{
+  return triangulation.traits().has_positive_area_object()(triangulation.face_data(f)) ||
+         triangulation.exact_geometry().sign_of_area(triangulation.connectivity(), f) != ZERO;
+}
+
+// The halfedge of an edge in a face without area of which it is the longest side, so that the two others coincide with it.
+template <class Traits>
+std::optional<Halfedge_index> longest_side_without_area(const Intrinsic_triangulation<Traits>& triangulation, Edge_index e)
+{
+  const Delta_complex& complex = triangulation.connectivity();
+  for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
+    if (!complex.is_border(h) && !has_area(triangulation, complex.face(h)) && triangulation.exact_geometry().angle(complex, h) > 1)
+      return h;
+  return std::nullopt;
+}
+
+// Whether a face at v has no area.
+template <class Traits>
+bool is_beside_face_without_area(const Intrinsic_triangulation<Traits>& triangulation, Vertex_index v)
+{
+  const Delta_complex& complex = triangulation.connectivity();
+  const Halfedge_index first = complex.halfedge(v);
+  Halfedge_index h = first;
+  do {
+    if (!complex.is_border(h) && !has_area(triangulation, complex.face(h)))
+      return true;
+    h = complex.next_around_target(h);
+  } while (h != first);
+  return false;
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_FACES_WITHOUT_AREA_H
