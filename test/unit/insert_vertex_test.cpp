@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/remove_vertex.h>
 
 #include <gtest/gtest.h>
 
@@ -156,7 +155,7 @@ TEST(Insert_vertex, faces_without_area)
     for (unsigned largest_coordinate : {1u, 3u, 1000u})
       for (int i = 0; i < 10; ++i) {
         Inserted_vertices test(triangle_over_flat_faces(is_closed_below));
-        EXPECT_GT(IT::insert_random_vertices(test.triangulation, 30, largest_coordinate, random), 3u);
+        EXPECT_GE(IT::insert_random_vertices(test.triangulation, 30, largest_coordinate, random), 3u);
         test.expect_consistent(!is_closed_below);
       }
   Inserted_vertices test(triangle_over_flat_faces(false));
@@ -180,7 +179,7 @@ TEST(Insert_vertex, faces_without_area)
   };
   EXPECT_THROW(IT::insert_vertex(test.triangulation, side_between(0, 1)), IT::Invalid_point_error); // on the border
   for (const auto& [v, w] : {std::pair(0u, 2u), std::pair(4u, 2u), std::pair(4u, 1u)})
-    EXPECT_THROW(IT::remove_vertex(test.triangulation, IT::insert_vertex(test.triangulation, side_between(v, w))), IT::Invalid_removal_error);
+    EXPECT_THROW(IT::insert_vertex(test.triangulation, side_between(v, w)), IT::Invalid_point_error);
   test.expect_consistent(true);
 }
 

@@ -109,7 +109,7 @@ inline void check_area(const Exact_geometry& geometry, const Surface_point& poin
   const Face_index f = geometry.correspondence().input().face(point.halfedge);
   if (!geometry.has_input_face_area(f))
     throw Invalid_point_error("a new vertex lies in face " + std::to_string(f.idx()) +
-                              " of the input, which has no area: move it to a shorter side of that face or into another one");
+                              " of the input, which has no area: move it into another one");
 }
 
 } // namespace internal
@@ -122,12 +122,12 @@ inline void check_area(const Exact_geometry& geometry, const Surface_point& poin
 /// sum, and lengths, decisions and all else follow from them and from the input exactly. In which triangle the point lies is decided exactly,
 /// too. No descriptor changes; the new vertex, its edges and faces have the next ones.
 ///
-/// Faces of the input without area have no inside: their points coincide with those of their sides. A vertex can lie on the two shorter sides.
+/// Faces of the input without area have no inside: their points coincide with those of their sides. No vertex is inserted there, nor on
+/// their sides where they are left: at the border or a constrained edge.
 ///
 /// \param triangulation a Delaunay triangulation, or a constrained one
 /// \param point a point strictly inside a face of `triangulation.exact_geometry().correspondence().input()`, or on an edge of it that
-///   coincides with an edge of the triangulation, as those on the border and those that were never flipped do, and is not the longest
-///   side of a face without area
+///   coincides with an edge of the triangulation, as those on the border and those that were never flipped do, with faces of positive area
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
@@ -165,10 +165,10 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
                                 "constrain that edge before flips");
     if (complex.is_self_glued(complex.edge(*h)))
       throw Invalid_point_error("a new vertex lies on an edge with the same face on both sides: move it into the face");
-    if (const auto side = internal::longest_side_without_area(triangulation, complex.edge(*h)))
-      throw Invalid_point_error("a new vertex lies on the longest side of face " +
+    if (const auto side = internal::side_without_area(triangulation, complex.edge(*h)))
+      throw Invalid_point_error("a new vertex lies on a side of face " +
                                 std::to_string(correspondence.input().face(correspondence.input_halfedge(*side)).idx()) +
-                                " of the input, which has no area: move it to a shorter side of that face or into another one");
+                                " of the input, which has no area: move it into another one");
     v = triangulation.split_edge(*h, point);
   } else {
     internal::check_area(geometry, point);

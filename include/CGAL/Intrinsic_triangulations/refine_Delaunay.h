@@ -55,8 +55,8 @@ struct Flips_before_refinement
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief flips edges until the triangulation is Delaunay, and inserts vertices until no triangle is too thin or too large.
 ///
-/// The largest triangle that does not meet the criteria gets a vertex at its circumcenter, found by a straight walk over the
-/// triangles. An edge of the border or a constrained one that is in the way, or that the vertex would encroach on, is split instead.
+/// A triangle that does not meet the criteria gets a vertex at its circumcenter, or closer to its shortest side if that is far shorter than
+/// the circumradius, found by a straight walk over the triangles. Small angles at the shortest sides come first, then the largest triangles. An edge of the border or a constrained one that is in the way, or that the vertex would encroach on, is split instead.
 /// Where the new vertices lie is chosen in doubles; what follows from that is exact, as in `insert_vertex()`: the metric does not change,
 /// and after each insertion all edges that are not constrained are Delaunay.
 ///
@@ -92,7 +92,8 @@ struct Flips_before_refinement
 /// \exception Integer_overflow_error, Undecided_error, Cancelled_error as `insert_vertex()`
 /// \pre `criteria.minimum_angle <= 30`
 ///
-/// Source: J. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh generation" (1995); on surfaces, N. Sharp,
+/// Source: J. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh generation" (1995); A. Ungor, "Off-centers: a new
+/// type of Steiner points for computing size-optimal quality-guaranteed Delaunay triangulations" (2009); on surfaces, N. Sharp,
 /// Y. Soliman, K. Crane, "Navigating intrinsic triangulations" (2019).
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation, const Refinement_criteria& criteria = {},

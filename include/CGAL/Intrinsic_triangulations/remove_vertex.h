@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Vertex_remover.h>
-#include <CGAL/Intrinsic_triangulations/internal/insertion/faces_without_area.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
@@ -47,7 +46,7 @@ namespace Intrinsic_triangulations {
 /// \cgalNamedParamsEnd
 ///
 /// \return what was removed, and thereby which descriptors moved
-/// \exception Invalid_removal_error if `v` was not inserted, if it lies on a side of a face without area, if constrained edges end in it other than the two halves of an
+/// \exception Invalid_removal_error if `v` was not inserted, if constrained edges end in it other than the two halves of an
 ///   input edge, or if flips leave other edges at it than three, as can happen where edges lead from `v` around a handle
 ///   back to `v`. The triangulation has the same vertices then, and is Delaunay
 /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
@@ -65,8 +64,6 @@ Removed_elements remove_vertex(Intrinsic_triangulation<Traits>& triangulation, V
                                                            Static_boolean_property_map<Edge_index, false>());
   if (v.idx() >= triangulation.connectivity().number_of_vertices() || !triangulation.exact_geometry().correspondence().is_inserted(v))
     throw Invalid_removal_error("vertex " + std::to_string(v.idx()) + " was not inserted: only inserted vertices can be removed");
-  if (internal::is_beside_face_without_area(triangulation, v))
-    throw Invalid_removal_error("vertex " + std::to_string(v.idx()) + " lies on a side of a face without area. Keep it");
   return internal::Vertex_remover<Traits, std::decay_t<decltype(is_constrained)>>(triangulation, v, is_constrained).remove();
 }
 

@@ -99,7 +99,7 @@ private:
       } else if (!bad_faces_.empty()) {
         const Candidate candidate = bad_faces_.top();
         bad_faces_.pop();
-        if (is_bad(candidate.face) && circumradius(candidate.face) == candidate.circumradius)
+        if (is_bad(candidate.face) && size(candidate.face) == candidate.size)
           refine(candidate.face);
       } else
         break;
@@ -109,13 +109,20 @@ private:
 
   static constexpr double smallest_whole_cone = CGAL_PI / 3;
 
+  // Faces with a small angle come first, and of these the one with the shortest side: what is inserted close to it improves those
+  // that have longer ones (A. Ungor, "Off-centers", 2009). Of the faces that are only too large, the largest is next.
   struct Candidate
   {
-    double circumradius;
+    bool has_small_angle;
+    double size; // of the shortest side, or of the circumcircle
     Face_index face;
     bool operator<(const Candidate& other) const
     {
-      return circumradius != other.circumradius ? circumradius < other.circumradius : other.face.idx() < face.idx();
+      if (has_small_angle != other.has_small_angle)
+        return other.has_small_angle;
+      if (size != other.size)
+        return has_small_angle ? other.size < size : size < other.size;
+      return other.face.idx() < face.idx();
     }
   };
 
@@ -156,6 +163,15 @@ private:
         result = side;
     return result;
   }
+  Halfedge_index shortest_side(Face_index f) const
+  {
+    const Halfedge_index h = complex_.halfedge(f);
+    Halfedge_index result = h;
+    for (Halfedge_index side : {complex_.next(h), complex_.prev(h)})
+      if (length(side) < length(result))
+        result = side;
+    return result;
+  }
   double circumradius(Face_index f) const
   {
     const Halfedge_index h = longest_side(f);
@@ -192,9 +208,7 @@ private:
   // The sine of the smallest angle is the shortest side over the diameter of the circumcircle.
   bool has_small_angle(Face_index f) const
   {
-    const Halfedge_index h = complex_.halfedge(f);
-    const double shortest = (std::min)(length(h), (std::min)(length(complex_.next(h)), length(complex_.prev(h))));
-    return !(shortest > 2 * circumradius(f) * sine_of_minimum_angle_ * (1 + 1e-9));
+    return !(length(shortest_side(f)) > 2 * circumradius(f) * sine_of_minimum_angle_ * (1 + 1e-9));
   }
   bool is_too_small(double angle) const { return angle < criteria_.minimum_angle / 180 * CGAL_PI; }
 
@@ -207,14 +221,19 @@ private:
     if (!has_small_angle(f))
       return false;
     for (Halfedge_index corner : {h, complex_.next(h), complex_.prev(h)})
-      if (is_too_small(angle(corner)) && !obstacle_at(corner) && !is_between_shells(complex_.next(corner)))
+      if (is_to_be_enlarged(corner))
         return true;
     return false;
   }
+  bool is_to_be_enlarged(Halfedge_index corner) const
+  {
+    return is_too_small(angle(corner)) && !obstacle_at(corner) && !is_between_shells(complex_.next(corner));
+  }
+  double size(Face_index f) const { return has_small_angle(f) ? length(shortest_side(f)) : circumradius(f); }
   void note(Face_index f)
   {
     if (is_bad(f))
-      bad_faces_.push({circumradius(f), f});
+      bad_faces_.push({has_small_angle(f), size(f), f});
   }
 
   // A corner of the input between two segments can force a small angle opposite to an edge between points at the same distance from it.
@@ -255,8 +274,7 @@ private:
     return false;
   }
 
-  // Faces without area are left at the border and at constrained edges: their longest side is one. They are kept as they are, and
-  // what would be inserted beyond them splits a shorter side.
+  // Faces without area are left at the border and at constrained edges: their longest side is one. They are kept as they are.
   void fix_faces_without_area()
   {
     for (Face_index f : complex_.faces())
@@ -351,8 +369,30 @@ private:
         cones_.protect(v, length(to_p));
     }
   }
-  // Inserts a vertex at the circumcenter of a face, or splits the segment that is in the way.
+  // Inserts a vertex for a face, or splits the segment that is in the way.
   void refine(Face_index f)
+  {
+    if (const std::optional<Walk_end> end = walk_to_off_center(f))
+      if (!insert_or_split(f, end))
+        return;
+    if (const std::optional<Refinement_obstacle> reason = refine_at_circumcenter(f))
+      left_[f] = {circumradius(f), *reason};
+  }
+
+  // A vertex on the bisector of the shortest side ij makes a triangle with that whose angles are large enough already if it is as close as this.
+  // It needs no circumcenter farther away, and leaves more room (A. Ungor). The factor is 1 for an angle that just meets the bound; others need fewer vertices.
+  std::optional<Walk_end> walk_to_off_center(Face_index f) const
+  {
+    const Halfedge_index h = shortest_side(f);
+    const Plane_point z = apex(h);
+    const double farthest = 0.85 / (2 * std::tan(criteria_.minimum_angle / 360 * CGAL_PI));
+    if (!(std::norm(z) - z.real() > farthest * 2 * z.imag()) || !(z.imag() > 0) || !is_to_be_enlarged(complex_.prev(h)))
+      return std::nullopt;
+    return walk(h, Plane_point(0.5, farthest));
+  }
+
+  // \return why that cannot be done, if so
+  std::optional<Refinement_obstacle> refine_at_circumcenter(Face_index f)
   {
     const Halfedge_index h = longest_side(f);
     const Plane_point z = apex(h);
@@ -360,40 +400,41 @@ private:
     constexpr double farthest = 64;
     const double below = std::abs(z) * std::abs(z) - z.real(), height = 2 * z.imag();
     const double y = below <= -farthest * height ? -farthest : below / height;
-    if (y < 0 && is_segment(h)) {
-      leave_or_split(f, complex_.edge(h));
-      return;
-    }
-    const std::optional<Walk_end> center = walk_straight(
-      complex_, y < 0 ? complex_.opposite(h) : h, 0.5, y < 0 ? Plane_point(0.5, -y) : Plane_point(0.5, y), false,
-      [&](Halfedge_index g) { return apex(g); }, [&](Edge_index e) { return is_segment_[e.idx()]; });
-    if (!center) {
-      leave(f, Refinement_obstacle::UNREPRESENTABLE);
-      return;
-    }
-    if (center->barrier.is_valid()) {
-      leave_or_split(f, complex_.edge(center->barrier));
-      return;
-    }
-    if (const std::optional<Edge_index> e = encroached_by(*center)) {
-      leave_or_split(f, *e);
-      return;
-    }
-    const auto place = point_on_input(complex_, geometry_, shapes_, center->halfedge, center->weights, [&](Halfedge_index g) { return apex(g); });
-    if (!place)
-      leave(f, Refinement_obstacle::UNREPRESENTABLE);
-    else if (cones_.is_too_close(place->point))
-      leave(f, Refinement_obstacle::CONE);
-    else if (is_too_fine(f, place->point) || !insert(*place))
-      leave(f, Refinement_obstacle::UNREPRESENTABLE);
+    if (y >= 0)
+      return insert_or_split(f, walk(h, {0.5, y}));
+    if (is_segment(h))
+      return split(f, complex_.edge(h));
+    return insert_or_split(f, walk(complex_.opposite(h), {0.5, -y}));
   }
-  void leave(Face_index f, Refinement_obstacle reason) { left_[f] = {circumradius(f), reason}; }
-  void leave_or_split(Face_index f, Edge_index e)
+  // From the middle of h to a point in the frame of h, if that is not too far.
+  std::optional<Walk_end> walk(Halfedge_index h, Plane_point end) const
+  {
+    return walk_straight(
+      complex_, h, 0.5, end, false, [&](Halfedge_index g) { return apex(g); }, [&](Edge_index e) { return is_segment_[e.idx()]; });
+  }
+  std::optional<Refinement_obstacle> insert_or_split(Face_index f, const std::optional<Walk_end>& end)
+  {
+    if (!end)
+      return Refinement_obstacle::UNREPRESENTABLE;
+    if (end->barrier.is_valid())
+      return split(f, complex_.edge(end->barrier));
+    if (const std::optional<Edge_index> e = encroached_by(*end))
+      return split(f, *e);
+    const auto place = point_on_input(complex_, geometry_, shapes_, end->halfedge, end->weights, [&](Halfedge_index g) { return apex(g); });
+    if (!place)
+      return Refinement_obstacle::UNREPRESENTABLE;
+    if (cones_.is_too_close(place->point))
+      return Refinement_obstacle::CONE;
+    if (is_too_fine(f, place->point) || !insert(*place))
+      return Refinement_obstacle::UNREPRESENTABLE;
+    return std::nullopt;
+  }
+  std::optional<Refinement_obstacle> split(Face_index f, Edge_index e)
   {
     if (!split_segment(e))
-      leave(f, Refinement_obstacle::UNREPRESENTABLE);
-    else
-      note(f);
+      return Refinement_obstacle::UNREPRESENTABLE;
+    note(f);
+    return std::nullopt;
   }
   // Whether the face is so small that coordinates in the input face are too coarse.
   bool is_too_fine(Face_index f, const Surface_point& point) const
@@ -454,7 +495,7 @@ private:
   bool split_segment(Edge_index e)
   {
     const Delta_complex& input = correspondence_.input();
-    if (!correspondence_.coordinates().is_original(e) || complex_.is_self_glued(e) || longest_side_without_area(triangulation_, e))
+    if (!correspondence_.coordinates().is_original(e) || complex_.is_self_glued(e) || side_without_area(triangulation_, e))
       return false;
     Halfedge_index h = complex_.halfedge(e), along = correspondence_.input_halfedge(h);
     if (input.is_border(along)) {

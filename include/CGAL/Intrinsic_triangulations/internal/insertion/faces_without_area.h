@@ -28,30 +28,15 @@ bool has_area(const Intrinsic_triangulation<Traits>& triangulation, Face_index f
          triangulation.exact_geometry().sign_of_area(triangulation.connectivity(), f) != ZERO;
 }
 
-// The halfedge of an edge in a face without area of which it is the longest side, so that the two others coincide with it.
+// The halfedge of an edge in a face without area, if there is one.
 template <class Traits>
-std::optional<Halfedge_index> longest_side_without_area(const Intrinsic_triangulation<Traits>& triangulation, Edge_index e)
+std::optional<Halfedge_index> side_without_area(const Intrinsic_triangulation<Traits>& triangulation, Edge_index e)
 {
   const Delta_complex& complex = triangulation.connectivity();
   for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
-    if (!complex.is_border(h) && !has_area(triangulation, complex.face(h)) && triangulation.exact_geometry().angle(complex, h) > 1)
+    if (!complex.is_border(h) && !has_area(triangulation, complex.face(h)))
       return h;
   return std::nullopt;
-}
-
-// Whether a face at v has no area.
-template <class Traits>
-bool is_beside_face_without_area(const Intrinsic_triangulation<Traits>& triangulation, Vertex_index v)
-{
-  const Delta_complex& complex = triangulation.connectivity();
-  const Halfedge_index first = complex.halfedge(v);
-  Halfedge_index h = first;
-  do {
-    if (!complex.is_border(h) && !has_area(triangulation, complex.face(h)))
-      return true;
-    h = complex.next_around_target(h);
-  } while (h != first);
-  return false;
 }
 
 } // namespace internal
