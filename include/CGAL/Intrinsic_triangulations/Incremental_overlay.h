@@ -34,6 +34,9 @@ namespace Intrinsic_triangulations {
 /// `Overlay` is cheaper, since most intermediate crossings later disappear. Use this class
 /// if you need the overlay after every flip.
 ///
+/// It is told of flips, not of vertices that are inserted or removed. After those, construct it anew from the
+/// connectivity of the triangulation: this is then its `input()`. `Overlay` relates inserted vertices to the first input.
+///
 /// Memory: 32 bytes a segment, and that of two `Delta_complex`.
 ///
 /// \cgalModels `IntrinsicFlipVisitor`, to be passed as `std::ref(overlay)`

@@ -85,24 +85,13 @@ private:
     find_cones();
     if (goes_on())
       protect_cones();
-    for (Edge_index e : complex_.edges())
-      if (is_segment_[e.idx()])
-        segments_.push_back(e);
     for (Face_index f : complex_.faces())
       note(f);
-    while (goes_on()) {
-      if (!segments_.empty()) {
-        const Edge_index e = segments_.back();
-        segments_.pop_back();
-        if (is_encroached(e))
-          split_segment(e);
-      } else if (!bad_faces_.empty()) {
-        const Candidate candidate = bad_faces_.top();
-        bad_faces_.pop();
-        if (is_bad(candidate.face) && size(candidate.face) == candidate.size)
-          refine(candidate.face);
-      } else
-        break;
+    while (!bad_faces_.empty() && goes_on()) {
+      const Candidate candidate = bad_faces_.top();
+      bad_faces_.pop();
+      if (is_bad(candidate.face) && size(candidate.face) == candidate.size)
+        refine(candidate.face);
     }
     list_unrefined_faces();
   }
@@ -130,7 +119,7 @@ private:
   {
     if (report_.status != Refinement_status::REFINED)
       return false;
-    if (asks_further() && report_.insertions + report_.segment_splits >= maximum_number_ && (!segments_.empty() || !bad_faces_.empty()))
+    if (asks_further() && report_.insertions + report_.segment_splits >= maximum_number_ && !bad_faces_.empty())
       report_.status = Refinement_status::BUDGET_EXHAUSTED;
     return report_.status == Refinement_status::REFINED;
   }
@@ -259,18 +248,6 @@ private:
       for (const auto& [w, e] : ends(complex_.target(h)))
         if (v.is_valid() && v == w && std::abs(d - e) < 1e-9 * d && small_corners_.count(v) != 0)
           return true;
-    return false;
-  }
-
-  // An edge is encroached if an opposite angle is larger than a right one.
-  bool is_encroached(Edge_index e) const
-  {
-    for (Halfedge_index h : {complex_.halfedge(e), complex_.opposite(complex_.halfedge(e))})
-      if (!complex_.is_border(h)) {
-        const double a = length(complex_.next(h)) / length(h), b = length(complex_.prev(h)) / length(h);
-        if (a * a + b * b < 1)
-          return true;
-      }
     return false;
   }
 
@@ -563,11 +540,6 @@ private:
     };
     do {
       note_faces(h);
-      for (Halfedge_index side : {h, complex_.prev(h)})
-        if (!complex_.is_border(h) && is_segment(side))
-          segments_.push_back(complex_.edge(side));
-      if (is_segment(h))
-        segments_.push_back(complex_.edge(h));
       h = complex_.next_around_target(h);
     } while (h != first);
     for (Edge_index e : flipped_)
@@ -614,7 +586,7 @@ private:
   bool has_segments_;
   Refinement_report report_;
   std::priority_queue<Candidate> bad_faces_;
-  std::vector<Edge_index> segments_, stack_, flipped_;
+  std::vector<Edge_index> stack_, flipped_;
   Small_cones cones_;
   const double sine_of_minimum_angle_;
   std::unordered_map<Vertex_index, bool> small_corners_;
