@@ -413,6 +413,16 @@ public:
     refine(h, exact_geometry().corner(connectivity_, h));
   }
 
+  /// \brief replaces the stored numbers of all faces around `v` by those that follow from the input.
+  ///
+  /// As `refine(Face_index)` for each of them, but each edge from `v` is laid out once. `v` lies inside the surface or on its border.
+  /// \pre `v` has a face
+  void refine(Vertex_index v)
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    measure(exact_geometry().corners_at(connectivity_, v));
+  }
+
   /// returns the datum that the traits keep for `e`, in the internal unit.
   const Edge_data& edge_data(Edge_index e) const { return edges_[e.idx()]; }
   /// returns the datum that the traits keep for `f`, in the internal unit.

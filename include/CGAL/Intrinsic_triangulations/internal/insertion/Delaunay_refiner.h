@@ -126,17 +126,37 @@ private:
 
   // Lengths, in the unit of the input, and shapes.
   double length(Edge_index e) const { return lengths_[e.idx()]; }
-  // From the numbers that flips keep, if these are good to 30 bits.
-  void measure(Edge_index e)
+  double squared_length(Edge_index e) const { return triangulation_.traits().compute_squared_length_object()(triangulation_.edge_data(e)); }
+  // Whether the numbers that flips keep are good to 30 bits.
+  bool has_good_length(Edge_index e) const
   {
-    const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
-    const double square = triangulation_.traits().compute_squared_length_object()(triangulation_.edge_data(e));
     double error = (std::numeric_limits<double>::infinity)();
-    for (Halfedge_index side : {h, g})
+    for (Halfedge_index side : {complex_.halfedge(e), complex_.opposite(complex_.halfedge(e))})
       if (!complex_.is_border(side))
         error = (std::min)(error, triangulation_.face_data(complex_.face(side)).error);
-    lengths_[e.idx()] = error <= 0x1p-30 * square ? std::ldexp(std::sqrt(square), triangulation_.unit_exponent())
-                                                  : CGAL::to_double(triangulation_.length(e));
+    return error <= 0x1p-30 * squared_length(e);
+  }
+  void measure(Edge_index e)
+  {
+    lengths_[e.idx()] = has_good_length(e) ? std::ldexp(std::sqrt(squared_length(e)), triangulation_.unit_exponent())
+                                           : CGAL::to_double(triangulation_.length(e));
+  }
+  // Of all edges at v, once its faces are measured anew if flips have left numbers that are not good.
+  void measure_star(Vertex_index v)
+  {
+    bool are_good = true;
+    const Halfedge_index first = complex_.halfedge(v);
+    Halfedge_index h = first;
+    do {
+      are_good = are_good && has_good_length(complex_.edge(h));
+      h = complex_.next_around_target(h);
+    } while (h != first);
+    if (!are_good)
+      triangulation_.refine(v);
+    do {
+      measure(complex_.edge(h));
+      h = complex_.next_around_target(h);
+    } while (h != first);
   }
   double length(Halfedge_index h) const { return length(complex_.edge(h)); }
   Plane_point apex(Halfedge_index h) const
@@ -526,14 +546,13 @@ private:
     report_.flips += settle_around(triangulation_, v, is_fixed, stack_, [&](Edge_index e) { flipped_.push_back(e); });
     visitor_.after_insertion(v);
     lengths_.resize(complex_.number_of_edges());
+    measure_star(v);
+    const auto is_at_v = [&](Edge_index e) { return complex_.source(complex_.halfedge(e)) == v || complex_.target(complex_.halfedge(e)) == v; };
+    flipped_.erase(std::remove_if(flipped_.begin(), flipped_.end(), is_at_v), flipped_.end());
     for (Edge_index e : flipped_)
       measure(e);
     const Halfedge_index first = complex_.halfedge(v);
     Halfedge_index h = first;
-    do {
-      measure(complex_.edge(h));
-      h = complex_.next_around_target(h);
-    } while (h != first);
     const auto note_faces = [&](Halfedge_index h) {
       if (!complex_.is_border(h))
         note(complex_.face(h));
@@ -544,8 +563,7 @@ private:
     } while (h != first);
     for (Edge_index e : flipped_)
       for (Halfedge_index side : {complex_.halfedge(e), complex_.opposite(complex_.halfedge(e))})
-        if (complex_.source(complex_.halfedge(e)) != v && complex_.target(complex_.halfedge(e)) != v)
-          note_faces(side);
+        note_faces(side);
   }
 
   void list_unrefined_faces()
