@@ -90,7 +90,7 @@ private:
     while (!bad_faces_.empty() && goes_on()) {
       const Candidate candidate = bad_faces_.top();
       bad_faces_.pop();
-      if (is_bad(candidate.face) && size(candidate.face) == candidate.size)
+      if (is_bad(candidate.face) && circumradius(candidate.face) == candidate.radius)
         refine(candidate.face);
     }
     list_unrefined_faces();
@@ -98,19 +98,20 @@ private:
 
   static constexpr double smallest_whole_cone = CGAL_PI / 3;
 
-  // Faces with a small angle come first, and of these the one with the shortest side: what is inserted close to it improves those
-  // that have longer ones (A. Ungor, "Off-centers", 2009). Of the faces that are only too large, the largest is next.
+  // Faces with a small angle come first, and of these those with the shortest side: what is inserted close to it improves those
+  // that have longer ones (A. Ungor, "Off-centers", 2009). Of the faces with sides of the same size up to a root of two, and of those that are only too
+  // large, the largest is next: edges around it cross the fewest small faces.
   struct Candidate
   {
-    bool has_small_angle;
-    double size; // of the shortest side, or of the circumcircle
+    int order_of_size;
+    double radius; // of the circumcircle
     Face_index face;
     bool operator<(const Candidate& other) const
     {
-      if (has_small_angle != other.has_small_angle)
-        return other.has_small_angle;
-      if (size != other.size)
-        return has_small_angle ? other.size < size : size < other.size;
+      if (order_of_size != other.order_of_size)
+        return other.order_of_size < order_of_size;
+      if (radius != other.radius)
+        return radius < other.radius;
       return other.face.idx() < face.idx();
     }
   };
@@ -238,11 +239,21 @@ private:
   {
     return is_too_small(angle(corner)) && !obstacle_at(corner) && !is_between_shells(complex_.next(corner));
   }
-  double size(Face_index f) const { return has_small_angle(f) ? length(shortest_side(f)) : circumradius(f); }
+  // The number of roots of two that a length is worth, rounded down.
+  static int half_octave(double length)
+  {
+    int exponent = 0;
+    const double fraction = std::frexp(length, &exponent);
+    return 2 * exponent + (fraction * fraction >= 0.5 ? 1 : 0);
+  }
+  int order_of_size(Face_index f) const
+  {
+    return has_small_angle(f) ? half_octave(length(shortest_side(f))) : (std::numeric_limits<int>::max)();
+  }
   void note(Face_index f)
   {
     if (is_bad(f))
-      bad_faces_.push({has_small_angle(f), size(f), f});
+      bad_faces_.push({order_of_size(f), circumradius(f), f});
   }
 
   // A corner of the input between two segments can force a small angle opposite to an edge between points at the same distance from it.
