@@ -56,7 +56,8 @@ struct Flips_before_refinement
 /// \brief flips edges until the triangulation is Delaunay, and inserts vertices until no triangle is too thin or too large.
 ///
 /// A triangle that does not meet the criteria gets a vertex at its circumcenter, or closer to its shortest side if that is far shorter than
-/// the circumradius, found by a straight walk over the triangles. Small angles at the shortest sides come first, then the largest triangles. An edge of the border or a constrained one that is in the way, or that the vertex would encroach on, is split instead.
+/// the circumradius, found by a straight walk over the triangles. Small angles at the shortest sides come first, then the largest
+/// triangles. An edge of the border or a constrained one that is in the way, or that the vertex would encroach on, is split instead.
 /// Where the new vertices lie is chosen in doubles; what follows from that is exact, as in `insert_vertex()`: the metric does not change,
 /// and after each insertion all edges that are not constrained are Delaunay.
 ///
