@@ -10,8 +10,10 @@
 #include "system/for_each_block.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
 
 #include <CGAL/enum.h>
@@ -162,17 +164,42 @@ inline void add(Weight_summary& summary, double weight)
     summary.smallest = weight;
 }
 
+// The cotangent weight of an interior edge of a triangulation that was never flipped, from the metric of the input; NaN where
+// double-doubles do not tell, or the exact weight would be rounded to another double.
+inline double input_weight(const IT::Delta_complex& input, const IT::Input_metric& metric, IT::Edge_index e)
+{
+  const auto cotangent = [&](IT::Halfedge_index h) {
+    const auto squared_length = [&](IT::Halfedge_index side) { return metric.squared_length_double_double(input, input.edge(side)); };
+    const auto p = squared_length(input.next(h)) + squared_length(input.prev(h)) - squared_length(h);
+    return p / metric.four_areas_double_double(input, input.face(h));
+  };
+  const IT::Halfedge_index h = input.halfedge(e);
+  const IT::internal::Bounded_double_double weight = cotangent(h) + cotangent(input.opposite(h));
+  // Far from the middle between two doubles.
+  const double margin = 0x1p-75 * std::abs(weight.hi());
+  const bool is_clear = weight.relative_error() < 0x1p-80 && weight.hi() + (weight.lo() + margin) == weight.hi() &&
+                        weight.hi() + (weight.lo() - margin) == weight.hi();
+  return is_clear ? weight.hi() : std::numeric_limits<double>::quiet_NaN();
+}
+
 // Where the stored numbers have error bounds, the exact geometry is only asked for the few
 // weights that can be the smallest.
-template <class Triangulation>
-Weight_summary summarize_weights(const Triangulation& triangulation)
+// \param ask returns the triangulation, or a copy that can be asked for what the stored numbers do not tell
+// \param known a weight that is known, or NaN
+template <class Triangulation, class Ask, class Known>
+Weight_summary summarize_weights(const Triangulation& triangulation, const Ask& ask, const Known& known)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
-  Weight_evaluator<Triangulation> weight(triangulation);
+  std::optional<Weight_evaluator<Triangulation>> evaluator;
+  const auto weight = [&]() -> Weight_evaluator<Triangulation>& {
+    if (!evaluator)
+      evaluator.emplace(ask());
+    return *evaluator;
+  };
   Weight_summary summary;
   if constexpr (!Triangulation::uses_exact_geometry) {
     for (IT::Edge_index e : complex.edges()) {
-      const double w = weight(e);
+      const double w = weight()(e);
       if (!complex.is_border(e)) {
         add(summary, w);
         summary.negative += w < 0;
@@ -182,6 +209,13 @@ Weight_summary summarize_weights(const Triangulation& triangulation)
     }
   } else {
     constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto has_area = [&](IT::Halfedge_index h) {
+      return complex.is_border(h) || triangulation.traits().has_positive_area_object()(triangulation.face_data(complex.face(h)));
+    };
+    const auto is_beside_flat_face = [&](IT::Edge_index e) {
+      const IT::Halfedge_index h = complex.halfedge(e);
+      return !(has_area(h) && has_area(complex.opposite(h))) && weight().is_beside_flat_face(e);
+    };
     // The cotangent opposite to h from below and from above.
     const auto cotangent_bounds = [&](IT::Halfedge_index h) -> std::pair<double, double> {
       const auto c = triangulation.traits().compute_bounded_cotangent_object()(
@@ -190,29 +224,37 @@ Weight_summary summarize_weights(const Triangulation& triangulation)
         triangulation.edge_data(complex.edge(complex.prev(h))));
       return {c.value - c.error, c.value + c.error};
     };
+    const auto is_Delaunay = [&](IT::Edge_index e) {
+      return unless_cancelled([&] { return CGAL::certainly(ask().is_locally_Delaunay(e)); }, [&] { return weight()(e) >= 0; });
+    };
     std::vector<double> from_below(complex.number_of_edges(), infinity);
     double smallest_from_above = infinity;
     for (IT::Edge_index e : complex.edges()) {
       if (complex.is_border(e)) {
-        summary.infinite += weight.is_beside_flat_face(e);
+        summary.infinite += is_beside_flat_face(e);
         continue;
       }
-      summary.negative += !unless_cancelled(
-        [&] { return CGAL::certainly(triangulation.is_locally_Delaunay(e)); }, [&] { return weight(e) >= 0; });
-      if (weight.is_beside_flat_face(e)) {
-        add(summary, weight(e));
+      if (is_beside_flat_face(e)) {
+        summary.negative += !is_Delaunay(e);
+        add(summary, weight()(e));
         continue;
       }
       const IT::Halfedge_index h = complex.halfedge(e);
       const auto k = cotangent_bounds(h), l = cotangent_bounds(complex.opposite(h));
-      from_below[e.idx()] = k.first + l.first;
-      smallest_from_above = (std::min)(smallest_from_above, k.second + l.second);
+      const double low = k.first + l.first, high = k.second + l.second;
+      from_below[e.idx()] = low;
+      smallest_from_above = (std::min)(smallest_from_above, high);
+      // The bounds are rounded. An edge with one face on both sides is Delaunay, whatever its weight.
+      if (low < 0x1p-40 * (1 + std::abs(low)))
+        summary.negative += (high < -0x1p-40 * (1 + std::abs(high)) && complex.is_flippable(e)) || !is_Delaunay(e);
     }
     // The bounds are those of the exact weight; what is reported is rounded once more.
     smallest_from_above += 0x1p-40 * (1 + std::abs(smallest_from_above));
     for (IT::Edge_index e : complex.edges())
-      if (from_below[e.idx()] < infinity && from_below[e.idx()] <= smallest_from_above)
-        add(summary, weight(e));
+      if (from_below[e.idx()] < infinity && from_below[e.idx()] <= smallest_from_above) {
+        const double w = known(e);
+        add(summary, std::isnan(w) ? weight()(e) : w);
+      }
   }
   return summary;
 }
@@ -237,7 +279,7 @@ double area(const Triangulation& triangulation, IT::Face_index f)
     return std::ldexp(stored, 2 * triangulation.unit_exponent()); });
 }
 
-// What the functions above return for most elements, found for all corners at a vertex together and by several threads; NaN for the
+// What the functions above return for most elements, found for each face by several threads; NaN for the
 // others, and for all if the number type has no exact geometry.
 class Known_numbers
 {
@@ -249,7 +291,7 @@ public:
       numbers_.emplace(complex_);
       unit_exponent_ = triangulation.unit_exponent();
       const IT::Exact_geometry& geometry = triangulation.exact_geometry();
-      for_each_block(complex_.number_of_vertices(), [&](std::size_t first, std::size_t last) {
+      for_each_block(complex_.number_of_faces(), [&](std::size_t first, std::size_t last) {
         unless_cancelled([&] { geometry.find_numbers(complex_, first, last, *numbers_); }, [] {});
       });
     }
@@ -262,9 +304,20 @@ public:
   }
   double area(IT::Face_index f) const
   {
-    return numbers_ && !std::isnan(numbers_->areas[f.idx()])
-             ? IT::internal::area_in_input_unit(numbers_->areas[f.idx()], unit_exponent_, f)
-             : unknown;
+    if (!numbers_ || std::isnan(numbers_->areas[f.idx()]))
+      return unknown;
+    try {
+      return IT::internal::area_in_input_unit(numbers_->areas[f.idx()], unit_exponent_, f);
+    } catch (const IT::Invalid_surface_error&) { // one thread finds the first of them
+      return unknown;
+    }
+  }
+
+  // Gives their memory back.
+  void forget_lengths()
+  {
+    if (numbers_)
+      numbers_->lengths = {};
   }
 
 private:
@@ -275,31 +328,40 @@ private:
   int unit_exponent_ = 0;
 };
 
+// One number for each of n elements: `known(element)`, by several threads, or `compute(element)` where that is NaN.
+template <class Element, class Known, class Compute>
+void collect(std::size_t n, const Known& known, const Compute& compute, std::vector<double>& numbers)
+{
+  numbers.resize(n);
+  const auto element = [](std::size_t i) { return Element(typename Element::size_type(i)); };
+  for_each_block(n, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      numbers[i] = known(element(i));
+  });
+  for (std::size_t i = 0; i < n; ++i)
+    if (std::isnan(numbers[i]))
+      numbers[i] = compute(element(i));
+}
+
 template <class Triangulation>
 void collect_numbers(const Triangulation& triangulation, bool with_lengths, bool with_weights_and_areas, Numbers& numbers)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
-  const Known_numbers known(triangulation);
-  if (with_lengths) {
-    numbers.lengths.reserve(complex.number_of_edges());
-    for (IT::Edge_index e : complex.edges()) {
-      const double x = known.length(e);
-      numbers.lengths.push_back(std::isnan(x) ? length(triangulation, e) : x);
-    }
-  }
+  Known_numbers known(triangulation);
+  if (with_lengths)
+    collect<IT::Edge_index>(
+      complex.number_of_edges(), [&](IT::Edge_index e) { return known.length(e); },
+      [&](IT::Edge_index e) { return length(triangulation, e); }, numbers.lengths);
   if (!with_weights_and_areas)
     return;
+  known.forget_lengths();
   Weight_evaluator<Triangulation> weight(triangulation);
-  numbers.weights.reserve(complex.number_of_edges());
-  for (IT::Edge_index e : complex.edges()) {
-    const double x = known.weight(e);
-    numbers.weights.push_back(std::isnan(x) ? weight(e) : x);
-  }
-  numbers.areas.reserve(complex.number_of_faces());
-  for (IT::Face_index f : complex.faces()) {
-    const double x = known.area(f);
-    numbers.areas.push_back(std::isnan(x) ? area(triangulation, f) : x);
-  }
+  collect<IT::Edge_index>(
+    complex.number_of_edges(), [&](IT::Edge_index e) { return known.weight(e); }, [&](IT::Edge_index e) { return weight(e); },
+    numbers.weights);
+  collect<IT::Face_index>(
+    complex.number_of_faces(), [&](IT::Face_index f) { return known.area(f); },
+    [&](IT::Face_index f) { return area(triangulation, f); }, numbers.areas);
 }
 
 } // namespace idt

@@ -303,21 +303,27 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
     triangulation.keep_input(input_metric(job.surface));
   if (triangulation.keeps_input())
     triangulation.set_interruption(job.go_on_deciding);
-  if (wanted.weights || wanted.input_numbers) {
-    const auto ask = [&](const Triangulation& input) {
-      if (wanted.weights)
-        outcome.weights_before = summarize_weights(input);
-      if (wanted.input_numbers) {
-        collect_numbers(input, true, true, outcome.input_numbers);
-      }
-    };
+  {
     // Questions to the exact geometry change how it follows the flips, so a copy is asked.
-    if constexpr (Triangulation::uses_exact_geometry) {
-      Triangulation copy(triangulation);
-      copy.set_interruption(job.go_on_deciding);
-      ask(copy);
-    } else
-      ask(triangulation);
+    std::optional<Triangulation> copy;
+    const auto ask = [&]() -> const Triangulation& {
+      if constexpr (Triangulation::uses_exact_geometry) {
+        if (!copy) {
+          copy.emplace(triangulation);
+          copy->set_interruption(job.go_on_deciding);
+        }
+        return *copy;
+      }
+      return triangulation;
+    };
+    if (wanted.weights)
+      outcome.weights_before = summarize_weights(triangulation, ask, [&]([[maybe_unused]] IT::Edge_index e) {
+        if constexpr (Triangulation::uses_exact_geometry)
+          return input_weight(triangulation.connectivity(), triangulation.exact_geometry().metric(), e);
+        return std::numeric_limits<double>::quiet_NaN();
+      });
+    if (wanted.input_numbers)
+      collect_numbers(ask(), true, true, outcome.input_numbers);
   }
 
   outcome.summary_seconds = stopwatch.restart();
@@ -339,7 +345,9 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
     triangulation.set_tie_proof(IT::Tie_proof::PROBABLE_IF_COSTLY);
   stopwatch.restart();
   if (wanted.weights)
-    outcome.weights_after = summarize_weights(triangulation);
+    outcome.weights_after = summarize_weights(
+      triangulation, [&]() -> const Triangulation& { return triangulation; },
+      [](IT::Edge_index) { return std::numeric_limits<double>::quiet_NaN(); });
   outcome.summary_seconds += stopwatch.restart();
   if (wanted.lengths || wanted.numbers)
     collect_numbers(triangulation, wanted.lengths, wanted.numbers, outcome.numbers);

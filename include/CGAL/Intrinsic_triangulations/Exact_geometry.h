@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/Stage_counts.h>
 #include <CGAL/Intrinsic_triangulations/Tie_proof.h>
 #include <CGAL/Intrinsic_triangulations/Triangle_corner.h>
@@ -222,18 +223,20 @@ public:
   // counterclockwise.
   std::vector<std::pair<Halfedge_index, Corner>> corners_at(const Delta_complex& complex, Vertex_index v) const;
 
-  // The numbers of all elements, each edge laid out once where both take long. NaN where double-doubles do not tell.
+  // The numbers of all elements, with one corner laid out for each face. NaN where that is not accurate enough to
+  // be rounded as where each corner and edge is laid out.
   struct Rounded_numbers
   {
     explicit Rounded_numbers(const Delta_complex& complex);
     // What cotangent_weight() returns, or NaN. \pre e is no border edge
     double cotangent_weight(const Delta_complex& complex, Edge_index e) const;
 
-    std::vector<double> lengths;                             // as length() returns them
-    std::vector<double> areas;                               // in the unit of the metric
-    std::vector<internal::Bounded_double_double> cotangents; // opposite to each halfedge
+    Large_vector<double> lengths; // as length() returns them
+    Large_vector<double> areas;   // in the unit of the metric
+    // Opposite to each halfedge of a face with a positive area: `hi()`, `lo()` and `error()`.
+    Large_vector<std::array<double, 3>> cotangents;
   };
-  // Finds what belongs to vertices from first to before last: any number of threads may do that for other vertices.
+  // Finds what belongs to faces from first to before last: any number of threads may do that for other faces.
   void find_numbers(const Delta_complex& complex, std::size_t first, std::size_t last, Rounded_numbers& numbers) const;
 
   // Whether a corner of the face of h was inserted into an input that is given by points.

@@ -25,7 +25,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -195,36 +194,15 @@ public:
     } while (ki != first);
   }
 
-  // Calls `visit_edge(e, s)` with the squared length of each edge whose halfedge `2e` begins at k, and `visit_corner(h, corner)` with the
-  // corner of each face that has the corner k, opposite to h, unless `is_known(h)`. They are what squared_length() and opposite_corner()
-  // return, but an edge between two corners is laid out once.
-  template <class Is_known, class Visit_edge, class Visit_corner>
-  void for_each_edge_and_corner_at(Vertex_index k, const Is_known& is_known, const Visit_edge& visit_edge, const Visit_corner& visit_corner) const
+  // The side of a face that crosses the most input edges: the corner opposite to it takes the least time.
+  Halfedge_index side_with_most_crossings(Face_index f) const
   {
-    const Halfedge_index first = complex_.opposite(complex_.halfedge(k));
-    std::optional<Edge_vector> vector_of_first, u, v;
-    Halfedge_index ki = first;
-    do {
-      const Halfedge_index kj = complex_.next_around_source(ki), h = complex_.next(ki);
-      const bool has_corner = !complex_.is_border(ki) && !is_known(h), is_laid_out = has_corner && !is_input_face(h);
-      const Edge_index e = complex_.edge(ki);
-      const bool is_edge = ki == complex_.halfedge(e);
-      if (!u && (is_laid_out || is_edge))
-        u = edge_vector(ki);
-      if (ki == first)
-        vector_of_first = u;
-      if (is_edge)
-        visit_edge(e, squared_norm(u->vector) * reference_length(*u));
-      v.reset();
-      if (is_laid_out) {
-        v = kj == first && vector_of_first ? *vector_of_first : edge_vector(kj);
-        visit_corner(h, corner_between(h, *u, *v));
-      } else if (has_corner) {
-        visit_corner(h, input_corner(h));
-      }
-      u = v;
-      ki = kj;
-    } while (ki != first);
+    const Normal_coordinates& coordinates = correspondence_.coordinates();
+    Halfedge_index result = complex_.halfedge(f);
+    for (Halfedge_index h : {complex_.next(result), complex_.prev(result)})
+      if (coordinates.crossings(complex_.edge(h)) > coordinates.crossings(complex_.edge(result)))
+        result = h;
+    return result;
   }
   /// \endcond
 

@@ -191,9 +191,9 @@ void Exact_geometry::find_straight_faces(const Delta_complex& complex) const
   if (memory_->knows_straight_faces.load(std::memory_order_relaxed))
     return;
   internal::Straight_faces straight_faces(complex.number_of_faces(), metric_.points().size());
-  if (!metric_.points().empty()) {
-    std::vector<Edge_index> flips = correspondence_.journaled_flips(complex);
-    flips.insert(flips.end(), memory_->journal.begin(), memory_->journal.end());
+  std::vector<Edge_index> flips = correspondence_.journaled_flips(complex);
+  flips.insert(flips.end(), memory_->journal.begin(), memory_->journal.end());
+  if (!metric_.points().empty() && !flips.empty()) {
     Delta_complex copy = complex;
     for (std::size_t i = flips.size(); i-- > 0;)
       copy.flip_back(flips[i]);
@@ -670,6 +670,13 @@ inline bool is_good_weight(const Bounded_double_double& weight)
 }
 inline bool is_good_area(const Bounded_double_double& a) { return a.is_zero() || a.relative_error() < 0x1p-54; }
 
+// Whether the number gives the same double in whatever order it was computed: it is accurate, and not halfway between two doubles.
+inline bool is_rounded_alike(const Bounded_double_double& a)
+{
+  const double margin = 0x1p-75 * std::abs(a.hi());
+  return a.relative_error() < 0x1p-80 && a.hi() + (a.lo() + margin) == a.hi() && a.hi() + (a.lo() - margin) == a.hi();
+}
+
 inline double rounded_root(const Bounded_double_double& s, int unit_exponent)
 {
   const Bounded_double_double l = sqrt(s);
@@ -807,49 +814,64 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_geometry::Rounded_numbers::Rounded_numbers(const Delta_complex& complex)
   : lengths(complex.number_of_edges(), std::numeric_limits<double>::quiet_NaN()),
     areas(complex.number_of_faces(), std::numeric_limits<double>::quiet_NaN()),
-    cotangents(complex.number_of_halfedges(), {0, 0, std::numeric_limits<double>::infinity()})
+    cotangents(complex.number_of_halfedges(), internal::default_init)
 {
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_geometry::Rounded_numbers::cotangent_weight(const Delta_complex& complex, Edge_index e) const
 {
-  const Halfedge_index h = complex.halfedge(e);
-  const internal::Bounded_double_double weight = cotangents[h.idx()] + cotangents[complex.opposite(h).idx()];
-  return internal::is_good_weight(weight) ? weight.hi() : std::numeric_limits<double>::quiet_NaN();
+  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+  if (!(areas[complex.face(h).idx()] > 0 && areas[complex.face(g).idx()] > 0))
+    return std::numeric_limits<double>::quiet_NaN();
+  const auto cotangent = [&](Halfedge_index side) {
+    const auto& [hi, lo, error] = cotangents[side.idx()];
+    return internal::Bounded_double_double(hi, lo, error);
+  };
+  const internal::Bounded_double_double weight = cotangent(h) + cotangent(g);
+  return internal::is_rounded_alike(weight) ? weight.hi() : std::numeric_limits<double>::quiet_NaN();
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_geometry::find_numbers(const Delta_complex& complex, const std::size_t first, const std::size_t last,
                                   Rounded_numbers& numbers) const
 {
+  using Real = internal::Bounded_double_double;
   prepare(complex);
   find_straight_faces(complex);
   const Surface_lease surface = input_surface();
   internal::Double_double_metric metric(*surface);
   const Unfolding<internal::Double_double_metric> unfolding(complex, correspondence_, metric);
-  const auto note_edge = [&](Edge_index e, const internal::Bounded_double_double& s) {
-    if (internal::has_good_root(s))
-      numbers.lengths[e.idx()] = internal::rounded_root(s, metric_.unit_exponent());
+  const auto note_length = [&](Halfedge_index h, const Real& s) {
+    const Edge_index e = complex.edge(h);
+    if (h != complex.halfedge(e) && !complex.is_border(complex.halfedge(e)))
+      return;
+    const Real length = sqrt(s);
+    if (internal::is_rounded_alike(length))
+      numbers.lengths[e.idx()] = std::ldexp(length.hi(), metric_.unit_exponent());
   };
-  const auto note_corner = [&](Halfedge_index h, const Corner& c) {
-    if (certainly(c.four_areas.sign() == POSITIVE))
-      numbers.cotangents[h.idx()] = c.p / c.four_areas;
-    const Face_index f = complex.face(h);
-    if (h == complex.halfedge(f) && internal::is_good_area(c.four_areas))
-      numbers.areas[f.idx()] = c.four_areas.hi() / 4;
-  };
-  for (std::size_t v = first; v < last; ++v) {
-    const Vertex_index k(static_cast<Vertex_index::size_type>(v));
-    if (!complex.halfedge(k).is_valid())
-      continue;
-    const auto is_in_straight_face = [&](Halfedge_index h) {
-      const bool result = is_straight(complex.face(h));
-      if (result)
-        note_corner(h, straight_corner(complex, h));
-      return result;
-    };
-    unfolding.for_each_edge_and_corner_at(k, is_in_straight_face, note_edge, note_corner);
+  for (std::size_t i = first; i < last; ++i) {
+    const Face_index f(static_cast<Face_index::size_type>(i));
+    const bool is_in_plane = is_straight(f);
+    const Halfedge_index h = is_in_plane ? complex.halfedge(f) : unfolding.side_with_most_crossings(f);
+    const Halfedge_index second = complex.next(h), third = complex.prev(h);
+    const Corner c = is_in_plane ? straight_corner(complex, h) : unfolding.opposite_corner(h);
+    note_length(h, c.s_opposite);
+    note_length(second, c.s_second);
+    note_length(third, c.s_first);
+    if (c.four_areas.is_zero())
+      numbers.areas[i] = 0;
+    else if (c.four_areas.hi() > 0 && internal::is_rounded_alike(c.four_areas)) {
+      const Real inverse = Real(1) / c.four_areas;
+      const auto note_cotangent = [&](Halfedge_index side, const Real& p) {
+        const Real cotangent = p * inverse;
+        numbers.cotangents[side.idx()] = {cotangent.hi(), cotangent.lo(), cotangent.error()};
+      };
+      note_cotangent(h, c.p);
+      note_cotangent(second, c.s_first.scaled(2) - c.p);
+      note_cotangent(third, c.s_second.scaled(2) - c.p);
+      numbers.areas[i] = c.four_areas.hi() / 4;
+    }
   }
 }
 
