@@ -188,7 +188,7 @@ TEST(Cotangent_weights, as_near_to_the_exact_ones_as_stated)
   }
 }
 
-// Bit for bit, what is found for all corners at a vertex together; where a number is missing, it has to be asked for.
+// Bit for bit, what is found from one corner of each face; where a number is missing, it has to be asked for.
 TEST(Rounded_numbers, are_those_of_single_edges_and_faces)
 {
   std::vector<Surface> surfaces = generic_surfaces(false);
@@ -210,8 +210,8 @@ TEST(Rounded_numbers, are_those_of_single_edges_and_faces)
         IT::insert_vertex(t, IT::Surface_point{input.halfedge(IT::Face_index(f)), {0.25, 0.5, 0.25}});
       const IT::Delta_complex& c = t.connectivity();
       IT::Exact_geometry::Rounded_numbers rounded(c);
-      const std::size_t half = c.number_of_vertices() / 2;
-      t.exact_geometry().find_numbers(c, half, c.number_of_vertices(), rounded);
+      const std::size_t half = c.number_of_faces() / 2;
+      t.exact_geometry().find_numbers(c, half, c.number_of_faces(), rounded);
       t.exact_geometry().find_numbers(c, 0, half, rounded);
       const auto expect_same = [&](double x, double expected) {
         ++numbers;
