@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -164,6 +165,32 @@ TEST(Refined_families, mirror_symmetric_surfaces)
 {
   for (const IT::Indexed_triangles& surface : {IT::torus(16, 8), IT::latitude_longitude_sphere(18, 10), IT::random_diagonal_grid(8, 8)})
     EXPECT_TRUE(refine(triangulation_of(surface)).unrefined.empty());
+}
+
+// Flips put the same face on both sides of one of the constrained edges.
+TEST(Refined_families, constrained_edges_that_end_in_spikes)
+{
+  const IT::Indexed_triangles spikes{{{-2.1, 3.4, 0}, {0.5, 0.9, 0}, {-0.5, -0.9, 0}, {9.8, -15.8, 0}, {0, -0.5, 0.9}, {0, 5.3, 8.5}, {0, -0.5, -0.9}, {0, 0.5, -0.9}, {0.9, 0, -0.5}, {4.2, 0, 2.6}, {-0.9, 0, -0.5}, {-0.9, 0, 0.5}},
+                                     {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+  const Triangulation t = triangulation_of(spikes);
+  const IT::Delta_complex& complex = t.connectivity();
+  std::vector<bool> is_constrained(complex.number_of_edges());
+  for (IT::Edge_index e : complex.edges()) {
+    const auto ends = std::minmax({complex.source(complex.halfedge(e)).idx(), complex.target(complex.halfedge(e)).idx()});
+    for (const auto& pair : {std::pair(3u, 9u), std::pair(5u, 9u), std::pair(0u, 5u)})
+      is_constrained[e.idx()] = is_constrained[e.idx()] || (ends.first == pair.first && ends.second == pair.second);
+  }
+  EXPECT_TRUE(refine(t, is_constrained).unrefined.empty());
+}
+
+// Of two points on one edge none hides the other, however far they are from a small corner.
+TEST(Refined_families, a_vertex_next_to_a_side_at_a_small_corner)
+{
+  for (double distance : {1e-10, 1e-11}) {
+    const IT::Refinement_report report =
+      refine(triangulation_of({{{0, 0, 0}, {1, 0, 0}, {std::cos(0.9), std::sin(0.9), 0}, {0.7, distance, 0}}, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}));
+    EXPECT_TRUE(report.unrefined.empty()) << distance;
+  }
 }
 
 // A fan whose corners at the border are all small.

@@ -260,24 +260,31 @@ private:
   // (G. Miller, S. Pav, N. Walkington, "When and why Ruppert's algorithm works", 2003.)
   bool is_between_shells(Halfedge_index h) const
   {
-    const auto ends = [&](Vertex_index v) {
-      std::array<std::pair<Vertex_index, double>, 2> result{};
+    // A vertex on an input edge, as seen from one end of that.
+    struct View
+    {
+      Halfedge_index from_end;
+      double distance = 0;
+    };
+    const Delta_complex& input = correspondence_.input();
+    const auto views = [&](Vertex_index v) {
+      std::array<View, 2> result;
       if (!correspondence_.is_inserted(v) || correspondence_.location(v).dimension() != 1)
         return result;
       const Surface_point& p = correspondence_.location(v);
-      const Delta_complex& input = correspondence_.input();
       Halfedge_index along = p.halfedge;
       std::size_t i = 0;
       for (; p.coordinates[(i + 2) % 3] != 0; ++i)
         along = input.next(along);
       const double l = shapes_.length(input.edge(along));
-      result[0] = {input.source(along), l * p.coordinates[(i + 1) % 3]};
-      result[1] = {input.target(along), l * p.coordinates[i]};
+      result[0] = {along, l * p.coordinates[(i + 1) % 3]};
+      result[1] = {input.opposite(along), l * p.coordinates[i]};
       return result;
     };
-    for (const auto& [v, d] : ends(complex_.source(h)))
-      for (const auto& [w, e] : ends(complex_.target(h)))
-        if (v.is_valid() && v == w && std::abs(d - e) < 1e-9 * d && small_corners_.count(v) != 0)
+    for (const auto& [g, d] : views(complex_.source(h)))
+      for (const auto& [k, e] : views(complex_.target(h)))
+        if (g.is_valid() && k.is_valid() && g != k && input.source(g) == input.source(k) && std::abs(d - e) < 1e-9 * d &&
+            small_corners_.count(input.source(g)) != 0)
           return true;
     return false;
   }
@@ -439,9 +446,20 @@ private:
   }
   std::optional<Refinement_obstacle> split(Face_index f, Edge_index e)
   {
+    if (complex_.is_self_glued(e))
+      return insert_at_centroid(complex_.face(complex_.halfedge(e)));
     if (!split_segment(e))
       return Refinement_obstacle::UNREPRESENTABLE;
     note(f);
+    return std::nullopt;
+  }
+  // A segment with the same face on both sides has different ones then: the edge from the new vertex to the tip of that face is Delaunay, since
+  // the angles opposite to it are smaller than those at the base.
+  std::optional<Refinement_obstacle> insert_at_centroid(Face_index f)
+  {
+    const auto place = point_on_input(complex_, geometry_, shapes_, complex_.halfedge(f), {1. / 3, 1. / 3, 1. / 3}, [&](Halfedge_index g) { return apex(g); });
+    if (!place || is_too_fine(f, place->point) || !insert(*place))
+      return Refinement_obstacle::UNREPRESENTABLE;
     return std::nullopt;
   }
   // Whether the face is so small that coordinates in the input face are too coarse.
