@@ -24,6 +24,9 @@ struct Refinement_criteria
   double minimum_angle = 25;                                               ///< no corner is to be smaller, in degrees; at most 30
   double maximum_circumradius = (std::numeric_limits<double>::infinity)(); ///< no circumradius is to be larger, in the unit of the input
   double maximum_edge_length = (std::numeric_limits<double>::infinity)();  ///< no edge is to be longer, in the unit of the input
+  /// whether edges that are not flipped are split until no angle opposite to them is obtuse: first of all, whether a face needs it or not.
+  /// No cotangent weight of the border is negative then
+  bool splits_encroached_edges = false;
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion

@@ -61,6 +61,7 @@ std::optional<Intrinsic_triangulation<Traits>> without_obtuse_border(const Intri
   std::optional<Intrinsic_triangulation<Traits>> result(triangulation);
   Refinement_criteria none;
   none.minimum_angle = 0;
+  none.splits_encroached_edges = true;
   const std::uint64_t most = 10 * std::uint64_t(triangulation.connectivity().number_of_vertices()) + 1000;
   const Refinement_report report = refine_Delaunay(*result, none, parameters::maximum_number(most).visitor(Asking_visitor(interruption)));
   if (report.status == Refinement_status::CANCELLED)

@@ -85,9 +85,20 @@ private:
     find_cones();
     if (goes_on())
       protect_cones();
+    if (criteria_.splits_encroached_edges)
+      for (Edge_index e : complex_.edges())
+        if (is_segment_[e.idx()])
+          segments_.push_back(e);
     for (Face_index f : complex_.faces())
       note(f);
-    while (!bad_faces_.empty() && goes_on()) {
+    while (has_candidates() && goes_on()) {
+      if (!segments_.empty()) {
+        const Edge_index e = segments_.back();
+        segments_.pop_back();
+        if (is_encroached(e))
+          split_segment(e);
+        continue;
+      }
       const Candidate candidate = bad_faces_.top();
       bad_faces_.pop();
       if (is_bad(candidate.face) && circumradius(candidate.face) == candidate.radius)
@@ -116,11 +127,12 @@ private:
     }
   };
 
+  bool has_candidates() const { return !segments_.empty() || !bad_faces_.empty(); }
   bool goes_on()
   {
     if (report_.status != Refinement_status::REFINED)
       return false;
-    if (asks_further() && report_.insertions + report_.segment_splits >= maximum_number_ && !bad_faces_.empty())
+    if (asks_further() && report_.insertions + report_.segment_splits >= maximum_number_ && has_candidates())
       report_.status = Refinement_status::BUDGET_EXHAUSTED;
     return report_.status == Refinement_status::REFINED;
   }
@@ -286,6 +298,18 @@ private:
         if (g.is_valid() && k.is_valid() && g != k && input.source(g) == input.source(k) && std::abs(d - e) < 1e-9 * d &&
             small_corners_.count(input.source(g)) != 0)
           return true;
+    return false;
+  }
+
+  // An edge is encroached if an opposite angle is larger than a right one.
+  bool is_encroached(Edge_index e) const
+  {
+    for (Halfedge_index h : {complex_.halfedge(e), complex_.opposite(complex_.halfedge(e))})
+      if (!complex_.is_border(h)) {
+        const double a = length(complex_.next(h)) / length(h), b = length(complex_.prev(h)) / length(h);
+        if (a * a + b * b < 1)
+          return true;
+      }
     return false;
   }
 
@@ -588,6 +612,10 @@ private:
     };
     do {
       note_faces(h);
+      if (criteria_.splits_encroached_edges)
+        for (Halfedge_index side : {h, complex_.prev(h)})
+          if ((side == h || !complex_.is_border(h)) && is_segment(side))
+            segments_.push_back(complex_.edge(side));
       h = complex_.next_around_target(h);
     } while (h != first);
     for (Edge_index e : flipped_)
@@ -633,7 +661,7 @@ private:
   bool has_segments_;
   Refinement_report report_;
   std::priority_queue<Candidate> bad_faces_;
-  std::vector<Edge_index> stack_, flipped_;
+  std::vector<Edge_index> segments_, stack_, flipped_;
   Small_cones cones_;
   const double sine_of_minimum_angle_;
   std::unordered_map<Vertex_index, bool> small_corners_;
