@@ -175,11 +175,7 @@ inline double input_weight(const IT::Delta_complex& input, const IT::Input_metri
   };
   const IT::Halfedge_index h = input.halfedge(e);
   const IT::internal::Bounded_double_double weight = cotangent(h) + cotangent(input.opposite(h));
-  // Far from the middle between two doubles.
-  const double margin = 0x1p-75 * std::abs(weight.hi());
-  const bool is_clear = weight.relative_error() < 0x1p-80 && weight.hi() + (weight.lo() + margin) == weight.hi() &&
-                        weight.hi() + (weight.lo() - margin) == weight.hi();
-  return is_clear ? weight.hi() : std::numeric_limits<double>::quiet_NaN();
+  return IT::internal::is_rounded_alike(weight) ? weight.hi() : std::numeric_limits<double>::quiet_NaN();
 }
 
 // Where the stored numbers have error bounds, the exact geometry is only asked for the few

@@ -166,6 +166,13 @@ private:
   double error_ = 0;
 };
 
+// Whether the number gives the same double in whatever order it was computed: it is accurate, and not halfway between two doubles.
+inline bool is_rounded_alike(const Bounded_double_double& a)
+{
+  const double margin = 0x1p-75 * std::abs(a.hi());
+  return a.relative_error() < 0x1p-80 && a.hi() + (a.lo() + margin) == a.hi() && a.hi() + (a.lo() - margin) == a.hi();
+}
+
 } // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

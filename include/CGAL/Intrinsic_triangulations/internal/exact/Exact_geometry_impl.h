@@ -670,13 +670,6 @@ inline bool is_good_weight(const Bounded_double_double& weight)
 }
 inline bool is_good_area(const Bounded_double_double& a) { return a.is_zero() || a.relative_error() < 0x1p-54; }
 
-// Whether the number gives the same double in whatever order it was computed: it is accurate, and not halfway between two doubles.
-inline bool is_rounded_alike(const Bounded_double_double& a)
-{
-  const double margin = 0x1p-75 * std::abs(a.hi());
-  return a.relative_error() < 0x1p-80 && a.hi() + (a.lo() + margin) == a.hi() && a.hi() + (a.lo() - margin) == a.hi();
-}
-
 inline double rounded_root(const Bounded_double_double& s, int unit_exponent)
 {
   const Bounded_double_double l = sqrt(s);
