@@ -25,6 +25,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -247,8 +248,12 @@ private:
   // a point behind that.
   Edge_vector end_of_strip(Halfedge_index h, Halfedge_index front, std::size_t n, const Surface_point* point) const
   {
-    internal::Crossing_sequences own;
-    const Path path{input_, front, n > 1 ? &(sequences_ ? *sequences_ : own)(complex_, correspondence_, h, metric_.interruption()) : nullptr, n, point};
+    std::optional<internal::Crossing_sequence> own;
+    const internal::Crossing_sequence* sequence = nullptr;
+    if (n > 1)
+      sequence = sequences_ ? &(*sequences_)(complex_, correspondence_, h, metric_.interruption())
+                            : &own.emplace(complex_, correspondence_, h, metric_.interruption());
+    const Path path{input_, front, sequence, n, point};
     return {internal::Strip<Frame>(input_, Frame(input_, metric_)).end(path), Frame::reference(input_, front)};
   }
 

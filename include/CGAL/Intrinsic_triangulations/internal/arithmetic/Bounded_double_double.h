@@ -13,6 +13,8 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
+#include <boost/config.hpp>
+
 #include <cmath>
 #include <limits>
 
@@ -49,8 +51,8 @@ public:
     return {-a.hi_, -a.lo_, a.error_};
   }
 
-  friend Bounded_double_double operator+(const Bounded_double_double& a,
-                                         const Bounded_double_double& b)
+  BOOST_FORCEINLINE friend Bounded_double_double operator+(const Bounded_double_double& a,
+                                                           const Bounded_double_double& b)
   {
     double s, e, t, f, hi, lo;
     two_sum(a.hi_, b.hi_, s, e);
@@ -66,14 +68,14 @@ public:
     return {hi, lo, error};
   }
 
-  friend Bounded_double_double operator-(const Bounded_double_double& a,
-                                         const Bounded_double_double& b)
+  BOOST_FORCEINLINE friend Bounded_double_double operator-(const Bounded_double_double& a,
+                                                           const Bounded_double_double& b)
   {
     return a + -b;
   }
 
-  friend Bounded_double_double operator*(const Bounded_double_double& a,
-                                         const Bounded_double_double& b)
+  BOOST_FORCEINLINE friend Bounded_double_double operator*(const Bounded_double_double& a,
+                                                           const Bounded_double_double& b)
   {
     if (a.is_zero() || b.is_zero())
       return {};

@@ -29,14 +29,14 @@ public:
   Double_double_disk() = default;
   Double_double_disk(const Real& x, const Real& y)
     : x_{x.hi(), x.lo()}, y_{y.hi(), y.lo()},
-      radius_(x.error() + y.error() == 0 ? 0 : std::hypot(x.error(), y.error()) * slightly_more)
+      radius_(x.error() + y.error() == 0 ? 0 : std::sqrt(x.error() * x.error() + y.error() * y.error()) * slightly_more + underflow)
   {}
 
   double radius() const { return radius_; }
   // An upper bound. Where squares underflow it is far too large, which is safe.
   double modulus() const
   {
-    return std::sqrt(x_.hi * x_.hi + y_.hi * y_.hi) * slightly_more + 1e-150;
+    return std::sqrt(x_.hi * x_.hi + y_.hi * y_.hi) * slightly_more + underflow;
   }
 
   Real x() const { return Real(x_.hi, x_.lo, radius_); }
@@ -86,6 +86,7 @@ private:
   static constexpr double unit = 0x1p-100;
   static constexpr double slightly_more = 1 + 0x1p-45;
   static constexpr double tiny = 1e-300;
+  static constexpr double underflow = 1e-150; // more than the root of what squares that underflow have lost
 
   void set_radius_of_product(const Double_double_disk& a, const Double_double_disk& b)
   {

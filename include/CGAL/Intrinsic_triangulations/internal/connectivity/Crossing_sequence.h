@@ -23,7 +23,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -60,8 +59,7 @@ public:
       return;
     turns_.assign(std::size_t(n - 1), UNKNOWN);
     number_of_unknown_ = n - 1;
-    std::deque<Block> left{{h, 0, 0, n - 1}},
-      right{{complex.opposite(h), 0, 0, n - 1}};
+    Queue left({h, 0, 0, n - 1}), right({complex.opposite(h), 0, 0, n - 1});
     for (std::size_t step = 0; number_of_unknown_ > 0; ++step) {
       if (step % 1024 == 1023)
         interruption.check();
@@ -101,6 +99,28 @@ private:
     std::int64_t lower;
     std::int64_t first;
     std::int64_t count;
+  };
+
+  // Most often of one block: a std::deque would ask for memory twice as often.
+  class Queue
+  {
+  public:
+    explicit Queue(const Block& block) : blocks_{block} {}
+    bool empty() const { return first_ == blocks_.size(); }
+    void push_back(const Block& block) { blocks_.push_back(block); }
+    Block pop_front()
+    {
+      const Block result = blocks_[first_++];
+      if (2 * first_ >= blocks_.size()) {
+        blocks_.erase(blocks_.begin(), blocks_.begin() + std::ptrdiff_t(first_));
+        first_ = 0;
+      }
+      return result;
+    }
+
+  private:
+    std::vector<Block> blocks_;
+    std::size_t first_ = 0; // those before are done
   };
 
   template <class Number_of>
@@ -160,7 +180,7 @@ private:
 
   // Lets a block cross its halfedge later, or links its pairs if that belongs to the edge itself.
   template <class Number_of>
-  void put(std::deque<Block>& queue, const Block& block, Turn here, const Number_of& number_of)
+  void put(Queue& queue, const Block& block, Turn here, const Number_of& number_of)
   {
     if (complex_.edge(block.halfedge) != complex_.edge(start_)) {
       queue.push_back(block);
@@ -177,12 +197,11 @@ private:
 
   // Takes one step with the first block of a queue.
   template <class Number_of>
-  void follow(std::deque<Block>& queue, Turn here, const Number_of& number_of)
+  void follow(Queue& queue, Turn here, const Number_of& number_of)
   {
     if (queue.empty())
       return;
-    Block block = queue.front();
-    queue.pop_front();
+    Block block = queue.pop_front();
     const auto is_known = [&](std::int64_t pair) {
       return turns_[std::size_t(number_of(pair))] != UNKNOWN;
     };

@@ -21,6 +21,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Square_root_basis.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/ratios_in_space.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
@@ -172,7 +173,10 @@ public:
   template <class Compute>
   const Corner_ratios<Vector>& remembered(Halfedge_index h, const Compute& compute)
   {
-    return surface_.remembered(h, compute);
+    return surface_.remembered(h, [&] {
+      const auto in_space = ratios_in_space(surface_.connectivity(), surface_.metric().points(), h);
+      return in_space ? *in_space : compute();
+    });
   }
   bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
   const Interruption& interruption() { return surface_.interruption(); }
