@@ -194,18 +194,35 @@ Surface_counts count_elements(const IT::Delta_complex& complex)
       v = parent[v] = parent[parent[v]];
     return v;
   };
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
-  ends.reserve(counts.edges);
-  for (IT::Edge_index e : complex.edges()) {
-    const IT::Halfedge_index h = complex.halfedge(e);
-    const std::uint32_t v = complex.source(h).idx(), w = complex.target(h).idx();
-    counts.boundary_edges += complex.is_border(e);
+  // The larger ends of edges, vertex by vertex of their smaller ends.
+  std::vector<std::uint32_t> ends(counts.edges), last(counts.vertices + 1, 0);
+  const auto for_each_edge_of_two_vertices = [&](const auto& function) {
+    for (IT::Edge_index e : complex.edges()) {
+      const IT::Halfedge_index h = complex.halfedge(e);
+      const std::uint32_t v = complex.source(h).idx(), w = complex.target(h).idx();
+      if (v != w)
+        function((std::min)(v, w), (std::max)(v, w));
+    }
+  };
+  for_each_edge_of_two_vertices([&](std::uint32_t v, std::uint32_t w) {
     parent[root(v)] = root(w);
-    if (v == w)
-      ++counts.loops;
-    else
-      ends.emplace_back((std::min)(v, w), (std::max)(v, w));
+    ++last[v + 1];
+  });
+  std::partial_sum(last.begin(), last.end(), last.begin());
+  counts.loops = counts.edges - last.back();
+  for_each_edge_of_two_vertices([&](std::uint32_t v, std::uint32_t w) { ends[last[v]++] = w; });
+  for (std::size_t v = 0, first = 0; v < counts.vertices; first = last[v++]) {
+    std::sort(ends.begin() + static_cast<std::ptrdiff_t>(first), ends.begin() + last[v]);
+    for (std::size_t i = first; i < last[v];) {
+      const std::size_t begin = i;
+      while (i < last[v] && ends[i] == ends[begin])
+        ++i;
+      if (i - begin > 1)
+        counts.multiple_edges += i - begin;
+    }
   }
+  for (IT::Edge_index e : complex.edges())
+    counts.boundary_edges += complex.is_border(e);
 
   std::size_t used_vertices = 0;
   for (IT::Vertex_index v : complex.vertices())
@@ -216,16 +233,6 @@ Surface_counts count_elements(const IT::Delta_complex& complex)
   counts.euler_characteristic = static_cast<long long>(used_vertices) -
                                 static_cast<long long>(counts.edges) +
                                 static_cast<long long>(counts.faces);
-
-  std::sort(ends.begin(), ends.end());
-  for (std::size_t first = 0; first < ends.size();) {
-    std::size_t last = first + 1;
-    while (last < ends.size() && ends[last] == ends[first])
-      ++last;
-    if (last - first > 1)
-      counts.multiple_edges += last - first;
-    first = last;
-  }
   return counts;
 }
 
