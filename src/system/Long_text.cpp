@@ -8,7 +8,10 @@
 #include <algorithm>
 #include <deque>
 #include <future>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace idt {
 
@@ -18,17 +21,26 @@ void write_blocks(std::ostream& os, const std::size_t n,
   // One more than there are processors: they go on while this thread writes.
   const std::size_t at_most = std::max(1u, std::thread::hardware_concurrency()) + std::size_t(1);
   std::deque<std::future<Long_text>> blocks;
+  std::vector<Long_text> written;                                      // their memory is used again: the system would have to clear other pages
   for (std::size_t first = 0; (first < n || !blocks.empty()) && os;) { // a disk may be full: the caller finds out
-    for (; first < n && blocks.size() < at_most; first += elements_of_block)
+    for (; first < n && blocks.size() < at_most; first += elements_of_block) {
+      Long_text empty;
+      if (!written.empty()) {
+        empty = std::move(written.back());
+        written.pop_back();
+      }
       // Where there can be no thread, this one does it.
-      blocks.push_back(std::async([&format, first, last = (std::min)(n, first + elements_of_block)] {
-        Long_text text;
-        format(text, first, last);
-        return text;
-      }));
-    const Long_text text = blocks.front().get();
+      blocks.push_back(
+        std::async([&format, text = std::move(empty), first, last = (std::min)(n, first + elements_of_block)]() mutable {
+          text.clear();
+          format(text, first, last);
+          return std::move(text);
+        }));
+    }
+    written.push_back(blocks.front().get());
     blocks.pop_front();
-    os.write(text.string().data(), static_cast<std::streamsize>(text.string().size()));
+    const std::string& text = written.back().string();
+    os.write(text.data(), static_cast<std::streamsize>(text.size()));
   }
 }
 

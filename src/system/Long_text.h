@@ -58,6 +58,9 @@ public:
 
   const std::string& string() const { return text_; }
 
+  // Makes it empty, and keeps its memory.
+  void clear() { text_.clear(); }
+
 private:
   Long_text& append(const char* first, const char* last)
   {
