@@ -23,7 +23,6 @@
 #include <limits>
 #include <string>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -75,7 +74,9 @@ public:
     enter_rows(diagonal_value);
     if (number_of_merged_ > 0)
       close_gaps();
-    return std::move(matrix_);
+    Matrix result;
+    result.swap(matrix_); // to move it would copy it, up to Eigen 3.4
+    return result;
   }
 
 private:
