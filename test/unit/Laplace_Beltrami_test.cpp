@@ -298,6 +298,29 @@ TEST(Cotangent_weights, any_traits_may_bound_cotangents)
   expect_same_weights<Filtered, false>();
 }
 
+// Where nothing that is stored will do, one corner of each face gives the weights of its edges.
+TEST(Cotangent_weights, from_one_corner_of_each_face)
+{
+  using Traits = Traits_with_bounds<Filtered, false>;
+  for (const IT::Indexed_triangles& surface :
+       {IT::bad_torus(20, 16), IT::bumpy_sphere(12, 9), IT::random_diagonal_grid(12, 9, 1, 0), IT::random_diagonal_grid(12, 9, 1, 1)}) {
+    const auto complex = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
+    IT::Intrinsic_triangulation<Traits> t(complex, surface.points);
+    IT::flip_to_Delaunay(t);
+    const std::vector<double> weights = IT::cotangent_weights(t);
+    for (IT::Edge_index e : t.connectivity().edges()) {
+      const IT::Halfedge_index h = t.connectivity().halfedge(e);
+      double size = 1;
+      for (IT::Halfedge_index side : {h, t.connectivity().opposite(h)})
+        if (!t.connectivity().is_border(side))
+          size += std::abs(t.cotangent(side));
+      const double exact = t.cotangent_weight(e);
+      ASSERT_LE(std::abs(weights[e.idx()] - exact), 0x1p-45 * size) << e;
+      ASSERT_EQ(CGAL::sign(weights[e.idx()]), CGAL::sign(exact)) << e;
+    }
+  }
+}
+
 TEST(Cotangent_weights, a_tie_is_exactly_zero_and_nothing_is_negative)
 {
   for (std::uint64_t rotation : {0, 1}) {

@@ -239,6 +239,11 @@ public:
   // Finds what belongs to faces from first to before last: any number of threads may do that for other faces.
   void find_numbers(const Delta_complex& complex, std::size_t first, std::size_t last, Rounded_numbers& numbers) const;
 
+  // The cotangents of the angles of a face: opposite to `halfedge(f)` and to the halfedges that follow.
+  using Face_cotangents = std::array<internal::Bounded_double_double, 3>;
+  // Finds them with one corner laid out. The errors are infinite where the area is not known to be positive.
+  void find_cotangents(const Delta_complex& complex, Face_index f, Face_cotangents& result) const;
+
   // Whether a corner of the face of h was inserted into an input that is given by points.
   bool has_inserted_corner(const Delta_complex& complex, Halfedge_index h) const;
 
@@ -298,6 +303,9 @@ private:
                                                  internal::Input_surface& surface) const;
   internal::Late_stages late_stages(const Delta_complex& complex, internal::Input_surface& surface) const;
   bool is_straight(Face_index f) const;
+  struct Side_and_corner;
+  template <class Unfolding_>
+  Side_and_corner quickest_corner(const Delta_complex& complex, Face_index f, const Unfolding_& unfolding) const;
   Corner straight_corner(const Delta_complex& complex, Halfedge_index h) const;
 
   mutable Correspondence correspondence_;     // prepared by the first query that needs it

@@ -10,9 +10,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_COTANGENT_WEIGHTS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
@@ -55,7 +57,8 @@ void require_positive_areas(const Triangulation& triangulation, Edge_index e)
       continue;
     const Face_index f = complex.face(side);
     if constexpr (Triangulation::uses_exact_geometry) {
-      if (triangulation.exact_geometry().sign_of_area(complex, f) != POSITIVE)
+      if (!triangulation.traits().has_positive_area_object()(triangulation.face_data(f)) &&
+          triangulation.exact_geometry().sign_of_area(complex, f) != POSITIVE)
         throw_no_cotangent(f);
     } else if (!certainly(triangulation.area(f) > typename Triangulation::FT(0)))
       throw_no_cotangent(f);
@@ -86,8 +89,8 @@ BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& trian
 // Weights and areas that are accurate up to this bound are taken from what is stored.
 constexpr double stored_number_accuracy = 0x1p-32;
 
-// One number for each of n elements. Several threads compute `number.of_any_thread()`, and where that
-// is NaN, one computes `number()`.
+// One number for each of n elements: number(element). Several threads, each with a copy of `number`, leave those that throw to one,
+// which finds the first of them.
 template <class ConcurrencyTag, class Element, class Number>
 std::vector<double> numbers_of_elements(std::size_t n, const Number& number)
 {
@@ -96,8 +99,13 @@ std::vector<double> numbers_of_elements(std::size_t n, const Number& number)
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value && Number::has_threads) {
     result.resize(n);
     for_each_block<ConcurrencyTag>(n, elements_of_block, [&](std::size_t first, std::size_t last) {
+      const Number of_block = number;
       for (std::size_t i = first; i < last; ++i)
-        result[i] = number.of_any_thread(Element(size_type(i)));
+        try {
+          result[i] = of_block(Element(size_type(i)));
+        } catch (const Invalid_surface_error&) {
+          result[i] = std::numeric_limits<double>::quiet_NaN();
+        }
     });
     for (std::size_t i = 0; i < n; ++i)
       if (std::isnan(result[i]))
@@ -109,6 +117,46 @@ std::vector<double> numbers_of_elements(std::size_t n, const Number& number)
   }
   return result;
 }
+
+// The cotangents of faces from the exact geometry. Where what is stored is not accurate enough for an edge, that is most often so for all
+// edges of a face: one corner of it is laid out for them, and remembered for a while.
+class Known_cotangents
+{
+public:
+  // What is remembered is not copied: each thread remembers for itself.
+  Known_cotangents() = default;
+  Known_cotangents(const Known_cotangents&) {}
+  Known_cotangents& operator=(const Known_cotangents&) = delete;
+
+  // Opposite to h; zero on the border.
+  Bounded_double_double operator()(const Delta_complex& complex, const Exact_geometry& geometry, Halfedge_index h)
+  {
+    if (complex.is_border(h))
+      return {};
+    if (entries_.empty())
+      entries_.resize(number_of_entries);
+    const Face_index f = complex.face(h);
+    Entry& entry = entries_[f.idx() % number_of_entries];
+    if (entry.face != f) {
+      entry.face = Face_index();
+      geometry.find_cotangents(complex, f, entry.cotangents);
+      entry.face = f;
+    }
+    const Halfedge_index first = complex.halfedge(f);
+    return entry.cotangents[h == first ? 0 : h == complex.next(first) ? 1
+                                                                      : 2];
+  }
+
+private:
+  static constexpr std::size_t number_of_entries = 1024;
+  struct Entry
+  {
+    Face_index face;
+    Exact_geometry::Face_cotangents cotangents;
+  };
+
+  std::vector<Entry> entries_; // by numbers of faces
+};
 
 // Gives the weight of an edge, as documented for cotangent_weights().
 template <class Traits, class = void>
@@ -123,14 +171,6 @@ public:
   double operator()(Edge_index e) const
   {
     return cotangent_weight_by_number_type(triangulation_, e);
-  }
-  double of_any_thread(Edge_index e) const
-  {
-    try {
-      return (*this)(e);
-    } catch (const Invalid_surface_error&) { // the one thread finds the first of them
-      return std::numeric_limits<double>::quiet_NaN();
-    }
   }
 
 private:
@@ -152,24 +192,32 @@ public:
 
   double operator()(Edge_index e) const
   {
-    const double weight = of_any_thread(e);
-    return std::isnan(weight) ? cotangent_weight_by_number_type(triangulation_, e) : weight;
-  }
-  // From what is stored.
-  double of_any_thread(Edge_index e) const
-  {
     const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
     const Bounded_double k = cotangent(e, h), l = cotangent(e, g);
-    const double weight = k.value + l.value;
     // The rounding of the sum is far below the error of its terms.
-    const double error = 1.5 * (k.error + l.error);
-    if (error <= stored_number_accuracy * (1 + std::abs(k.value) + std::abs(l.value)) &&
-        error < std::abs(weight))
-      return weight;
-    return std::numeric_limits<double>::quiet_NaN();
+    const double weight = k.value + l.value, error = 1.5 * (k.error + l.error);
+    return is_accurate(weight, error, std::abs(k.value) + std::abs(l.value)) ? weight : by_exact_geometry(e);
   }
 
 private:
+  BOOST_NOINLINE double by_exact_geometry(Edge_index e) const
+  {
+    if constexpr (Triangulation::uses_exact_geometry) {
+      const Exact_geometry& geometry = triangulation_.exact_geometry();
+      const Halfedge_index h = complex_.halfedge(e);
+      const Bounded_double_double k = known_cotangents_(complex_, geometry, h),
+                                  l = known_cotangents_(complex_, geometry, complex_.opposite(h)), weight = k + l;
+      if (weight.is_zero() || is_accurate(weight.hi(), weight.error(), std::abs(k.hi()) + std::abs(l.hi())))
+        return weight.hi();
+    }
+    return cotangent_weight_by_number_type(triangulation_, e);
+  }
+
+  static bool is_accurate(double weight, double error, double sum_of_absolute_values)
+  {
+    return error <= stored_number_accuracy * (1 + sum_of_absolute_values) && error < std::abs(weight);
+  }
+
   // On the border there is no angle, which counts as a cotangent of zero.
   Bounded_double cotangent(Edge_index e, Halfedge_index h) const
   {
@@ -184,6 +232,7 @@ private:
 
   const Triangulation& triangulation_;
   const Delta_complex& complex_;
+  mutable Known_cotangents known_cotangents_; // so an object is for one thread
 };
 
 // Gives the area of a face, as documented for face_areas().
@@ -208,16 +257,6 @@ public:
                                   "the area of face " + std::to_string(f.idx()) +
                                     " is beyond the range of double; scale the surface");
     return area;
-  }
-  double of_any_thread(Face_index f) const
-  {
-    if (Triangulation::uses_exact_geometry && !is_stored(f))
-      return std::numeric_limits<double>::quiet_NaN();
-    try {
-      return (*this)(f);
-    } catch (const Invalid_surface_error&) { // the one thread finds the first of them
-      return std::numeric_limits<double>::quiet_NaN();
-    }
   }
 
 private:
@@ -249,7 +288,7 @@ private:
 /// \exception Invalid_surface_error if a face has zero area
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the weights are
-///   the same, and several threads compute those for which the stored numbers suffice
+///   the same
 ///
 /// O(size), except for the edges that need the exact geometry.
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 3.1.

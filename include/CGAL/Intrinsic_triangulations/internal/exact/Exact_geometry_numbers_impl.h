@@ -1,0 +1,327 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Definitions of Exact_geometry: lengths, angles, areas and weights, rounded to doubles.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_GEOMETRY_NUMBERS_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_GEOMETRY_NUMBERS_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_geometry_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Two_straight_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Vertex_positions.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/corner_signs.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+namespace internal {
+
+// Whether double-doubles tell the number that is asked for: the root of a squared length, the sum of two cotangents with its sign, an area.
+inline bool has_good_root(const Bounded_double_double& s) { return s.relative_error() < 0x1p-70; }
+inline bool is_good_weight(const Bounded_double_double& weight)
+{
+  return is_certain(weight.sign()) && weight.error() < 0x1p-52 * (1 + std::abs(weight.hi()));
+}
+inline bool is_good_area(const Bounded_double_double& a) { return a.is_zero() || a.relative_error() < 0x1p-54; }
+
+inline double rounded_root(const Bounded_double_double& s, int unit_exponent)
+{
+  const Bounded_double_double l = sqrt(s);
+  return std::ldexp(l.hi() + l.lo(), unit_exponent);
+}
+
+} // namespace internal
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::length(const Delta_complex& complex, Edge_index e) const
+{
+  prepare(complex);
+  const Surface_lease surface = input_surface();
+  const internal::Bounded_double_double s = squared_length(complex, e, *surface);
+  if (internal::has_good_root(s))
+    return internal::rounded_root(s, metric_.unit_exponent());
+  return std::ldexp(late_stages(complex, *surface).length(e), metric_.unit_exponent());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Interval_nt<> Exact_geometry::length_interval(const Delta_complex& complex, Edge_index e) const
+{
+  prepare(complex);
+  const Surface_lease surface = input_surface();
+  const internal::Bounded_double_double l = sqrt(squared_length(complex, e, *surface));
+  double low, high;
+  if (l.error() < 0x1p-60 * l.hi()) {
+    low = high = l.hi();
+    while (low - l.hi() > l.lo() - 1.01 * l.error())
+      low = std::nextafter(low, 0.);
+    while (high - l.hi() < l.lo() + 1.01 * l.error())
+      high = std::nextafter(high, 2 * high);
+  } else {
+    const internal::Mpfr_interval m = sqrt(late_stages(complex, *surface).squared_length(e, 128));
+    low = m.lower_double();
+    high = m.upper_double();
+  }
+  // Where the scaling is not exact, it is wrong by less than the next double.
+  low = std::ldexp(low, metric_.unit_exponent());
+  high = std::ldexp(high, metric_.unit_exponent());
+  if (low >= (std::numeric_limits<double>::min)())
+    return Interval_nt<>(low, high);
+  return Interval_nt<>((std::max)(0., std::nextafter(low, 0.)), std::nextafter(high, 1.));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::cotangent(const Delta_complex& complex, Halfedge_index h) const
+{
+  prepare(complex);
+  find_straight_faces(complex);
+  return cotangent(complex, h, *input_surface());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::cotangent(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const
+{
+  const Corner c = corner(complex, h, surface);
+  const double value = c.p.hi() / c.four_areas.hi();
+  if (c.four_areas.relative_error() < 0x1p-60 && c.p.error() < 0x1p-60 * (std::abs(c.p.hi()) + c.four_areas.hi()))
+    return value;
+  return late_stages(complex, surface)
+    .number_of_corner(
+      h, [](const auto& corner) { return corner.p / corner.four_areas; },
+      [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::angle(const Delta_complex& complex, Halfedge_index h) const
+{
+  prepare(complex);
+  find_straight_faces(complex);
+  const Surface_lease surface = input_surface();
+  const Corner c = corner(complex, h, *surface);
+  if (c.four_areas.relative_error() < 0x1p-60 && c.p.error() < 0x1p-60 * (std::abs(c.p.hi()) + c.four_areas.hi()))
+    return std::atan2(std::abs(c.four_areas.hi()), c.p.hi()); // of a zero without its sign
+  internal::Late_stages late = late_stages(complex, *surface);
+  if (sign_of_area(complex, complex.face(h), *surface) == ZERO)
+    return late.sign_of_scalar_product(h) == NEGATIVE ? CGAL_PI : 0;
+  const auto is_narrow = [](double width, double magnitude) { return width <= 0x1p-51 * magnitude; };
+  const double four_areas = late.number_of_corner(
+    h, [](const auto& corner) { return corner.four_areas; }, is_narrow);
+  const double p = late.number_of_corner(
+    h, [](const auto& corner) { return corner.p; },
+    [&](double width, double magnitude) { return is_narrow(width, (std::max)(magnitude, four_areas)); });
+  return std::atan2(four_areas, p);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::cotangent_weight(const Delta_complex& complex, Edge_index e) const
+{
+  prepare(complex);
+  find_straight_faces(complex);
+  const Surface_lease surface = input_surface();
+  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+  if (complex.is_border(h))
+    return cotangent(complex, g, *surface);
+  if (complex.is_border(g))
+    return cotangent(complex, h, *surface);
+  const Corner k = corner(complex, h, *surface), l = corner(complex, g, *surface);
+  const internal::Bounded_double_double weight = k.p / k.four_areas + l.p / l.four_areas;
+  if (internal::is_good_weight(weight))
+    return weight.hi();
+  const double sum = cotangent(complex, h, *surface) + cotangent(complex, g, *surface);
+  if (!complex.is_flippable(e))
+    return sum;
+  const Sign exact_sign = sign_of_cotangents(complex, e, *surface);
+  if (exact_sign == ZERO)
+    return 0;
+  return CGAL::sign(sum) == exact_sign
+           ? sum
+           : late_stages(complex, *surface).sum_of_cotangents(internal::corners_beside(complex, e));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::area(const Delta_complex& complex, Face_index f) const
+{
+  prepare(complex);
+  find_straight_faces(complex);
+  const Surface_lease surface = input_surface();
+  const Halfedge_index h = complex.halfedge(f);
+  const internal::Bounded_double_double a = corner(complex, h, *surface).four_areas;
+  const auto precise_value = [&] {
+    return late_stages(complex, *surface)
+      .number_of_corner(
+        h, [](const auto& corner) { return corner.four_areas; },
+        [](double width, double magnitude) { return width <= 0x1p-51 * magnitude; });
+  };
+  const double value = internal::is_good_area(a)                    ? a.hi()
+                       : sign_of_area(complex, f, *surface) == ZERO ? 0
+                                                                    : precise_value();
+  return internal::area_in_input_unit(value / 4, metric_.unit_exponent(), f);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Rounded_numbers::Rounded_numbers(const Delta_complex& complex)
+  : lengths(complex.number_of_edges(), std::numeric_limits<double>::quiet_NaN()),
+    areas(complex.number_of_faces(), std::numeric_limits<double>::quiet_NaN()),
+    cotangents(complex.number_of_halfedges(), internal::default_init)
+{
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::Rounded_numbers::cotangent_weight(const Delta_complex& complex, Edge_index e) const
+{
+  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+  if (!(areas[complex.face(h).idx()] > 0 && areas[complex.face(g).idx()] > 0))
+    return std::numeric_limits<double>::quiet_NaN();
+  const auto cotangent = [&](Halfedge_index side) {
+    const auto& [hi, lo, error] = cotangents[side.idx()];
+    return internal::Bounded_double_double(hi, lo, error);
+  };
+  const internal::Bounded_double_double weight = cotangent(h) + cotangent(g);
+  return internal::is_rounded_alike(weight) ? weight.hi() : std::numeric_limits<double>::quiet_NaN();
+}
+
+// A corner of a face, and the side that is opposite to it.
+struct Exact_geometry::Side_and_corner
+{
+  Halfedge_index side;
+  Corner corner;
+
+  // The cotangents of the angles opposite to the side and to those that follow. \pre the area is positive
+  Face_cotangents cotangents() const
+  {
+    const internal::Bounded_double_double inverse = internal::Bounded_double_double(1) / corner.four_areas;
+    return {corner.p * inverse, (corner.s_first.scaled(2) - corner.p) * inverse, (corner.s_second.scaled(2) - corner.p) * inverse};
+  }
+};
+
+// The corner of a face that takes the least time.
+template <class Unfolding_>
+Exact_geometry::Side_and_corner Exact_geometry::quickest_corner(const Delta_complex& complex, Face_index f,
+                                                                const Unfolding_& unfolding) const
+{
+  if (is_straight(f))
+    return {complex.halfedge(f), straight_corner(complex, complex.halfedge(f))};
+  const Halfedge_index h = unfolding.side_with_most_crossings(f);
+  return {h, unfolding.opposite_corner(h)};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::find_cotangents(const Delta_complex& complex, Face_index f, Face_cotangents& result) const
+{
+  prepare(complex);
+  find_straight_faces(complex);
+  const Surface_lease surface = input_surface();
+  internal::Double_double_metric metric(*surface);
+  metric.interruption().check();
+  const Side_and_corner c = quickest_corner(complex, f, Unfolding<internal::Double_double_metric>(complex, correspondence_, metric));
+  if (!certainly(c.corner.four_areas.sign() == POSITIVE)) {
+    result.fill({0, 0, std::numeric_limits<double>::infinity()});
+    return;
+  }
+  const Face_cotangents cotangents = c.cotangents();
+  const Halfedge_index first = complex.halfedge(f);
+  const std::size_t turns = c.side == first ? 0 : c.side == complex.next(first) ? 1
+                                                                                : 2;
+  for (std::size_t i = 0; i < 3; ++i)
+    result[(i + turns) % 3] = cotangents[i];
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::find_numbers(const Delta_complex& complex, const std::size_t first, const std::size_t last,
+                                  Rounded_numbers& numbers) const
+{
+  using Real = internal::Bounded_double_double;
+  prepare(complex);
+  find_straight_faces(complex);
+  const Surface_lease surface = input_surface();
+  internal::Double_double_metric metric(*surface);
+  const Unfolding<internal::Double_double_metric> unfolding(complex, correspondence_, metric);
+  const auto note_length = [&](Halfedge_index h, const auto& length) {
+    const Edge_index e = complex.edge(h);
+    if (h != complex.halfedge(e) && !complex.is_border(complex.halfedge(e)))
+      return;
+    const Real l = length();
+    if (internal::is_rounded_alike(l))
+      numbers.lengths[e.idx()] = std::ldexp(l.hi(), metric_.unit_exponent());
+  };
+  const auto note_cotangent = [&](Halfedge_index h, const Real& cotangent) {
+    numbers.cotangents[h.idx()] = {cotangent.hi(), cotangent.lo(), cotangent.error()};
+  };
+  const auto find = [&](Face_index f) {
+    const Side_and_corner at = quickest_corner(complex, f, unfolding);
+    const Corner& c = at.corner;
+    const Halfedge_index h = at.side, second = complex.next(h), third = complex.prev(h);
+    note_length(h, [&] { return sqrt(c.s_opposite); });
+    note_length(second, [&] { return sqrt(c.s_second); });
+    note_length(third, [&] { return sqrt(c.s_first); });
+    if (c.four_areas.is_zero())
+      numbers.areas[f.idx()] = 0;
+    else if (c.four_areas.hi() > 0 && internal::is_rounded_alike(c.four_areas)) {
+      const Face_cotangents cotangents = at.cotangents();
+      note_cotangent(h, cotangents[0]);
+      note_cotangent(second, cotangents[1]);
+      note_cotangent(third, cotangents[2]);
+      numbers.areas[f.idx()] = c.four_areas.hi() / 4;
+    }
+  };
+
+  // Straight faces, two at a time.
+  std::array<Face_index, 2> straight;
+  std::size_t number_of_straight = 0;
+  const auto find_straight = [&] {
+    const auto corners = [&](Face_index f) {
+      const Halfedge_index ij = complex.halfedge(f);
+      return internal::Three_corners{complex.source(ij), complex.target(ij), complex.target(complex.next(ij))};
+    };
+    const internal::Two_straight_faces two(metric_.points(), corners(straight[0]), corners(straight[number_of_straight - 1]));
+    internal::Two_straight_faces::Numbers known;
+    for (std::size_t i = 0; i < number_of_straight; ++i) {
+      const Face_index f = straight[i];
+      if (!two.get(i == 1, known) || !internal::is_rounded_alike(known.twice_area)) {
+        find(f);
+        continue;
+      }
+      Halfedge_index side = complex.halfedge(f);
+      for (std::size_t c = 0; c < 3; ++c, side = complex.next(side)) {
+        note_length(side, [&] { return known.lengths[c]; });
+        note_cotangent(side, known.cotangents[c]);
+      }
+      numbers.areas[f.idx()] = known.twice_area.hi() / 2;
+    }
+    number_of_straight = 0;
+  };
+  const internal::Vertex_positions all = positions();
+  for (std::size_t i = first; i < last; ++i) {
+    const Face_index f(static_cast<Face_index::size_type>(i));
+    if (!is_straight(f) || all.has_inserted_corner(complex, complex.halfedge(f))) {
+      find(f);
+      continue;
+    }
+    straight[number_of_straight++] = f;
+    if (number_of_straight == 2)
+      find_straight();
+  }
+  if (number_of_straight != 0)
+    find_straight();
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_GEOMETRY_NUMBERS_IMPL_H

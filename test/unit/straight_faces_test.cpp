@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Double-doubles of triangles in space with one bound for all their errors, against numbers of 100 digits.
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Two_straight_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/ratios_in_space.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+
+#include <boost/multiprecision/mpfr.hpp>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using IT::internal::Bounded_double_double;
+using IT::internal::Points;
+using Number = boost::multiprecision::mpfr_float_100;
+using Point = std::array<double, 3>;
+using Triangle = std::array<Point, 3>;
+
+// Of any shape and size, from equilateral ones to those that are flat up to rounding.
+std::vector<Triangle> triangles()
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto point = [&] { return Point{coordinate(random), coordinate(random), coordinate(random)}; };
+  std::vector<Triangle> result;
+  for (int exponent = 0; exponent > -60; exponent -= 2)
+    for (int i = 0; i < 20; ++i) {
+      Triangle t{point(), point(), point()};
+      result.push_back(t);
+      for (int c = 0; c < 3; ++c) // near to the line of the others, or to one of them
+        t[2][c] = i % 2 == 0 ? (t[0][c] + t[1][c]) / 2 + std::ldexp(t[2][c], exponent) : t[0][c] + std::ldexp(t[2][c], exponent);
+      result.push_back(t);
+      for (Point& p : t)
+        for (double& x : p)
+          x = std::ldexp(x, exponent);
+      result.push_back(t);
+    }
+  return result;
+}
+
+Number scalar_product(const std::array<Number, 3>& v, const std::array<Number, 3>& w)
+{
+  return v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
+}
+std::array<Number, 3> difference(const Point& p, const Point& q)
+{
+  return {Number(p[0]) - q[0], Number(p[1]) - q[1], Number(p[2]) - q[2]};
+}
+
+// Four numbers at the corner of p: the squared lengths of pq and pr, their scalar product, and twice the area.
+struct Corner
+{
+  Corner(const Point& p, const Point& q, const Point& r)
+  {
+    const auto u = difference(q, p), v = difference(r, p);
+    s = scalar_product(u, u);
+    s_second = scalar_product(v, v);
+    product = scalar_product(u, v);
+    twice_area = sqrt(Number(s * s_second - product * product));
+  }
+  Number s, s_second, product, twice_area;
+};
+
+void expect_within(const Number& exact, const Bounded_double_double& x)
+{
+  const Number error = abs(Number(x.hi()) + x.lo() - exact);
+  EXPECT_LE(error, x.error()) << exact << ' ' << x.hi();
+}
+
+TEST(Two_straight_faces, bounds_hold)
+{
+  const std::vector<Triangle> all = triangles();
+  std::size_t number_of_known = 0, number_of_accurate = 0;
+  for (std::size_t i = 0; i + 1 < all.size(); i += 2) {
+    Points points;
+    for (const Triangle& t : {all[i], all[i + 1]})
+      points.insert(points.end(), t.begin(), t.end());
+    using V = IT::Vertex_index;
+    const IT::internal::Two_straight_faces two(points, {V(0), V(1), V(2)}, {V(3), V(4), V(5)});
+    for (bool is_second : {false, true}) {
+      IT::internal::Two_straight_faces::Numbers numbers;
+      if (!two.get(is_second, numbers))
+        continue;
+      ++number_of_known;
+      const Triangle& t = all[i + is_second];
+      number_of_accurate += IT::internal::is_rounded_alike(numbers.twice_area);
+      for (std::size_t c = 0; c < 3; ++c) { // the side from c to the next corner, and the angle opposite to it
+        const Corner at_side(t[c], t[(c + 1) % 3], t[(c + 2) % 3]), opposite(t[(c + 2) % 3], t[c], t[(c + 1) % 3]);
+        expect_within(sqrt(at_side.s), numbers.lengths[c]);
+        expect_within(Number(opposite.product / opposite.twice_area), numbers.cotangents[c]);
+        expect_within(opposite.twice_area, numbers.twice_area);
+      }
+    }
+  }
+  EXPECT_GT(number_of_known, all.size() / 2);
+  EXPECT_GT(number_of_accurate, all.size() / 2); // an infinite error would be a bound, too
+}
+
+TEST(Two_straight_faces, nothing_is_known_without_area)
+{
+  const Points points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}};
+  using V = IT::Vertex_index;
+  const IT::internal::Two_straight_faces two(points, {V(0), V(1), V(2)}, {V(0), V(1), V(3)});
+  IT::internal::Two_straight_faces::Numbers numbers;
+  EXPECT_FALSE(two.get(false, numbers));
+  ASSERT_TRUE(two.get(true, numbers));
+  EXPECT_EQ(numbers.twice_area.hi(), 1);
+  EXPECT_EQ(numbers.cotangents[2].hi(), 1);
+}
+
+TEST(Ratios_in_space, bounds_hold)
+{
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(3, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}});
+  std::size_t number_of_known = 0;
+  const std::vector<Triangle> all = triangles();
+  for (const Triangle& t : all) {
+    const Points points(t.begin(), t.end());
+    const IT::Halfedge_index h = complex.halfedge(IT::Face_index(0));
+    const auto ratios = IT::internal::ratios_in_space(complex, points, h);
+    if (!ratios)
+      continue;
+    ++number_of_known;
+    const std::size_t i = complex.source(h).idx();
+    const Corner corner(t[i], t[(i + 1) % 3], t[(i + 2) % 3]);
+    const Number x = corner.product / corner.s, y = corner.twice_area / corner.s;
+    const auto expect_in_disk = [](const Number& re, const Number& im, const auto& disk) {
+      const Number dx = Number(disk.x().hi()) + disk.x().lo() - re, dy = Number(disk.y().hi()) + disk.y().lo() - im;
+      EXPECT_LE(Number(sqrt(dx * dx + dy * dy)), disk.radius());
+      EXPECT_LE(disk.radius(), 0x1p-90 * (1 + disk.modulus()));
+    };
+    expect_in_disk(x, y, ratios->at_source);
+    expect_in_disk(Number(1 - x), Number(-y), ratios->at_target);
+  }
+  EXPECT_GT(number_of_known, all.size() * 9 / 10);
+  EXPECT_FALSE(IT::internal::ratios_in_space(complex, Points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, complex.halfedge(IT::Face_index(0))));
+  EXPECT_FALSE(IT::internal::ratios_in_space(complex, Points(), complex.halfedge(IT::Face_index(0))));
+}
+
+} // namespace
