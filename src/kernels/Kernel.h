@@ -90,7 +90,7 @@ struct Job
   // Is asked during exact decisions that take long, which end if it says no: what they were for is not
   // found out then, or taken from the stored numbers.
   std::function<bool()> go_on_deciding;
-  // Is asked during the construction of the overlay, which is left out if it says no.
+  // Is asked during the construction of the overlay, which is left out if it says no, and once right after the flips.
   CGAL::Intrinsic_triangulations::Progress_function overlay_progress;
   Continue_refining_function refine_further = {};
 };

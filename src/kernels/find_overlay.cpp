@@ -11,8 +11,8 @@
 
 namespace idt {
 
-void find_overlay(const CGAL::Intrinsic_triangulations::Delta_complex& complex,
-                  const CGAL::Intrinsic_triangulations::Exact_geometry& geometry,
+void find_overlay(const std::function<CGAL::Intrinsic_triangulations::Common_subdivision(
+                    const CGAL::Intrinsic_triangulations::Progress_function&)>& subdivide,
                   const CGAL::Intrinsic_triangulations::Progress_function& progress,
                   Outcome& outcome)
 {
@@ -25,8 +25,9 @@ void find_overlay(const CGAL::Intrinsic_triangulations::Delta_complex& complex,
     return !progress || progress(fraction);
   };
   try {
-    outcome.subdivision.emplace(complex, geometry, note_time);
+    outcome.subdivision.emplace(subdivide(note_time));
     outcome.crossing_summary->position_seconds = stopwatch.seconds() - graph_seconds;
+    outcome.crossing_summary->seconds += graph_seconds;
   } catch (const IT::Cancelled_error& error) {
     outcome.is_interrupted = true;
     if (outcome.failure.empty())
@@ -35,6 +36,8 @@ void find_overlay(const CGAL::Intrinsic_triangulations::Delta_complex& complex,
     if (outcome.failure.empty())
       outcome.failure = std::string("there is no overlay: ") + error.what();
   }
+  if (!outcome.subdivision)
+    outcome.crossing_summary->seconds += stopwatch.seconds();
 }
 
 } // namespace idt

@@ -8,13 +8,19 @@
 
 #include "kernels/Kernel.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
+
+#include <functional>
+
 namespace idt {
 
 // Nothing in it depends on the number type: it is made from integers and the exact geometry.
 // Where the result is no triangulation of the surface, or `progress` cancels, `outcome.failure`
 // says so.
-void find_overlay(const CGAL::Intrinsic_triangulations::Delta_complex& complex,
-                  const CGAL::Intrinsic_triangulations::Exact_geometry& geometry,
+// \param subdivide makes a common subdivision, and is given a function that is told of the progress
+void find_overlay(const std::function<CGAL::Intrinsic_triangulations::Common_subdivision(
+                    const CGAL::Intrinsic_triangulations::Progress_function&)>& subdivide,
                   const CGAL::Intrinsic_triangulations::Progress_function& progress,
                   Outcome& outcome);
 

@@ -18,10 +18,12 @@
 #include "system/Stopwatch.h"
 #include "system/for_each_block.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
@@ -255,9 +257,7 @@ void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome
         find_stages(triangulation.exact_geometry(), outcome);
     if (wanted.crossings) {
       find_crossings(triangulation, outcome);
-      if (wanted.overlay)
-        find_overlay(complex, triangulation.exact_geometry(), job.overlay_progress, outcome);
-      outcome.crossing_summary->seconds = stopwatch.restart() - outcome.crossing_summary->position_seconds;
+      outcome.crossing_summary->seconds = stopwatch.restart();
     }
     if (wanted.verification)
       outcome.verification = verify(triangulation, job);
@@ -337,6 +337,8 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
   } else {
     flip_and_refine(triangulation, job, outcome);
   }
+  if (wanted.overlay && job.overlay_progress)
+    job.overlay_progress(0);
 
   if (wanted.needs_input())
     relate_to_input(triangulation, job, outcome);
@@ -351,8 +353,11 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
   outcome.summary_seconds += stopwatch.restart();
   if (wanted.lengths || wanted.numbers)
     collect_numbers(triangulation, wanted.lengths, wanted.numbers, outcome.numbers);
-  outcome.number_seconds = stopwatch.seconds();
+  outcome.number_seconds = stopwatch.restart();
   outcome.connectivity = triangulation.connectivity();
+  if (wanted.overlay && outcome.crossing_summary) // last, as it takes the most memory
+    find_overlay([&](const IT::Progress_function& progress) { return IT::Common_subdivision(std::move(triangulation), progress); },
+                 job.overlay_progress, outcome);
   return outcome;
 }
 

@@ -83,6 +83,28 @@ TEST(Common_subdivision, outlives_what_it_was_made_from)
   EXPECT_EQ(answers(moved), expected);
 }
 
+TEST(Common_subdivision, of_a_triangulation_that_is_given_up)
+{
+  Triangulation t = Delaunay_triangulation(IT::bumpy_sphere(16, 10));
+  const std::vector<double> expected = answers(IT::Common_subdivision(t));
+  Triangulation unasked = Delaunay_triangulation(IT::bumpy_sphere(16, 10));
+  for (Triangulation* given_up : {&t, &unasked}) { // with integers, and with a journal of flips
+    const IT::Common_subdivision subdivision(std::move(*given_up));
+    EXPECT_EQ(answers(subdivision), expected);
+    EXPECT_EQ(given_up->connectivity().number_of_edges(), 0u); // nothing was copied
+  }
+}
+
+TEST(Common_subdivision, forgets_who_could_interrupt_what_was_given_up)
+{
+  Triangulation t = Delaunay_triangulation(IT::bumpy_sphere(16, 10));
+  bool goes_on = true;
+  t.set_interruption([&] { return goes_on; });
+  const IT::Common_subdivision subdivision(std::move(t));
+  goes_on = false;
+  EXPECT_NO_THROW(subdivision.exact_geometry().interruption().check());
+}
+
 // From the connectivity and an exact geometry that nobody has asked for anything yet.
 TEST(Common_subdivision, prepares_the_exact_geometry)
 {

@@ -20,6 +20,8 @@
 #include <CGAL/tags.h>
 
 #include <array>
+#include <functional>
+#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -59,10 +61,18 @@ public:
   template <class ConcurrencyTag = Sequential_tag>
   Common_subdivision(const Delta_complex& intrinsic, const Exact_geometry& geometry,
                      const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : overlay_(intrinsic, prepared(geometry, intrinsic).correspondence(),
-               internal::part_of_progress(progress, 0, part_of_graph), ConcurrencyTag()),
-      positions_(intrinsic, geometry, overlay_, internal::part_of_progress(progress, part_of_graph, 1), ConcurrencyTag()),
-      intrinsic_(intrinsic), geometry_(geometry)
+    : intrinsic_(intrinsic), geometry_(prepared(geometry, intrinsic)),
+      overlay_(intrinsic, geometry.correspondence(), internal::part_of_progress(progress, 0, part_of_graph), ConcurrencyTag()),
+      positions_(intrinsic, geometry, overlay_, internal::part_of_progress(progress, part_of_graph, 1), ConcurrencyTag())
+  {}
+
+  /// \brief as above, from a triangulation that is given up: nothing of it is copied, and its stored numbers are freed before the
+  /// overlay is built.
+  /// \tparam ConcurrencyTag as above
+  template <class Traits, class ConcurrencyTag = Sequential_tag>
+  explicit Common_subdivision(Intrinsic_triangulation<Traits>&& triangulation,
+                              const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
+    : Common_subdivision(Parts(std::move(triangulation)), progress, ConcurrencyTag())
   {}
 
   /// returns the overlay.
@@ -123,16 +133,42 @@ public:
   /// \endcond
 
 private:
+  // What is left of a triangulation that is given up.
+  struct Parts
+  {
+    template <class Traits>
+    explicit Parts(Intrinsic_triangulation<Traits>&& triangulation)
+      : go_further(triangulation.set_interruption({})), released(std::move(triangulation).release())
+    {}
+    std::function<bool()> go_further;
+    std::pair<Delta_complex, Exact_geometry> released;
+  };
+
+  template <class ConcurrencyTag>
+  Common_subdivision(Parts parts, const Progress_function& progress, ConcurrencyTag)
+    : intrinsic_(std::move(parts.released.first)), geometry_(std::move(parts.released.second)),
+      overlay_(intrinsic_, prepared(geometry_, intrinsic_, parts.go_further).correspondence(),
+               internal::part_of_progress(progress, 0, part_of_graph), ConcurrencyTag()),
+      positions_(intrinsic_, geometry_, overlay_, internal::part_of_progress(progress, part_of_graph, 1), ConcurrencyTag())
+  {
+    geometry_.set_interruption({});
+  }
+
   static const Exact_geometry& prepared(const Exact_geometry& geometry, const Delta_complex& intrinsic)
   {
     geometry.prepare(intrinsic);
     return geometry;
   }
+  static const Exact_geometry& prepared(Exact_geometry& geometry, const Delta_complex& intrinsic, const std::function<bool()>& go_further)
+  {
+    geometry.set_interruption(go_further);
+    return prepared(geometry, intrinsic);
+  }
 
-  Overlay overlay_;
-  Overlay_positions positions_;
   Delta_complex intrinsic_;
   Exact_geometry geometry_;
+  Overlay overlay_;
+  Overlay_positions positions_;
 };
 
 } // namespace Intrinsic_triangulations

@@ -200,6 +200,16 @@ public:
     return *geometry_;
   }
 
+  /// \brief gives up the triangulation, and returns its connectivity and its exact geometry, which are not copied.
+  ///
+  /// Afterwards the triangulation can only be destroyed or assigned to. \pre `keeps_input()`
+  std::pair<Delta_complex, Exact_geometry> release() &&
+  {
+    CGAL_precondition(keeps_input());
+    Intrinsic_triangulation given_up(std::move(*this)); // its stored numbers are freed
+    return {std::move(given_up.connectivity_), std::move(*given_up.geometry_)};
+  }
+
   /// returns the triangles.
   const Delta_complex& connectivity() const { return connectivity_; }
   /// returns the traits.
