@@ -162,7 +162,7 @@ private:
     stage("tests and flips", complex_bytes + metric_bytes + 2 * e, times, counts,
           [&] { IT::flip_to_Delaunay<ConcurrencyTag>(*t); });
     stage("tests where nothing flips", 8 * e + e, times, counts, [&] { IT::flip_to_Delaunay<ConcurrencyTag>(*t); });
-    stage("integers and input connectivity (one thread)", 2 * complex_bytes, times, counts, [&] { t->exact_geometry(); });
+    stage("integers and input connectivity", 2 * complex_bytes, times, counts, [&] { t->exact_geometry<ConcurrencyTag>(); });
     std::optional<IT::Overlay> overlay;
     overlay.emplace(*t, IT::Progress_function(), ConcurrencyTag()); // for its size
     const double overlay_bytes = 28. * overlay->number_of_segments() + 4. * overlay->number_of_vertices() +

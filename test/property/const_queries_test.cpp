@@ -17,9 +17,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -86,6 +88,8 @@ std::vector<double> answers(const Triangulation& t, const IT::Point_location* lo
     a.push_back(geometry.sign_of_cotangents(complex, e));
     a.push_back(geometry.sign_by_unfolding(complex, e));
     a.push_back(geometry.is_convex(complex, e));
+    for (const auto& test : {geometry.test_in_plane(complex, e), geometry.test_by_short_strips(complex, e)})
+      a.push_back(test ? 10 * double(std::size_t(test->stage)) + test->sign : -1);
     const IT::Halfedge_index h = complex.halfedge(e);
     if (geometry.sign_of_area(complex, complex.face(h)) == CGAL::POSITIVE &&
         geometry.sign_of_area(complex, complex.face(complex.opposite(h))) == CGAL::POSITIVE) {
@@ -167,6 +171,42 @@ TEST(Const_queries, eight_threads_hear_what_one_hears)
       EXPECT_EQ(together[i], expected);
       EXPECT_EQ(on_edges[i], expected_positions);
       EXPECT_EQ(ties[i], IT::verify_Delaunay(asked_by_one).ties);
+    }
+  }
+}
+
+// A loop of the caller's own threads, one for each block.
+void run_blocks(std::size_t n, std::size_t size, const std::function<void(std::size_t, std::size_t)>& f)
+{
+  std::vector<std::thread> threads;
+  for (std::size_t first = 0; first < n; first += size)
+    threads.emplace_back(f, first, std::min(first + size, n));
+  for (std::thread& thread : threads)
+    thread.join();
+}
+
+TEST(Const_queries, the_integers_are_computed_while_the_input_is_recovered)
+{
+  for (const Named_triangulation& named : triangulations()) {
+    SCOPED_TRACE(named.name);
+    const Triangulation& t = named.triangulation;
+    IT::Correspondence one, two;
+    IT::Delta_complex complex = t.exact_geometry().correspondence().input();
+    for (int repeats = 0; repeats < 3; ++repeats)
+      for (IT::Edge_index e : complex.edges()) {
+        if (!complex.is_flippable(e))
+          continue;
+        one.flip(complex, e);
+        two.flip(complex, e);
+        complex.flip(e);
+      }
+    EXPECT_EQ(one.prepare(complex), two.prepare(complex, run_blocks));
+    EXPECT_TRUE(two.is_prepared());
+    for (IT::Halfedge_index h : complex.halfedges()) {
+      ASSERT_EQ(one.input().next(h), two.input().next(h));
+      ASSERT_EQ(one.input().target(h), two.input().target(h));
+      ASSERT_EQ(one.input_halfedge(h), two.input_halfedge(h));
+      ASSERT_EQ(one.coordinates().crossings(complex.edge(h)), two.coordinates().crossings(complex.edge(h)));
     }
   }
 }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Several threads: verifications, overlays, positions, weights and matrices are those of one thread, bit for bit.
+// Several threads: integers, verifications, overlays, positions, weights and matrices are those of one thread, bit for bit.
 // Most surfaces have some blocks of 2^14 elements.
 
 #include "samples/sample_gluings.h"
@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
@@ -23,6 +24,7 @@
 #include <CGAL/property_map.h>
 
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 
 #include <Eigen/SparseCore>
 
@@ -146,7 +148,7 @@ void expect_same_matrix(const Matrix& a, const Matrix& b)
 template <class Function>
 void for_each_number_of_threads(const Function& function)
 {
-  for (std::size_t threads : {1, 2, 3}) {
+  for (std::size_t threads : {1, 2, 3, 8}) {
     SCOPED_TRACE(std::to_string(threads) + " threads");
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     function();
@@ -159,6 +161,70 @@ void expect_same_verification(const IT::Delaunay_verification& a, const IT::Dela
   EXPECT_EQ(a.ties, b.ties);
   EXPECT_EQ(a.not_Delaunay, b.not_Delaunay);
   EXPECT_EQ(a.inverted, b.inverted);
+}
+
+TEST(Parallel_results, integers_and_input)
+{
+  for (const auto& [name, t] : surfaces()) {
+    SCOPED_TRACE(name);
+    const Filtered asked = t; // only a copy: t still has the journal of its flips
+    const IT::Delta_complex& complex = asked.connectivity();
+    const IT::Correspondence& expected = asked.exact_geometry().correspondence();
+    for_each_number_of_threads([&, &t = t] {
+      const Filtered copy = t;
+      const IT::Correspondence& found = copy.exact_geometry<Parallel_tag>().correspondence();
+      ASSERT_TRUE(found.input() == expected.input());
+      for (IT::Vertex_index v : complex.vertices())
+        ASSERT_EQ(found.input().halfedge(v), expected.input().halfedge(v));
+      for (IT::Halfedge_index h : complex.halfedges()) {
+        ASSERT_EQ(found.input_halfedge(h), expected.input_halfedge(h));
+        ASSERT_EQ(found.coordinates().crossings(complex.edge(h)), expected.coordinates().crossings(complex.edge(h)));
+        ASSERT_LE(found.coordinates().roundabout(h).steps, 16u); // others were replaced
+      }
+    });
+  }
+}
+
+// What the flips cross grows like the Fibonacci numbers.
+TEST(Parallel_results, integers_that_are_too_large_are_an_error)
+{
+  const IT::Glued_triangles torus = IT::one_vertex_torus();
+  IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(torus.number_of_faces, torus.glued_sides);
+  IT::Exact_geometry geometry(IT::Input_metric::from_normalized_lengths({1, 1, 1}, 0));
+  for (unsigned i = 0; i < 20; ++i) { // below the number that makes it recover the input by itself
+    const IT::Edge_index e(i % 3);
+    geometry.flip(complex, complex.hinge(e));
+    complex.flip(e);
+  }
+  std::vector<IT::Hinge_halfedges> more;
+  for (unsigned i = 20; i < 130; ++i) {
+    const IT::Edge_index e(i % 3);
+    more.push_back(complex.hinge(e));
+    complex.flip(e);
+  }
+  geometry.append(more);
+  for_each_number_of_threads([&] {
+    EXPECT_THROW(geometry.prepare<Parallel_tag>(complex), IT::Integer_overflow_error);
+    EXPECT_FALSE(geometry.correspondence().is_prepared());
+    EXPECT_EQ(geometry.correspondence().number_of_journaled_flips(), 130u);
+  });
+  EXPECT_THROW(geometry.prepare(complex), IT::Integer_overflow_error);
+}
+
+// The threads that compute the integers are those that ask for them.
+TEST(Parallel_results, tasks_ask_for_the_integers)
+{
+  const Filtered asked = Delaunay(IT::prism(3000));
+  for_each_number_of_threads([&] {
+    for (int round = 0; round < 20; ++round) {
+      const Filtered copy = asked;
+      std::atomic<int> number_of_answers{0};
+      tbb::parallel_for(0, 64, [&](int) {
+        number_of_answers += copy.exact_geometry<Parallel_tag>().correspondence().is_prepared();
+      });
+      EXPECT_EQ(number_of_answers, 64);
+    }
+  });
 }
 
 TEST(Parallel_results, verifications)
@@ -191,7 +257,11 @@ struct Flipped_anyhow
     }
   }
   const IT::Delta_complex& connectivity() const { return complex; }
-  const IT::Exact_geometry& exact_geometry() const { return geometry; }
+  template <class ConcurrencyTag = CGAL::Sequential_tag>
+  const IT::Exact_geometry& exact_geometry() const
+  {
+    return geometry;
+  }
 
   IT::Delta_complex complex;
   IT::Exact_geometry geometry;

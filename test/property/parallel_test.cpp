@@ -26,6 +26,8 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -99,7 +101,20 @@ void expect_input(const Filtered& t, const Mesh& mesh)
   }
 }
 
-void expect_same_with_any_number_of_threads(const IT::Indexed_triangles& triangles)
+void expect_same_numbers(const Filtered& several, const Filtered& one)
+{
+  const IT::Correspondence &a = several.exact_geometry().correspondence(),
+                           &b = one.exact_geometry().correspondence();
+  for (IT::Edge_index e : one.connectivity().edges()) {
+    const IT::Halfedge_index h = one.connectivity().halfedge(e);
+    ASSERT_EQ(a.coordinates().crossings(e), b.coordinates().crossings(e));
+    ASSERT_EQ(a.input_halfedge(h), b.input_halfedge(h));
+    ASSERT_EQ(several.edge_data(e), one.edge_data(e));
+  }
+}
+
+// Returns how the tests were decided.
+IT::Stage_counts expect_same_with_any_number_of_threads(const IT::Indexed_triangles& triangles)
 {
   const Mesh mesh = mesh_of(triangles);
   const auto sequential = flipped<IT::Filtered_edge_length_traits, Sequential_tag>(mesh, 1).triangulation;
@@ -111,21 +126,18 @@ void expect_same_with_any_number_of_threads(const IT::Indexed_triangles& triangl
   const auto& decided = one.stage_counts().decided;
   EXPECT_EQ(std::accumulate(decided.begin(), decided.end(), std::uint64_t(0)), report_of_one.tests);
   expect_input(one, mesh);
-  for (int threads : {2, 3}) {
+  for (int threads : {2, 3, 8}) {
     const auto [several, report] = flipped<IT::Filtered_edge_length_traits, Parallel_tag>(mesh, threads);
     EXPECT_EQ(report.status, Flip_status::DELAUNAY);
     EXPECT_EQ(report.flips, report_of_one.flips);
+    EXPECT_EQ(report.tests, report_of_one.tests);
+    EXPECT_EQ(several.stage_counts().decided, decided);
+    EXPECT_EQ(several.stage_counts().ties, one.stage_counts().ties);
     EXPECT_TRUE(several.connectivity() == one.connectivity()) << threads << " threads";
     expect_input(several, mesh);
-    const IT::Correspondence &a = several.exact_geometry().correspondence(),
-                             &b = one.exact_geometry().correspondence();
-    for (IT::Edge_index e : one.connectivity().edges()) {
-      const IT::Halfedge_index h = one.connectivity().halfedge(e);
-      ASSERT_EQ(a.coordinates().crossings(e), b.coordinates().crossings(e));
-      ASSERT_EQ(a.input_halfedge(h), b.input_halfedge(h));
-      ASSERT_EQ(several.edge_data(e), one.edge_data(e));
-    }
+    expect_same_numbers(several, one);
   }
+  return one.stage_counts();
 }
 
 TEST(Parallel, torus) { expect_same_with_any_number_of_threads(IT::bad_torus(300, 300)); }
@@ -143,6 +155,53 @@ TEST(Parallel, boundary_and_many_flips)
 TEST(Parallel, ties)
 {
   expect_same_with_any_number_of_threads(IT::random_diagonal_grid(200, 150, 1, 7));
+}
+
+// Stairs of unit squares, with a diagonal each that is a tie: nothing is flipped, and the stages after the filter decide all.
+IT::Indexed_triangles stairs(std::size_t columns, std::size_t rows)
+{
+  IT::Indexed_triangles result = IT::random_diagonal_grid(columns, rows);
+  for (std::array<double, 3>& p : result.points)
+    p = {std::ceil(p[0] / 2), p[1], std::floor(p[0] / 2)};
+  return result;
+}
+
+TEST(Parallel, ties_in_planes)
+{
+  const IT::Stage_counts counts = expect_same_with_any_number_of_threads(stairs(200, 150));
+  EXPECT_EQ(counts.ties, 30000u);
+  EXPECT_EQ(counts[IT::Stage::COPLANAR], 30000u);
+  EXPECT_EQ(expect_same_with_any_number_of_threads(shuffled(stairs(160, 150))).ties, 24000u);
+}
+
+IT::Indexed_triangles together(const std::vector<IT::Indexed_triangles>& parts)
+{
+  IT::Indexed_triangles result;
+  for (const IT::Indexed_triangles& part : parts) {
+    const std::uint32_t first = std::uint32_t(result.points.size());
+    result.points.insert(result.points.end(), part.points.begin(), part.points.end());
+    for (std::array<std::uint32_t, 3> t : part.triangles)
+      result.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  return result;
+}
+
+TEST(Parallel, every_stage)
+{
+  // The angles opposite to the fold sum to pi, and it takes rational numbers to tell so.
+  std::vector<IT::Indexed_triangles> parts(
+    5000, {{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 0.25}}, {{0, 1, 2}, {1, 0, 3}}});
+  IT::Indexed_triangles pillow = IT::pillow(60); // ties across long strips
+  for (auto& p : pillow.points)
+    p[2] = p[1];
+  for (const IT::Indexed_triangles& part : {IT::bad_torus(100, 100), pillow, IT::prism(200, 1), stairs(50, 40),
+                                            IT::random_diagonal_grid(50, 40, 1, 1)})
+    parts.push_back(part);
+  const IT::Stage_counts counts = expect_same_with_any_number_of_threads(together(parts));
+  EXPECT_EQ(counts[IT::Stage::RATIONAL], 5000u);
+  EXPECT_GT(counts[IT::Stage::COPLANAR], 2000u);
+  EXPECT_GT(counts[IT::Stage::UNFOLDING], 500u);
+  EXPECT_GT(counts[IT::Stage::ALGEBRAIC], 0u);
 }
 
 TEST(Parallel, components_and_isolated_vertices)
@@ -320,6 +379,60 @@ TEST(Parallel, visitor_is_told_of_each_flip)
   EXPECT_EQ(report.status, Flip_status::DELAUNAY);
   EXPECT_EQ(counter.flips, report.flips);
   EXPECT_LE(counter.last_tests, report.tests);
+}
+
+// Stops once so many tests were made; asks whether it is asked by one thread at a time.
+struct Test_limit
+{
+  bool go_further(std::uint64_t tests, std::uint64_t)
+  {
+    EXPECT_FALSE(is_asked.exchange(true));
+    EXPECT_GE(tests, last_tests);
+    last_tests = tests;
+    EXPECT_TRUE(is_asked.exchange(false));
+    if (tests >= limit && throws)
+      throw std::runtime_error("enough");
+    return tests < limit;
+  }
+  void after_flip(IT::Edge_index) {}
+  std::uint64_t limit, last_tests = 0;
+  bool throws = false;
+  std::atomic<bool> is_asked{false};
+};
+
+// All but the 40,000 ties are settled in blocks.
+TEST(Parallel, visitor_stops_the_tests_that_were_left_open)
+{
+  const Filtered input = IT::intrinsic_triangulation<Parallel_tag>(mesh_of(stairs(200, 200)));
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 3);
+  for (std::uint64_t limit : {80000, 90000, 115000}) {
+    Filtered t = input;
+    Test_limit visitor{limit};
+    const Flip_report report = IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(visitor)));
+    EXPECT_EQ(report.status, Flip_status::CANCELLED);
+    EXPECT_GE(report.tests, limit);
+    EXPECT_LT(report.tests, limit + 4000);
+    EXPECT_TRUE(t.connectivity() == input.connectivity());
+    EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::DELAUNAY);
+
+    t = input;
+    Test_limit thrower{limit};
+    thrower.throws = true;
+    EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(thrower))), std::runtime_error);
+    EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::DELAUNAY);
+  }
+}
+
+TEST(Parallel, interruption_stops_the_tests_that_were_left_open)
+{
+  Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh_of(stairs(200, 200)));
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 3);
+  bool goes_further = false;
+  t.set_interruption([&] { return goes_further; });
+  EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::CANCELLED);
+  EXPECT_THROW(IT::verify_Delaunay<Parallel_tag>(t), IT::Cancelled_error); // it is asked by others, too, afterwards
+  goes_further = true;
+  EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::DELAUNAY);
 }
 
 TEST(Parallel, visitor_cancels)

@@ -53,7 +53,7 @@ public:
   template <class Traits, class ConcurrencyTag = Sequential_tag>
   explicit Common_subdivision(const Intrinsic_triangulation<Traits>& triangulation,
                               const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : Common_subdivision(triangulation.connectivity(), triangulation.exact_geometry(), progress, ConcurrencyTag())
+    : Common_subdivision(triangulation.connectivity(), triangulation.template exact_geometry<ConcurrencyTag>(), progress, ConcurrencyTag())
   {}
 
   /// \brief as above, from the current connectivity and the exact geometry of the input.

@@ -14,13 +14,18 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Flip_journal.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Rotation_system.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <boost/config.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -61,21 +66,31 @@ public:
   ///   the integers can no longer be computed, even if the flips are undone
   std::vector<Edge_index> prepare(const Delta_complex& complex)
   {
+    return prepare(complex, internal::block_runner<Sequential_tag>());
+  }
+  /// \cond SKIP_IN_MANUAL
+  // As above: the integers and the input do not depend on each other, so that two threads can compute them.
+  std::vector<Edge_index> prepare(const Delta_complex& complex, const internal::Block_runner& run)
+  {
     if (is_prepared_)
       return {};
-    Normal_coordinates coordinates(complex);
-    journal_.for_each([&](const Hinge_halfedges& around) { coordinates.flip(around); });
-    std::vector<Edge_index> flipped_edges = journaled_flips(complex);
+    Normal_coordinates coordinates;
+    Delta_complex input;
+    std::vector<Edge_index> flipped_edges;
+    const std::function<void()> tasks[] = {[&] { repeat_flips(complex, coordinates); },
+                                           [&] { undo_flips(complex, flipped_edges, input); }};
+    run(2, 1, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        tasks[i]();
+    });
     coordinates_ = std::move(coordinates);
-    input_ = complex;
-    for (std::size_t i = flipped_edges.size(); i-- > 0;)
-      input_.flip_back(flipped_edges[i]);
-    for (Edge_index e : flipped_edges)
-      shorten_walks(complex.halfedge(e));
+    input_ = std::move(input);
+    shorten_walks(flipped_edges, run);
     is_prepared_ = true;
     journal_ = {};
     return flipped_edges;
   }
+  /// \endcond
 
   /// \brief records the flip of `e`; to be called before the connectivity is flipped. O(1).
   /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`, if `is_prepared()`
@@ -206,6 +221,38 @@ private:
   // More steps than this are replaced: around most vertices, there are never as many.
   static constexpr std::uint64_t longest_walk = 16;
 
+  void repeat_flips(const Delta_complex& complex, Normal_coordinates& coordinates) const
+  {
+    coordinates = Normal_coordinates(complex); // as many elements as the input
+    journal_.for_each([&](const Hinge_halfedges& around) { coordinates.flip(around); });
+  }
+  void undo_flips(const Delta_complex& complex, std::vector<Edge_index>& flipped_edges, Delta_complex& input) const
+  {
+    flipped_edges = journaled_flips(complex);
+    input = complex;
+    for (std::size_t i = flipped_edges.size(); i-- > 0;)
+      input.flip_back(flipped_edges[i]);
+  }
+
+  // Few are long, so that one thread replaces what all have found: there is one table for that.
+  void shorten_walks(const std::vector<Edge_index>& edges, const internal::Block_runner& run)
+  {
+    std::vector<Halfedge_index> long_walks;
+    std::mutex mutex;
+    run(edges.size(), internal::elements_of_block, [&](std::size_t first, std::size_t last) {
+      std::vector<Halfedge_index> found;
+      for (std::size_t i = first; i < last; ++i)
+        for (std::uint32_t side : {0u, 1u}) {
+          const Halfedge_index h(2 * edges[i].idx() + side);
+          if (coordinates_.roundabout(h).steps > longest_walk)
+            found.push_back(h);
+        }
+      const std::lock_guard<std::mutex> lock(mutex);
+      long_walks.insert(long_walks.end(), found.begin(), found.end());
+    });
+    for (Halfedge_index h : long_walks)
+      shorten_walk(h);
+  }
   BOOST_NOINLINE void shorten_walks(Halfedge_index h)
   {
     for (Halfedge_index side : {h, input_.opposite(h)})

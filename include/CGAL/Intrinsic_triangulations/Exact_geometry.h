@@ -17,10 +17,12 @@
 #include <CGAL/Intrinsic_triangulations/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Scratch_pool.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
+#include <CGAL/tags.h>
 
 #include <array>
 #include <atomic>
@@ -29,6 +31,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -139,6 +142,8 @@ public:
   // what makes tests after the next flips cheap. `corners` receives the two corners, unless both faces lie in one plane in
   // space.
   Sign decide(const Delta_complex& complex, Edge_index e, std::optional<Opposite_corners>& corners);
+  // Adds tests that others have counted.
+  void count(const Stage_counts& counts);
   /// \endcond
   /// @}
 
@@ -150,6 +155,20 @@ public:
   /// O(size + number of flips), and O(1) afterwards.
   /// \exception Integer_overflow_error as `prepare()` of `Correspondence`
   void prepare(const Delta_complex& complex) const;
+  /// \brief as above: with threads, the integers are computed while the input is recovered.
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the result is the same
+  template <class ConcurrencyTag>
+  void prepare(const Delta_complex& complex) const
+  {
+    if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+      prepare(complex, internal::block_runner<ConcurrencyTag>());
+    else
+      prepare(complex);
+  }
+  /// \cond SKIP_IN_MANUAL
+  // As above, with the threads of a loop.
+  void prepare(const Delta_complex& complex, const internal::Block_runner& run) const;
+  /// \endcond
 
   /// \brief returns the sign of `cot k + cot l` for the angles opposite to `e`, exactly.
   ///
@@ -159,6 +178,20 @@ public:
   /// \exception Undecided_error if a proof is demanded of each tie, and takes too long
   /// \exception Cancelled_error if the function that was given to `set_interruption()` says so
   Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e) const;
+
+  /// \cond SKIP_IN_MANUAL
+  // By which stage a test was decided, and how.
+  struct Test
+  {
+    Stage stage;
+    Sign sign;
+  };
+  // Those of the stages of `sign_of_cotangents()` that never take long, for many tests while nothing is flipped: where both faces lie
+  // in one plane, ...
+  std::optional<Test> test_in_plane(const Delta_complex& complex, Edge_index e) const;
+  // ... and where few input edges cross those that are not straight. There is no answer where they do not suffice.
+  std::optional<Test> test_by_short_strips(const Delta_complex& complex, Edge_index e) const;
+  /// \endcond
 
   /// \brief as above, but by the unfolding alone: what is known of the flips before, as
   /// that a face is straight in space, is not used.
@@ -281,7 +314,11 @@ private:
                    const Surface_point& location);
   void join_faces(Face_index f, const std::vector<Face_index>& faces);
   internal::Vertex_positions positions() const;
-  Sign sign_in_plane(const Delta_complex& complex, Halfedge_index h) const;
+  template <class Straight_faces>
+  std::optional<Test> test_in_plane(const Delta_complex& complex, Halfedge_index h, Straight_faces& straight_faces) const;
+  std::optional<Test> test_by_corners(const Delta_complex& complex, Halfedge_index h, const Opposite_corners& corners) const;
+  Opposite_corners known_corners(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;
+  double number_of_quantities(const Delta_complex& complex, Halfedge_index h) const;
   void carry_images();
   Corner developed_corner(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface);
   std::optional<Image_corner> image_of_straight_corner(const Delta_complex& complex, Halfedge_index h);

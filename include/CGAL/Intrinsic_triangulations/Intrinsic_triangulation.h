@@ -191,12 +191,14 @@ public:
   /// \brief returns the exact geometry, ready for its queries.
   ///
   /// The first call costs O(size + number of flips).
+  /// \tparam ConcurrencyTag as for `prepare()` of `Exact_geometry`
   /// \exception Integer_overflow_error as `prepare()` of `Correspondence`
   /// \pre `keeps_input()`
+  template <class ConcurrencyTag = Sequential_tag>
   const Exact_geometry& exact_geometry() const
   {
     CGAL_precondition(keeps_input());
-    geometry_->prepare(connectivity_);
+    geometry_->template prepare<ConcurrencyTag>(connectivity_);
     return *geometry_;
   }
 

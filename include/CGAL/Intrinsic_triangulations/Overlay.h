@@ -107,7 +107,7 @@ public:
   template <class Traits, class ConcurrencyTag = Sequential_tag>
   explicit Overlay(const Intrinsic_triangulation<Traits>& triangulation,
                    const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : Overlay(triangulation.connectivity(), triangulation.exact_geometry().correspondence(), progress,
+    : Overlay(triangulation.connectivity(), triangulation.template exact_geometry<ConcurrencyTag>().correspondence(), progress,
               ConcurrencyTag())
   {}
 

@@ -40,6 +40,21 @@ struct Stage_counts
 
   /// returns the number of tests that `stage` decided.
   std::uint64_t operator[](Stage stage) const { return decided[std::size_t(stage)]; }
+
+  /// counts a test that `stage` decided.
+  void add(Stage stage, bool is_tie)
+  {
+    ++decided[std::size_t(stage)];
+    ties += is_tie;
+  }
+  /// adds the numbers of others.
+  Stage_counts& operator+=(const Stage_counts& other)
+  {
+    for (std::size_t i = 0; i < number_of_stages; ++i)
+      decided[i] += other.decided[i];
+    ties += other.ties;
+    return *this;
+  }
 };
 
 } // namespace Intrinsic_triangulations

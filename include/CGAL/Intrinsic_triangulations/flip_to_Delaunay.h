@@ -164,9 +164,11 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 /// have it, is left as it is and reported; so is one that an interval cannot decide.
 ///
 /// With `Parallel_tag` what can be flipped within blocks of 65,536 consecutive edges is flipped on
-/// the threads of TBB, then what can be within other such blocks, and the rest afterwards. The result
+/// the threads of TBB, then what can be within other such blocks. Edges that are open then, such as ties, are tested
+/// on these threads while nothing is flipped, and the few that are not found to be Delaunay are left to one thread. The result
 /// is the same for any number of threads, and the same as with `Sequential_tag` but for the choice
-/// among the Delaunay triangulations where there are ties. It pays where edges with near numbers lie
+/// among the Delaunay triangulations where there are ties. So are the numbers of tests and of what each stage decided, but they may
+/// differ from those with `Sequential_tag`. It pays where edges with near numbers lie
 /// near to each other. With another number type than `double` and `float`, and if the input was asked
 /// for before, it is as `Sequential_tag`.
 ///

@@ -179,7 +179,7 @@ Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  return internal::Delaunay_verifier(triangulation.connectivity(), triangulation.exact_geometry(),
+  return internal::Delaunay_verifier(triangulation.connectivity(), triangulation.template exact_geometry<ConcurrencyTag>(),
                                      choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                                       Static_boolean_property_map<Edge_index, false>()))
     .verify([](std::size_t n, const auto& f) { internal::for_each_block<ConcurrencyTag>(n, 1, f); });

@@ -65,12 +65,10 @@ struct Exact_geometry::Memory
     }
   }
 
-  Sign decided(Stage stage, Uncertain<Sign> sign)
+  Sign decided(const Test& test)
   {
-    ++counts.decided[std::size_t(stage)];
-    if (get_certain(sign) == ZERO)
-      ++counts.ties;
-    return get_certain(sign);
+    counts.add(test.stage, test.sign == ZERO);
+    return test.sign;
   }
 
   internal::Decision_settings settings;
@@ -169,12 +167,19 @@ Exact_geometry::Surface_lease Exact_geometry::input_surface() const
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_geometry::prepare(const Delta_complex& complex) const
 {
+  if (!memory_->is_prepared.load(std::memory_order_acquire))
+    prepare(complex, internal::block_runner<Sequential_tag>());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::prepare(const Delta_complex& complex, const internal::Block_runner& run) const
+{
   if (memory_->is_prepared.load(std::memory_order_acquire))
     return;
   const std::lock_guard<std::mutex> lock(memory_->mutex);
   if (memory_->is_prepared.load(std::memory_order_relaxed))
     return;
-  std::vector<Edge_index> journal = correspondence_.prepare(complex);
+  std::vector<Edge_index> journal = correspondence_.prepare(complex, run);
   if (!memory_->straight_faces)
     memory_->journal = std::move(journal);
   is_asked_ = true;
@@ -406,8 +411,8 @@ Sign Exact_geometry::decide(const Delta_complex& complex, Edge_index e, std::opt
     recognize_straight_face(complex, h);
     recognize_straight_face(complex, g);
   }
-  if (memory.straight_faces->are_coplanar(complex, positions(), h))
-    return memory.decided(Stage::COPLANAR, sign_in_plane(complex, h));
+  if (const std::optional<Test> test = test_in_plane(complex, h, *memory.straight_faces))
+    return memory.decided(*test);
   prepare(complex);
   const Surface_lease surface = input_surface();
   memory.is_close_call.resize(complex.number_of_edges());
@@ -415,22 +420,17 @@ Sign Exact_geometry::decide(const Delta_complex& complex, Edge_index e, std::opt
   corners = Opposite_corners{developed_corner(complex, h, *surface), developed_corner(complex, g, *surface)};
   // Layouts that were carried along are not the best, but what they do not decide is almost
   // always a tie.
-  const Uncertain<Sign> sign = internal::sign_of_cotangents(corners->k, corners->l);
-  if (is_certain(sign))
-    return memory.decided(Stage::UNFOLDING, sign);
-  if (is_straight(complex.face(h)) && is_straight(complex.face(g)))
-    return memory.decided(Stage::RATIONAL,
-                          internal::sign_of_cotangents(internal::rational_corner(complex, positions(), h),
-                                                       internal::rational_corner(complex, positions(), g)));
+  if (const std::optional<Test> test = test_by_corners(complex, h, *corners))
+    return memory.decided(*test);
   const auto find_image = [&](Halfedge_index side) {
     return is_straight(complex.face(side)) ? image_of_straight_corner(complex, side) : image_of_developed_corner(complex, side);
   };
   if (const std::optional<Sign> tie = sign_by_images(complex, e, *corners, *surface, find_image))
-    return memory.decided(Stage::MODULAR, *tie);
+    return memory.decided({Stage::MODULAR, *tie});
   const auto decision = late_stages(complex, *surface).sign_of_cotangents(internal::corners_beside(complex, e));
   if (decision.is_rational && !memory.images)
     carry_images();
-  return memory.decided(decision.stage, decision.sign);
+  return memory.decided({decision.stage, decision.sign});
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -439,14 +439,82 @@ bool Exact_geometry::has_inserted_corner(const Delta_complex& complex, Halfedge_
   return positions().has_inserted_corner(complex, h);
 }
 
-// The sign of the sum of cotangents beside h, where both faces lie in one plane.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Sign Exact_geometry::sign_in_plane(const Delta_complex& complex, Halfedge_index h) const
+void Exact_geometry::count(const Stage_counts& counts)
+{
+  memory_->counts += counts;
+}
+
+// \param straight_faces those of the memory; if they are const, nothing is remembered
+template <class Straight_faces>
+std::optional<Exact_geometry::Test> Exact_geometry::test_in_plane(const Delta_complex& complex, Halfedge_index h,
+                                                                  Straight_faces& straight_faces) const
 {
   const internal::Vertex_positions all = positions();
+  if (!straight_faces.are_coplanar(complex, all, h))
+    return std::nullopt;
   if (all.has_inserted_corner(complex, h) || all.has_inserted_corner(complex, complex.opposite(h)))
-    return internal::Sign_in_plane(complex, all, h)();
-  return internal::Coplanar_hinge(complex, metric_.points(), h).sign_of_cotangents();
+    return Test{Stage::COPLANAR, internal::Sign_in_plane(complex, all, h)()};
+  return Test{Stage::COPLANAR, internal::Coplanar_hinge(complex, metric_.points(), h).sign_of_cotangents()};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::optional<Exact_geometry::Test> Exact_geometry::test_in_plane(const Delta_complex& complex, Edge_index e) const
+{
+  find_straight_faces(complex);
+  const Memory& memory = *memory_;
+  return test_in_plane(complex, complex.halfedge(e), *memory.straight_faces);
+}
+
+// From the corners beside h.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::optional<Exact_geometry::Test> Exact_geometry::test_by_corners(const Delta_complex& complex, Halfedge_index h,
+                                                                    const Opposite_corners& corners) const
+{
+  const Halfedge_index g = complex.opposite(h);
+  const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
+  if (is_certain(sign))
+    return Test{Stage::UNFOLDING, get_certain(sign)};
+  if (is_straight(complex.face(h)) && is_straight(complex.face(g)))
+    return Test{Stage::RATIONAL, internal::sign_of_cotangents(internal::rational_corner(complex, positions(), h),
+                                                              internal::rational_corner(complex, positions(), g))};
+  return std::nullopt;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::optional<Exact_geometry::Test> Exact_geometry::test_by_short_strips(const Delta_complex& complex, Edge_index e) const
+{
+  prepare(complex);
+  find_straight_faces(complex);
+  constexpr double largest_number = 256; // of input quantities: some microseconds
+  const Halfedge_index h = complex.halfedge(e);
+  for (Halfedge_index side : {h, complex.opposite(h)})
+    if (!is_straight(complex.face(side)) && number_of_quantities(complex, side) > largest_number)
+      return std::nullopt;
+  return test_by_corners(complex, h, known_corners(complex, h, *input_surface()));
+}
+
+// As `corner()` on both sides of h, from what is kept of tests before.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Opposite_corners Exact_geometry::known_corners(const Delta_complex& complex, Halfedge_index h,
+                                                               internal::Input_surface& surface) const
+{
+  const auto known_corner = [&](Halfedge_index side) {
+    const Face_index f = complex.face(side);
+    return !is_straight(f) && memory_->developed_faces.contains(f) ? memory_->developed_faces.corner(complex, side)
+                                                                   : corner(complex, side, surface);
+  };
+  return {known_corner(h), known_corner(complex.opposite(h))};
+}
+
+// A bound on the number of input quantities that the corner opposite to h is a function of.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::number_of_quantities(const Delta_complex& complex, Halfedge_index h) const
+{
+  const Normal_coordinates& coordinates = correspondence_.coordinates();
+  return double(coordinates.number_of_crossings(complex.edge(complex.next(h)))) +
+         double(coordinates.number_of_crossings(complex.edge(complex.prev(h)))) +
+         double(coordinates.triangle_crossings(complex, h).e_k) + 16;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -460,22 +528,12 @@ Sign Exact_geometry::sign_of_cotangents(const Delta_complex& complex, Edge_index
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Sign Exact_geometry::sign_of_cotangents(const Delta_complex& complex, Edge_index e, internal::Input_surface& surface) const
 {
-  const Memory& memory = *memory_; // const, so that nothing is remembered
-  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-  if (memory.straight_faces->are_coplanar(complex, positions(), h))
-    return sign_in_plane(complex, h);
-  const auto known_corner = [&](Halfedge_index side) {
-    const Face_index f = complex.face(side);
-    return !is_straight(f) && memory.developed_faces.contains(f) ? memory.developed_faces.corner(complex, side)
-                                                                 : corner(complex, side, surface);
-  };
-  const Opposite_corners corners{known_corner(h), known_corner(g)};
-  const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
-  if (is_certain(sign))
-    return get_certain(sign);
-  if (is_straight(complex.face(h)) && is_straight(complex.face(g)))
-    return internal::sign_of_cotangents(internal::rational_corner(complex, positions(), h),
-                                        internal::rational_corner(complex, positions(), g));
+  if (const std::optional<Test> test = test_in_plane(complex, e))
+    return test->sign;
+  const Halfedge_index h = complex.halfedge(e);
+  const Opposite_corners corners = known_corners(complex, h, surface);
+  if (const std::optional<Test> test = test_by_corners(complex, h, corners))
+    return test->sign;
   // New images would be computed in rings that all threads share.
   const auto find_image = [&](Halfedge_index side) { return image_of_developed_corner(complex, side); };
   if (const std::optional<Sign> tie = sign_by_images(complex, e, corners, surface, find_image))
@@ -510,14 +568,8 @@ std::optional<Sign> Exact_geometry::sign_by_images(const Delta_complex& complex,
   const auto k = find_image(h), l = k ? find_image(g) : std::nullopt;
   if (!k || !l || !(k->p * l->four_areas + l->p * k->four_areas).is_zero() || !memory.images->rings.is_defined())
     return std::nullopt;
-  // A bound on the number of input quantities that a corner is a function of.
-  const Normal_coordinates& coordinates = correspondence_.coordinates();
-  const auto number_of_quantities = [&](Halfedge_index side) {
-    return double(coordinates.number_of_crossings(complex.edge(complex.next(side)))) +
-           double(coordinates.number_of_crossings(complex.edge(complex.prev(side)))) +
-           double(coordinates.triangle_crossings(complex, side).e_k) + 16;
-  };
-  if (internal::Residue_rings::certainty(number_of_quantities(h) + number_of_quantities(g), surface.largest_size()) < 128)
+  const double number = number_of_quantities(complex, h) + number_of_quantities(complex, g);
+  if (internal::Residue_rings::certainty(number, surface.largest_size()) < 128)
     return std::nullopt;
   const auto is_positive = [](const internal::Bounded_double_double& x) { return certainly(x.sign() == POSITIVE); };
   if (is_positive(corners.k.four_areas) && is_positive(corners.l.four_areas))

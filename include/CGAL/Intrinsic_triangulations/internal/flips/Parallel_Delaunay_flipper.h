@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_PARALLEL_DELAUNAY_FLIPPER_H
 
 #include <CGAL/Intrinsic_triangulations/internal/flips/Delaunay_flipper.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Open_edges.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Triangulation_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
@@ -99,8 +100,9 @@ private:
 };
 
 // Settles what can be settled within blocks of consecutive edges on several threads, then what
-// can be within blocks that are shifted by half of their size, and then the few edges that
-// remain on one thread. The blocks do not depend on the number of threads, nor does the result.
+// can be within blocks that are shifted by half of their size. Those of the other edges that are Delaunay
+// are found on several threads, too, and the few that remain are flipped on one. The blocks do not depend on the number of
+// threads, nor does the result.
 template <class Traits, class ConstraintMap, class Visitor>
 class Parallel_Delaunay_flipper
 {
@@ -157,7 +159,7 @@ public:
     Block::append(triangulation_, std::move(journals));
     if (exception)
       std::rethrow_exception(exception);
-    return !visitor_.is_stopped() &&
+    return !visitor_.is_stopped() && settle_Delaunay(flipper) &&
            flipper.settle(postponed_.data(), postponed_.data() + postponed_.size());
   }
 
@@ -207,6 +209,12 @@ private:
       task.exception = std::current_exception();
       visitor_.stop();
     }
+  }
+
+  bool settle_Delaunay(Flipper& flipper)
+  {
+    return Open_edges<Traits, ConstraintMap, Flipper>(Whole_triangulation<Traits>(triangulation_), is_constrained_, flipper, marks_)
+      .settle_Delaunay(postponed_);
   }
 
   // Marks them as candidates, and keeps each of them once.

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_WHOLE_TRIANGULATION_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
 #include <CGAL/Uncertain.h>
@@ -47,17 +48,25 @@ public:
   }
 
   Boolean is_locally_Delaunay(Edge_index e) const { return triangulation_.is_locally_Delaunay(e); }
+  // By what is stored alone. \pre e is flippable
+  Boolean is_Delaunay_by_filter(Edge_index e) const
+  {
+    return triangulation_.traits_.is_locally_Delaunay_object()(triangulation_.hinge(e));
+  }
 
   // Where the stored numbers cannot decide, they are replaced by the tight ones that do.
   Boolean test_and_refine(Edge_index e)
   {
-    const Boolean answer = triangulation_.traits_.is_locally_Delaunay_object()(triangulation_.hinge(e));
+    const Boolean answer = is_Delaunay_by_filter(e);
     if constexpr (Triangulation::uses_exact_geometry)
       if (!is_certain(answer))
         return triangulation_.decide_and_refine(e);
     count_as_tested(1);
     return answer;
   }
+
+  // The geometry, which may not be prepared yet. \pre keeps_input()
+  Exact_geometry& geometry() const { return *triangulation_.geometry_; }
 
   // Notes for the statistics that so many edges were found to be Delaunay or not by what is stored.
   void count_as_tested(std::uint64_t number) { triangulation_.number_of_filter_decisions_ += number; }
