@@ -75,10 +75,15 @@ public:
     if (is_prepared_)
       return {};
     Normal_coordinates coordinates;
-    Delta_complex input;
+    Delta_complex input = complex.copied([&](std::size_t n, const auto& f) { run(n, internal::elements_of_block, f); });
     std::vector<Edge_index> flipped_edges;
-    const std::function<void()> tasks[] = {[&] { repeat_flips(complex, coordinates); },
-                                           [&] { undo_flips(complex, flipped_edges, input); }};
+    const std::function<void()> tasks[] = {
+      [&] {
+        coordinates = Normal_coordinates(complex); // as many elements as the input
+        journal_.for_each([&](const Hinge_halfedges& around) { coordinates.flip(around); });
+        flipped_edges = journaled_flips(complex);
+      },
+      [&] { journal_.for_each_backwards([&](const Hinge_halfedges& around) { input.flip_back(around); }); }};
     run(2, 1, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i)
         tasks[i]();
@@ -220,19 +225,6 @@ public:
 private:
   // More steps than this are replaced: around most vertices, there are never as many.
   static constexpr std::uint64_t longest_walk = 16;
-
-  void repeat_flips(const Delta_complex& complex, Normal_coordinates& coordinates) const
-  {
-    coordinates = Normal_coordinates(complex); // as many elements as the input
-    journal_.for_each([&](const Hinge_halfedges& around) { coordinates.flip(around); });
-  }
-  void undo_flips(const Delta_complex& complex, std::vector<Edge_index>& flipped_edges, Delta_complex& input) const
-  {
-    flipped_edges = journaled_flips(complex);
-    input = complex;
-    for (std::size_t i = flipped_edges.size(); i-- > 0;)
-      input.flip_back(flipped_edges[i]);
-  }
 
   // Few are long, so that one thread replaces what all have found: there is one table for that.
   void shorten_walks(const std::vector<Edge_index>& edges, const internal::Block_runner& run)

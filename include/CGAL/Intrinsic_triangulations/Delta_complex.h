@@ -248,6 +248,19 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
+  // A copy, most of which the threads of a loop make: run(n, f) calls f(first, last) for ranges that make up [0, n).
+  template <class Run>
+  Delta_complex copied(const Run& run) const
+  {
+    Delta_complex result;
+    result.halfedges_.resize(halfedges_.size(), internal::default_init);
+    run(halfedges_.size(), [&](std::size_t first, std::size_t last) {
+      std::copy(halfedges_.data() + first, halfedges_.data() + last, result.halfedges_.data() + first);
+    });
+    result.vertex_halfedges_ = vertex_halfedges_;
+    result.face_halfedges_ = face_halfedges_;
+    return result;
+  }
   // Has what `flip(around)` changes fetched to the cache.
   void prefetch(const Hinge_halfedges& around) const
   {
@@ -262,16 +275,22 @@ public:
   {
     CGAL_precondition(is_flippable(e));
     const Halfedge_index h = halfedge(e), g = opposite(h);
-    const Halfedge_index ki = next(h), il = prev(h), lj = next(g), jk = prev(g);
-    const Vertex_index l = target(g), k = target(h), i = target(ki), j = target(lj);
-    const Face_index ijk = face(h), jil = face(g);
+    flip_back({h, prev(g), next(h), g, prev(h), next(g)});
+  }
+  /// \brief as above.
+  /// \pre `around` is what `hinge(e)` was before the flip
+  void flip_back(const Hinge_halfedges& around)
+  {
+    const auto [ij, jk, ki, ji, il, lj] = around;
+    const Vertex_index l = target(ji), k = target(ij), i = target(ki), j = target(lj);
+    const Face_index ijk = face(ij), jil = face(ji);
 
-    set_face_cycle(ijk, h, jk, ki);
-    set_face_cycle(jil, g, il, lj);
-    record(h).target = j.idx();
-    record(g).target = i.idx();
-    replace_vertex_halfedge(k, h, jk);
-    replace_vertex_halfedge(l, g, il);
+    set_face_cycle(ijk, ij, jk, ki);
+    set_face_cycle(jil, ji, il, lj);
+    record(ij).target = j.idx();
+    record(ji).target = i.idx();
+    replace_vertex_halfedge(k, ij, jk);
+    replace_vertex_halfedge(l, ji, il);
   }
 
   /// \brief splits the face of `h` into three by a new vertex inside of it.

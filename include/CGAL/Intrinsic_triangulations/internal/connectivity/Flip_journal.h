@@ -44,6 +44,14 @@ public:
       for (const Hinge_halfedges& flip : part)
         f(flip);
   }
+  // From the last to the first.
+  template <class Function>
+  void for_each_backwards(const Function& f) const
+  {
+    for (auto part = parts_.rbegin(); part != parts_.rend(); ++part)
+      for (auto flip = part->rbegin(); flip != part->rend(); ++flip)
+        f(*flip);
+  }
 
 private:
   void begin_part()

@@ -87,7 +87,7 @@ struct Is_whole_triangulation<Triangulation_block<Traits>> : std::false_type
 // each would wait for the one before. A group is small enough for its data to stay in the
 // cache until it is settled.
 //
-// Of a Triangulation_block, what cannot be settled there is listed as postponed.
+// Of a Triangulation_block, what cannot be settled there is listed as postponed or uncertain.
 template <class Triangulation, class ConstraintMap, class Visitor>
 class Delaunay_flipper
 {
@@ -113,8 +113,10 @@ public:
   // Asks the visitor once more during a test.
   bool goes_further() { return visitor_.go_further(report_.tests, report_.flips); }
 
-  // The edges, some of them more than once, that were left to others.
+  // The edges, some of them more than once, that were left to others, ...
   std::vector<Edge_index>& postponed() { return postponed_; }
+  // ... and those whose test was left to others: nobody need look at them again before all that can be flipped is.
+  std::vector<Edge_index>& uncertain() { return uncertain_; }
 
   // Takes over what others did before.
   void add(const Flip_report& report)
@@ -263,7 +265,7 @@ private:
       }
       const auto is_Delaunay = triangulation_.test_and_refine(e);
       if (!is_whole && !is_certain(is_Delaunay)) {
-        postponed_.push_back(e);
+        uncertain_.push_back(e);
         continue;
       }
       ++report_.tests;
@@ -389,7 +391,7 @@ private:
   Flip_report report_;
   Edge_list candidates_, suspects_, not_Delaunay_;
   Edge_mark* marks_;
-  std::vector<Edge_index> postponed_;
+  std::vector<Edge_index> postponed_, uncertain_;
 };
 
 } // namespace internal

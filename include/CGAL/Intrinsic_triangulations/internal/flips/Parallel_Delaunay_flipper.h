@@ -151,6 +151,7 @@ public:
         Whole_triangulation<Traits>(triangulation_).count_as_tested(task.report.tests);
         journals.push_back(std::move(task.journal));
         postponed_.insert(postponed_.end(), task.postponed.begin(), task.postponed.end());
+        uncertain_.insert(uncertain_.end(), task.uncertain.begin(), task.uncertain.end());
       }
       mark_postponed();
       if (visitor_.is_stopped())
@@ -159,6 +160,8 @@ public:
     Block::append(triangulation_, std::move(journals));
     if (exception)
       std::rethrow_exception(exception);
+    postponed_.insert(postponed_.end(), uncertain_.begin(), uncertain_.end());
+    mark_postponed();
     return !visitor_.is_stopped() && settle_Delaunay(flipper) &&
            flipper.settle(postponed_.data(), postponed_.data() + postponed_.size());
   }
@@ -170,7 +173,7 @@ private:
     std::vector<Edge_index> candidates;
     Flip_report report;
     std::vector<Hinge_halfedges> journal;
-    std::vector<Edge_index> postponed;
+    std::vector<Edge_index> postponed, uncertain;
     std::exception_ptr exception;
   };
 
@@ -201,6 +204,7 @@ private:
                                          task.candidates.data() + task.candidates.size());
       task.report = flipper.report();
       task.postponed = std::move(flipper.postponed());
+      task.uncertain = std::move(flipper.uncertain());
       if (!is_settled) // the budget did not suffice
         for (Edge_index::size_type e = task.first; e < task.last; ++e)
           if (marks_[e] != Edge_mark::SETTLED)
@@ -234,7 +238,7 @@ private:
   std::uint64_t budget_, budget_of_block_ = 0;
   Edge_marks& marks_;
   bool is_first_round_ = true; // all edges are candidates then, and later, those postponed
-  std::vector<Edge_index> postponed_;
+  std::vector<Edge_index> postponed_, uncertain_;
 };
 
 } // namespace internal
