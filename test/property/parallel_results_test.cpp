@@ -11,6 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
@@ -25,6 +27,7 @@
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <Eigen/SparseCore>
 
@@ -33,6 +36,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -40,6 +44,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -163,26 +168,55 @@ void expect_same_verification(const IT::Delaunay_verification& a, const IT::Dela
   EXPECT_EQ(a.inverted, b.inverted);
 }
 
+void expect_same_correspondence(const IT::Delta_complex& complex, const IT::Correspondence& a, const IT::Correspondence& b)
+{
+  ASSERT_TRUE(a.input() == b.input());
+  for (IT::Vertex_index v : complex.vertices())
+    ASSERT_EQ(a.input().halfedge(v), b.input().halfedge(v));
+  for (IT::Halfedge_index h : complex.halfedges()) {
+    ASSERT_EQ(a.input_halfedge(h), b.input_halfedge(h));
+    ASSERT_EQ(a.coordinates().crossings(complex.edge(h)), b.coordinates().crossings(complex.edge(h)));
+    ASSERT_LE(b.coordinates().roundabout(h).steps, 16u); // others were replaced
+  }
+}
+
 TEST(Parallel_results, integers_and_input)
 {
   for (const auto& [name, t] : surfaces()) {
     SCOPED_TRACE(name);
     const Filtered asked = t; // only a copy: t still has the journal of its flips
-    const IT::Delta_complex& complex = asked.connectivity();
-    const IT::Correspondence& expected = asked.exact_geometry().correspondence();
     for_each_number_of_threads([&, &t = t] {
       const Filtered copy = t;
-      const IT::Correspondence& found = copy.exact_geometry<Parallel_tag>().correspondence();
-      ASSERT_TRUE(found.input() == expected.input());
-      for (IT::Vertex_index v : complex.vertices())
-        ASSERT_EQ(found.input().halfedge(v), expected.input().halfedge(v));
-      for (IT::Halfedge_index h : complex.halfedges()) {
-        ASSERT_EQ(found.input_halfedge(h), expected.input_halfedge(h));
-        ASSERT_EQ(found.coordinates().crossings(complex.edge(h)), expected.coordinates().crossings(complex.edge(h)));
-        ASSERT_LE(found.coordinates().roundabout(h).steps, 16u); // others were replaced
-      }
+      expect_same_correspondence(t.connectivity(), asked.exact_geometry().correspondence(),
+                                 copy.exact_geometry<Parallel_tag>().correspondence());
     });
   }
+}
+
+// Each edge is flipped several times, so that there are long walks around vertices.
+TEST(Parallel_results, integers_of_many_flips)
+{
+  IT::Delta_complex complex = triangulation(IT::bad_torus(100, 100)).connectivity();
+  const IT::Delta_complex input = complex;
+  IT::Correspondence flipped;
+  for (int round = 0; round < 7; ++round)
+    for (IT::Edge_index e : complex.edges()) {
+      if (!complex.is_flippable(e))
+        continue;
+      flipped.flip(complex, e);
+      complex.flip(e);
+    }
+  IT::Correspondence expected = flipped;
+  const std::vector<IT::Edge_index> flips = expected.prepare(complex);
+  for (IT::Halfedge_index h : input.halfedges()) {
+    ASSERT_EQ(expected.input().next(h), input.next(h));
+    ASSERT_EQ(expected.input().target(h), input.target(h));
+  }
+  for_each_number_of_threads([&] {
+    IT::Correspondence found = flipped;
+    EXPECT_EQ(found.prepare(complex, IT::internal::block_runner<Parallel_tag>()), flips);
+    expect_same_correspondence(complex, expected, found);
+  });
 }
 
 // What the flips cross grows like the Fibonacci numbers.
@@ -211,19 +245,39 @@ TEST(Parallel_results, integers_that_are_too_large_are_an_error)
   EXPECT_THROW(geometry.prepare(complex), IT::Integer_overflow_error);
 }
 
-// The threads that compute the integers are those that ask for them.
+// A thread that waits within the loop must not begin work of another one, which could ask for a lock that it holds.
+TEST(Parallel_results, a_loop_begins_no_other_work)
+{
+  static thread_local int loop_of_thread = 0;
+  const IT::internal::Block_runner run = IT::internal::block_runner<Parallel_tag>();
+  for_each_number_of_threads([&] {
+    std::atomic<int> number_of_blocks{0};
+    const auto loops = [&](int loop) {
+      EXPECT_EQ(loop_of_thread, 0);
+      loop_of_thread = loop;
+      run(10, 1, [&](std::size_t first, std::size_t last) {
+        EXPECT_TRUE(loop_of_thread == 0 || loop_of_thread == loop);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1 + int(first) % 2));
+        number_of_blocks += int(last - first);
+      });
+      loop_of_thread = 0;
+    };
+    tbb::task_arena arena(int(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)));
+    arena.execute([&] { tbb::parallel_for(1, 9, loops, tbb::simple_partitioner()); });
+    EXPECT_EQ(number_of_blocks, 80);
+  });
+}
+
 TEST(Parallel_results, tasks_ask_for_the_integers)
 {
-  const Filtered asked = Delaunay(IT::prism(3000));
+  const Filtered t = Delaunay(IT::bad_torus(150, 150));
   for_each_number_of_threads([&] {
-    for (int round = 0; round < 20; ++round) {
-      const Filtered copy = asked;
-      std::atomic<int> number_of_answers{0};
-      tbb::parallel_for(0, 64, [&](int) {
-        number_of_answers += copy.exact_geometry<Parallel_tag>().correspondence().is_prepared();
-      });
-      EXPECT_EQ(number_of_answers, 64);
-    }
+    const Filtered copy = t;
+    std::atomic<int> number_of_answers{0};
+    tbb::parallel_for(0, 64, [&](int) {
+      number_of_answers += copy.exact_geometry<Parallel_tag>().correspondence().is_prepared();
+    });
+    EXPECT_EQ(number_of_answers, 64);
   });
 }
 
