@@ -61,7 +61,7 @@ public:
   template <class ConcurrencyTag = Sequential_tag>
   Common_subdivision(const Delta_complex& intrinsic, const Exact_geometry& geometry,
                      const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : intrinsic_(intrinsic), geometry_(prepared(geometry, intrinsic)),
+    : intrinsic_(intrinsic), geometry_(prepared<ConcurrencyTag>(geometry, intrinsic)),
       overlay_(intrinsic, geometry.correspondence(), internal::part_of_progress(progress, 0, part_of_graph), ConcurrencyTag()),
       positions_(intrinsic, geometry, overlay_, internal::part_of_progress(progress, part_of_graph, 1), ConcurrencyTag())
   {}
@@ -147,22 +147,24 @@ private:
   template <class ConcurrencyTag>
   Common_subdivision(Parts parts, const Progress_function& progress, ConcurrencyTag)
     : intrinsic_(std::move(parts.released.first)), geometry_(std::move(parts.released.second)),
-      overlay_(intrinsic_, prepared(geometry_, intrinsic_, parts.go_further).correspondence(),
+      overlay_(intrinsic_, prepared<ConcurrencyTag>(geometry_, intrinsic_, parts.go_further).correspondence(),
                internal::part_of_progress(progress, 0, part_of_graph), ConcurrencyTag()),
       positions_(intrinsic_, geometry_, overlay_, internal::part_of_progress(progress, part_of_graph, 1), ConcurrencyTag())
   {
     geometry_.set_interruption({});
   }
 
+  template <class ConcurrencyTag>
   static const Exact_geometry& prepared(const Exact_geometry& geometry, const Delta_complex& intrinsic)
   {
-    geometry.prepare(intrinsic);
+    geometry.prepare<ConcurrencyTag>(intrinsic);
     return geometry;
   }
+  template <class ConcurrencyTag>
   static const Exact_geometry& prepared(Exact_geometry& geometry, const Delta_complex& intrinsic, const std::function<bool()>& go_further)
   {
     geometry.set_interruption(go_further);
-    return prepared(geometry, intrinsic);
+    return prepared<ConcurrencyTag>(geometry, intrinsic);
   }
 
   Delta_complex intrinsic_;
