@@ -21,7 +21,8 @@ void write_blocks(std::ostream& os, const std::size_t n,
   // One more than there are processors: they go on while this thread writes.
   const std::size_t at_most = std::max(1u, std::thread::hardware_concurrency()) + std::size_t(1);
   std::deque<std::future<Long_text>> blocks;
-  std::vector<Long_text> written;                                      // their memory is used again: the system would have to clear other pages
+  // Their memory is used again: the system would have to clear other pages.
+  std::vector<Long_text> written;
   for (std::size_t first = 0; (first < n || !blocks.empty()) && os;) { // a disk may be full: the caller finds out
     for (; first < n && blocks.size() < at_most; first += elements_of_block) {
       Long_text empty;

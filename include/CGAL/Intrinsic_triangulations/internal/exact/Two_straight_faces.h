@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 
@@ -30,7 +31,7 @@ using Three_corners = std::array<Vertex_index, 3>;
 class Two_straight_faces
 {
   using Pair = Split_double_double<Two_doubles>;
-  using Two_vectors = std::array<Pair, 3>; // exact: differences of two points
+  using Two_vectors = Split_vector<Two_doubles>;
 
 public:
   struct Numbers
@@ -43,16 +44,12 @@ public:
   Two_straight_faces(const Points& points, const Three_corners& f, const Three_corners& g)
   {
     const auto vectors = [&](std::size_t from, std::size_t to) {
-      const auto &p = points[f[from].idx()], &q = points[f[to].idx()], &r = points[g[from].idx()], &s = points[g[to].idx()];
-      return Two_vectors{Pair::difference({q[0], s[0]}, {p[0], r[0]}), Pair::difference({q[1], s[1]}, {p[1], r[1]}),
-                         Pair::difference({q[2], s[2]}, {p[2], r[2]})};
+      return two_split_vectors(points[f[from].idx()], points[f[to].idx()], points[g[from].idx()], points[g[to].idx()]);
     };
     const Two_vectors ij = vectors(0, 1), kj = vectors(2, 1), ki = vectors(2, 0);
-    const Pair s_ij = scalar_product(ij, ij), s_jk = scalar_product(kj, kj), s_ki = scalar_product(ki, ki),
-               p = scalar_product(ki, kj);
-    const Pair n0 = sum(ki[1] * kj[2], -(ki[2] * kj[1])), n1 = sum(ki[2] * kj[0], -(ki[0] * kj[2])),
-               n2 = sum(ki[0] * kj[1], -(ki[1] * kj[0]));
-    Pair square = sum(n0 * n0, n1 * n1, n2 * n2);
+    const Pair s_ij = split_scalar_product(ij, ij), s_jk = split_scalar_product(kj, kj), s_ki = split_scalar_product(ki, ki),
+               p = split_scalar_product(ki, kj);
+    Pair square = split_squared_area(ki, kj);
     square.hi = max_of(square.hi, Two_doubles(1e-200)); // a root of zero would be divided by
     const Pair area = square_root(square);
     const Two_doubles reciprocal = Two_doubles(1.) / area.hi;
@@ -83,11 +80,6 @@ public:
 
 private:
   static constexpr double unit = 0x1p-97;
-
-  static Pair scalar_product(const Two_vectors& v, const Two_vectors& w)
-  {
-    return sum(v[0] * w[0], v[1] * w[1], v[2] * w[2]);
-  }
 
   std::array<Pair, 3> lengths_, cotangents_;
   Pair twice_area_;

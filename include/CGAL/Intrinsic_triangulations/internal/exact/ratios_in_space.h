@@ -12,10 +12,10 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double_disk.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -27,21 +27,17 @@ namespace internal {
 // something could underflow, as in faces that are nearly flat.
 inline std::optional<Corner_ratios<Double_double_disk>> ratios_in_space(const Delta_complex& input, const Points& points, Halfedge_index ij)
 {
-  using Number = Split_double_double<double>;
-  using Vector = std::array<Number, 3>;
   if (points.empty())
     return std::nullopt;
   const auto &p = points[input.source(ij).idx()], &q = points[input.target(ij).idx()], &r = points[input.target(input.next(ij)).idx()];
-  const auto scalar_product = [](const Vector& v, const Vector& w) { return sum(v[0] * w[0], v[1] * w[1], v[2] * w[2]); };
-  const Vector u{Number::difference(q[0], p[0]), Number::difference(q[1], p[1]), Number::difference(q[2], p[2])},
-    v{Number::difference(r[0], p[0]), Number::difference(r[1], p[1]), Number::difference(r[2], p[2])};
-  const Number s = scalar_product(u, u), a = sum(u[1] * v[2], -(u[2] * v[1])), b = sum(u[2] * v[0], -(u[0] * v[2])),
-               c = sum(u[0] * v[1], -(u[1] * v[0])), square = sum(a * a, b * b, c * c);
-  const double s_v = v[0].hi * v[0].hi + v[1].hi * v[1].hi + v[2].hi * v[2].hi;
+  const Split_vector<double> u = split_vector(p, q), v = split_vector(p, r);
+  const Split_double_double<double> s = split_scalar_product(u, u), square = split_squared_area(u, v);
+  const double s_v = rough_square(v);
   if (!(s.hi > 1e-100 && s.hi < 1e100 && s_v > 1e-100 && s_v < 1e100 && square.hi > 1e-200))
     return std::nullopt;
   const double reciprocal = 1 / s.hi;
-  const Number x = quotient(scalar_product(u, v), s, reciprocal), y = quotient(square_root(square), s, reciprocal);
+  const Split_double_double<double> x = quotient(split_scalar_product(u, v), s, reciprocal),
+                                    y = quotient(square_root(square), s, reciprocal);
   // Products of the vectors are good to 2^-102 of those of their lengths, so that x + iy is good to 2^-99 of its absolute value.
   const double error = 0x1p-97 * std::sqrt(s_v * reciprocal);
   const Bounded_double_double at_source(x.hi, x.lo, error), height(y.hi, y.lo, error);

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
@@ -42,7 +43,7 @@ namespace internal {
 class Space_frame
 {
   using Pair = Split_double_double<Two_doubles>;
-  using Two_vectors = std::array<Pair, 3>; // exact: differences of two points
+  using Two_vectors = Split_vector<Two_doubles>;
 
 public:
   using Vector = Split_complex;
@@ -121,14 +122,12 @@ private:
       const Two_vectors v = vectors(a.base, b.base), w = vectors(a.other, b.other);
       shortest = min_of(shortest, min_of(rough_square(v), rough_square(w)));
 
-      const Pair n0 = sum(v[1] * w[2], -(v[2] * w[1])), n1 = sum(v[2] * w[0], -(v[0] * w[2])),
-                 n2 = sum(v[0] * w[1], -(v[1] * w[0]));
-      Pair square = sum(n0 * n0, n1 * n1, n2 * n2);
+      Pair square = split_squared_area(v, w);
       // A root of zero would be divided by; this one is far below the error.
       square.hi = max_of(square.hi, Two_doubles(1e-300));
-      const Pair s = scalar_product(v, v);
+      const Pair s = split_scalar_product(v, v);
       const Two_doubles reciprocal = Two_doubles(1.) / s.hi;
-      const Pair x = quotient(scalar_product(v, w), s, reciprocal),
+      const Pair x = quotient(split_scalar_product(v, w), s, reciprocal),
                  height = quotient(square_root(square), s, reciprocal);
       const Two_doubles side(a.side, b.side);
       const auto ratios = Split_complex::two_points(x, Pair(side * height.hi, side * height.lo));
@@ -141,20 +140,8 @@ private:
 
   Two_vectors vectors(Halfedge_index g, Halfedge_index h) const
   {
-    const std::array<double, 3>&p = (*points_)[input_->source(g).idx()], &q = (*points_)[input_->target(g).idx()],
-                             &r = (*points_)[input_->source(h).idx()], &s = (*points_)[input_->target(h).idx()];
-    return {Pair::difference({q[0], s[0]}, {p[0], r[0]}), Pair::difference({q[1], s[1]}, {p[1], r[1]}),
-            Pair::difference({q[2], s[2]}, {p[2], r[2]})};
-  }
-
-  static Pair scalar_product(const Two_vectors& v, const Two_vectors& w)
-  {
-    return sum(v[0] * w[0], v[1] * w[1], v[2] * w[2]);
-  }
-
-  static Two_doubles rough_square(const Two_vectors& v)
-  {
-    return v[0].hi * v[0].hi + v[1].hi * v[1].hi + v[2].hi * v[2].hi;
+    return two_split_vectors((*points_)[input_->source(g).idx()], (*points_)[input_->target(g).idx()],
+                             (*points_)[input_->source(h).idx()], (*points_)[input_->target(h).idx()]);
   }
 
   const Delta_complex* input_;
