@@ -4,9 +4,13 @@
 // Where images of corners in finite fields are carried along by the flips, they find ties among decisions that
 // are nearly ties, and only these, as points in the plane say.
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
@@ -15,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -121,6 +126,37 @@ TEST(Carried_images, are_zero_at_ties_alone)
   EXPECT_GT(by_images, 1000u);
   EXPECT_GT(near_ties, 1000u);
   EXPECT_GT(ties, 1000u);
+}
+
+// The bound on the error knows how long the numbers of this surface are: with that for any doubles, images would not
+// be believed where an edge crosses more than some 2,000 input edges, and each tie would need a proof in rational numbers.
+TEST(Carried_images, are_believed_where_thousands_of_edges_are_crossed)
+{
+  const IT::Indexed_triangles pillow = IT::pillow(1000);
+  Triangulation t = IT::intrinsic_Delaunay_triangulation(pillow.points, pillow.triangles).triangulation;
+  std::int64_t most_crossings = 0;
+  for (IT::Edge_index e : t.connectivity().edges())
+    most_crossings = (std::max)(most_crossings, t.exact_geometry().correspondence().coordinates().number_of_crossings(e));
+  EXPECT_GT(most_crossings, 1000);
+  EXPECT_GT(t.stage_counts()[IT::Stage::MODULAR], 500u);
+  EXPECT_LT(t.stage_counts()[IT::Stage::ALGEBRAIC], 10u);
+}
+
+// The coordinates of points on the input are any doubles.
+TEST(Carried_images, points_make_longer_numbers)
+{
+  const IT::Indexed_triangles square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(square.points.size(), square.triangles);
+  const auto metric = IT::Input_metric::from_points({square.points.begin(), square.points.end()});
+  const IT::internal::Decision_settings settings;
+  IT::internal::Input_surface surface(complex, metric, settings);
+  IT::internal::Residue_rings rings(surface.prime_fields(0), settings.interruption);
+  IT::internal::Residue_metric image(surface, {rings});
+  image.constant(0);
+  image.constant(1);
+  EXPECT_LT(image.largest_size(), 1000);
+  image.constant(0.1);
+  EXPECT_GT(image.largest_size(), 2 * 2 * 1074);
 }
 
 } // namespace

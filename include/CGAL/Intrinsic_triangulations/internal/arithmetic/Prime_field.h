@@ -41,6 +41,7 @@ class Prime_field
 {
 public:
   using Number = std::uint64_t;
+  static constexpr int number_of_bits = 62; // of primes
 
   Prime_field() = default;
   // Takes a random prime. Below 2^64 GMP's test is known to make no mistake.
@@ -110,8 +111,8 @@ public:
         result = product(result, a);
     return result;
   }
-  // \pre a is not zero
-  Number inverse(Number a) const { return power(a, p_ - 2); }
+  // The power that is the inverse, of all but zero.
+  std::uint64_t exponent_of_inverse() const { return p_ - 2; }
 
 private:
   __extension__ using Wide = unsigned __int128;
@@ -149,11 +150,9 @@ inline Gaussian_residue product(const Prime_field& f, Gaussian_residue a, Gaussi
   return {f.difference(f.product(a.x, b.x), f.product(a.y, b.y)),
           f.sum(f.product(a.x, b.y), f.product(a.y, b.x))};
 }
-// \pre a is not zero
-inline Gaussian_residue inverse(const Prime_field& f, Gaussian_residue a)
+inline Prime_field::Number squared_norm(const Prime_field& f, Gaussian_residue a)
 {
-  const auto n = f.inverse(f.sum(f.product(a.x, a.x), f.product(a.y, a.y)));
-  return {f.product(a.x, n), f.negative(f.product(a.y, n))};
+  return f.sum(f.product(a.x, a.x), f.product(a.y, a.y));
 }
 // One of the two square roots of q: q or −q has one modulo p.
 inline Gaussian_residue square_root(const Prime_field& f, Prime_field::Number q)

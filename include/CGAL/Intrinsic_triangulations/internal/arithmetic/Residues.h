@@ -38,6 +38,36 @@ inline Prime_fields random_prime_fields(std::uint64_t seed)
   return fields;
 }
 
+// The inverse in each field; that of zero is zero. A power takes a chain of products, each of which waits for the one before: so the chains of
+// all fields go side by side, by three bits of the exponent at a time.
+inline std::array<Gaussian_residue, std::tuple_size<Prime_fields>::value>
+inverses(const Prime_fields& fields, const std::array<Gaussian_residue, std::tuple_size<Prime_fields>::value>& a)
+{
+  constexpr std::size_t n = std::tuple_size<Prime_fields>::value;
+  constexpr int window = 3, number_of_windows = (Prime_field::number_of_bits + window - 1) / window;
+  constexpr std::size_t size = std::size_t(1) << window;
+  std::array<std::array<Prime_field::Number, n>, size> small; // powers of the norms x² + y²
+  for (std::size_t i = 0; i < n; ++i) {
+    small[0][i] = fields[i].one();
+    small[1][i] = squared_norm(fields[i], a[i]);
+  }
+  for (std::size_t k = 2; k < size; ++k)
+    for (std::size_t i = 0; i < n; ++i)
+      small[k][i] = fields[i].product(small[k - 1][i], small[1][i]);
+  std::array<Prime_field::Number, n> power = small[0];
+  for (int w = number_of_windows; w-- > 0;) {
+    for (int bit = 0; bit < window; ++bit)
+      for (std::size_t i = 0; i < n; ++i)
+        power[i] = fields[i].product(power[i], power[i]);
+    for (std::size_t i = 0; i < n; ++i)
+      power[i] = fields[i].product(power[i], small[(fields[i].exponent_of_inverse() >> (window * w)) % size][i]);
+  }
+  std::array<Gaussian_residue, n> result;
+  for (std::size_t i = 0; i < n; ++i)
+    result[i] = {fields[i].product(a[i].x, power[i]), fields[i].negative(fields[i].product(a[i].y, power[i]))};
+  return result;
+}
+
 class Residue_rings;
 
 // A number by its images.
@@ -170,10 +200,8 @@ private:
     };
     if (!std::equal(a.images_.begin(), a.images_.end(), last_divisor_.images_.begin(), is_same)) {
       last_divisor_ = a;
-      for (std::size_t i = 0; i < fields_.size(); ++i) {
-        is_defined_ = is_defined_ && !a.images_[i].is_zero();
-        inverse_.images_[i] = internal::inverse(fields_[i], a.images_[i]);
-      }
+      inverse_.images_ = inverses(fields_, a.images_);
+      is_defined_ = is_defined_ && std::none_of(a.images_.begin(), a.images_.end(), [](const Gaussian_residue& x) { return x.is_zero(); });
     }
     return inverse_;
   }

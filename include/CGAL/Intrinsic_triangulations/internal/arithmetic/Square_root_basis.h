@@ -70,9 +70,7 @@ public:
   // \param maximum_size the number of generators from which on Too_costly is thrown
   explicit Square_root_basis(const Interruption& interruption, std::size_t maximum_size = unlimited)
     : interruption_(interruption), maximum_size_(maximum_size)
-  {
-    rebuild(128);
-  }
+  {}
 
   Root root(const Rational& q)
   {
@@ -90,6 +88,10 @@ public:
                          Integer(generators_[i] * denominator)),
                 {i}};
     }
+    if (maximum_size_ == 0)
+      throw Too_costly();
+    if (primes_.empty())
+      rebuild(128);
     for (;;) {
       interruption_.check();
       Row row = reduced(n);

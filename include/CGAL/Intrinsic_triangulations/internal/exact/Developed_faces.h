@@ -82,7 +82,7 @@ public:
       keep(complex, complex.face(h), *layout);
   }
 
-  // To be called before the flip of the connectivity. known_corner(h, needs_image) gives the corner
+  // To be called before the flip of the connectivity. known_corner(h) gives the corner
   // opposite to h if it costs little.
   template <class KnownCorner>
   void flip(const Delta_complex& complex, Edge_index e, bool is_close_call,
@@ -92,13 +92,10 @@ public:
     const Face_index ijk = complex.face(ij), jil = complex.face(ji);
     if (!is_close_call && !contains(ijk) && !contains(jil))
       return;
-    const auto has_face_images = [&](Face_index f) {
-      return contains(f) && has_images(layouts_[layout_of_[f.idx()]]);
-    };
     const auto find = [&](Halfedge_index h) -> std::optional<Layout> {
       if (contains(complex.face(h)))
         return seen_from(complex, h);
-      const std::optional<Known_corner> c = known_corner(h, has_face_images(complex.face(complex.opposite(h))));
+      const std::optional<Known_corner> c = known_corner(h);
       return c ? laid_out(h, *c) : std::nullopt;
     };
     std::optional<Layout> above = find(ij), below = find(ji);
@@ -201,7 +198,7 @@ private:
       const Image_corner& x = *known.image;
       const Residues zero = x.p - x.p, two_s_image = x.s_first + x.s_first;
       image_of_unit = std::make_unique<const Residues>(x.s_first);
-      image_of_i = std::make_unique<const Image>(x.s_first / x.s_first, zero);
+      image_of_i = std::make_unique<const Image>(two_s_image / two_s_image, zero);
       image_of_j = std::make_unique<const Image>(x.p / two_s_image, x.four_areas / two_s_image);
       image_of_k = std::make_unique<const Image>(zero, zero);
     }

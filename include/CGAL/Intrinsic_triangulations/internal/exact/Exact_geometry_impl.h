@@ -241,10 +241,10 @@ bool Exact_geometry::follow(const Delta_complex& complex, Edge_index e)
   const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()];
   using Known_corner = Memory::Developed_faces::Known_corner;
   memory.developed_faces.flip(
-    complex, e, is_close_call, [&](Halfedge_index h, bool needs_image) -> std::optional<Known_corner> {
+    complex, e, is_close_call, [&](Halfedge_index h) -> std::optional<Known_corner> {
       if (!is_straight(complex.face(h)))
         return std::nullopt;
-      return Known_corner{straight_corner(complex, h), needs_image ? image_of_straight_corner(complex, h) : std::nullopt};
+      return Known_corner{straight_corner(complex, h), image_of_straight_corner(complex, h)};
     });
   if (is_close_call)
     memory.is_close_call[e.idx()] = false;
@@ -569,7 +569,7 @@ std::optional<Sign> Exact_geometry::sign_by_images(const Delta_complex& complex,
   if (!k || !l || !(k->p * l->four_areas + l->p * k->four_areas).is_zero() || !memory.images->rings.is_defined())
     return std::nullopt;
   const double number = number_of_quantities(complex, h) + number_of_quantities(complex, g);
-  if (internal::Residue_rings::certainty(number, surface.largest_size()) < 128)
+  if (internal::Residue_rings::certainty(number, surface.largest_size(correspondence_.number_of_inserted_vertices() != 0)) < 128)
     return std::nullopt;
   const auto is_positive = [](const internal::Bounded_double_double& x) { return certainly(x.sign() == POSITIVE); };
   if (is_positive(corners.k.four_areas) && is_positive(corners.l.four_areas))

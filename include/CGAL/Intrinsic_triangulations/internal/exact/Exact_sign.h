@@ -112,7 +112,7 @@ private:
         continue;
       if (!is_zero)
         return false;
-      certainty += Residue_rings::certainty(double(metric.number_of_quantities()), surface_.largest_size());
+      certainty += Residue_rings::certainty(double(metric.number_of_quantities()), metric.largest_size());
     }
     return true;
   }

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Prime_field.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
@@ -49,6 +50,18 @@ inline std::array<Bounded_double_double, 3> difference_double_double(const Input
   const auto &p = metric.points()[from.idx()], &q = metric.points()[to.idx()];
   return {Bounded_double_double::difference(q[0], p[0]), Bounded_double_double::difference(q[1], p[1]),
           Bounded_double_double::difference(q[2], p[2])};
+}
+
+// \pre the metric is given by doubles. Rational numbers would be made canonical after each sum and product.
+inline Exact_ring squared_length_in_ring(const Input_metric& metric, const Delta_complex& input, Edge_index e)
+{
+  if (!metric.lengths().empty()) {
+    const Exact_ring l(metric.lengths()[e.idx()]);
+    return l * l;
+  }
+  const Halfedge_index h = input.halfedge(e);
+  const auto side = difference<Exact_ring>(metric.points(), input.source(h), input.target(h));
+  return scalar_product(side, side);
 }
 
 } // namespace internal
@@ -112,29 +125,21 @@ Input_metric metric_from_squared_lengths(std::vector<Rational> squared_lengths)
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Rational squared_length(const Input_metric& metric, const Delta_complex& input, Edge_index e)
 {
-  if (metric.rational_lengths())
-    return metric.rational_lengths()->squared[e.idx()];
-  if (!metric.lengths().empty()) {
-    const Rational l(metric.lengths()[e.idx()]);
-    return l * l;
-  }
-  const Halfedge_index h = input.halfedge(e);
-  const auto &p = metric.points()[input.source(h).idx()], &q = metric.points()[input.target(h).idx()];
-  Rational s(0);
-  for (int i = 0; i < 3; ++i) {
-    const Rational d = Rational(q[i]) - Rational(p[i]);
-    s += d * d;
-  }
-  return s;
+  return metric.rational_lengths() ? metric.rational_lengths()->squared[e.idx()]
+                                   : internal::rational(internal::squared_length_in_ring(metric, input, e));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Rational squared_four_areas(const Input_metric& metric, const Delta_complex& input, Face_index f)
 {
   const Halfedge_index h = input.halfedge(f);
-  return squared_four_areas(squared_length(metric, input, input.edge(h)),
-                            squared_length(metric, input, input.edge(input.next(h))),
-                            squared_length(metric, input, input.edge(input.prev(h))));
+  const std::array<Edge_index, 3> e{input.edge(h), input.edge(input.next(h)), input.edge(input.prev(h))};
+  const auto from = [&](const auto& squared_length) {
+    return squared_four_areas(squared_length(e[0]), squared_length(e[1]), squared_length(e[2]));
+  };
+  if (metric.rational_lengths())
+    return from([&](Edge_index edge) { return metric.rational_lengths()->squared[edge.idx()]; });
+  return internal::rational(from([&](Edge_index edge) { return internal::squared_length_in_ring(metric, input, edge); }));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

@@ -102,12 +102,17 @@ inline Unfolding<Residue_metric>::Corner image_of_straight_corner(const Delta_co
   const auto corners = [&](const auto& convert) {
     return std::array{positions.position(i, convert), positions.position(j, convert), positions.position(k, convert)};
   };
-  const auto exact = corners([](double x) { return Rational(x); });
-  const auto normal = cross_product(minus(exact[0], exact[2]), minus(exact[1], exact[2]));
   const auto images = corners([&](double x) { return rings.number(x); });
   const Vector_3<Residues> ki = minus(images[0], images[2]), kj = minus(images[1], images[2]), side = minus(images[1], images[0]);
   const Residues p = scalar_product(ki, kj);
-  return {p + p, rings.root(4 * scalar_product(normal, normal)), scalar_product(ki, ki), scalar_product(kj, kj),
+  const auto squared_four_areas = [&]() -> Rational {
+    if (!positions.has_inserted_corner(complex, ij))
+      return rational(rational_corner(complex, positions, ij).q);
+    const auto exact = corners([](double x) { return Rational(x); });
+    const auto normal = cross_product(minus(exact[0], exact[2]), minus(exact[1], exact[2]));
+    return 4 * scalar_product(normal, normal);
+  };
+  return {p + p, rings.root(squared_four_areas()), scalar_product(ki, ki), scalar_product(kj, kj),
           scalar_product(side, side)};
 }
 

@@ -76,13 +76,13 @@ public:
     return prime_fields_[number];
   }
 
-  // A bound on the sizes of the numbers of the metric (see Input_metric) and of any double, as points on the input have
-  // for coordinates; found when first asked for.
-  double largest_size()
+  // A bound on the sizes of the numbers of the metric (see Input_metric), found when first asked for, and, where points on the input
+  // enter, of any double, as they have for coordinates.
+  double largest_size(bool has_points)
   {
     if (largest_size_ == 0)
-      largest_size_ = (std::max)(size_of_double, metric_.largest_size());
-    return largest_size_;
+      largest_size_ = metric_.largest_size();
+    return has_points ? (std::max)(size_of_double, largest_size_) : largest_size_;
   }
 
   // Whether the faces of an edge lie in one plane; found when first asked for.
@@ -214,10 +214,14 @@ public:
   {}
 
   std::size_t number_of_quantities() const { return count_; }
+  // A bound on the sizes of these quantities.
+  double largest_size() const { return surface_.largest_size(has_points_); }
 
+  // 0, 1, or a coordinate of a point on the input.
   Real constant(double x)
   {
     count();
+    has_points_ = has_points_ || (x != 0 && x != 1);
     return image_.real(image_.coordinate(x));
   }
   Real squared_length(Edge_index e)
@@ -247,23 +251,48 @@ public:
   Vector ratio_in_plane(Halfedge_index h, Vertex_index from, Vertex_index to)
   {
     count();
-    const Delta_complex& c = surface_.connectivity();
-    const Vertex_index i = c.source(h);
-    const auto u = vector(i, c.target(h)), v = vector(i, c.target(c.next(h))), w = vector(from, to);
-    const auto s = scalar_product(u, u), x = scalar_product(u, w), t = scalar_product(u, v);
-    // |u × v|², the square of half of four_areas, and (u × v)·(u × w).
-    const auto n = s * scalar_product(v, v) - t * t, y = s * scalar_product(v, w) - t * x, sn = s * n;
-    const Real divisor = image_.real(sn + sn);
-    return {image_.real((x + x) * n) / divisor, image_.real(y) * four_areas(c.face(h)) / divisor};
+    const Base& base = remembered_in(bases_, h, [&] { return base_of(h); });
+    const auto w = vector(from, to);
+    return {image_.real(scalar_product(base.side, w)) * base.side_unit, image_.real(scalar_product(base.height, w)) * base.height_unit};
   }
 
 private:
-  Vector_3<typename Image::Coordinate> vector(Vertex_index from, Vertex_index to) const
+  using Coordinate = typename Image::Coordinate;
+
+  // What is computed once for all ratios to a halfedge, with the third corner k of its triangle to its left: the side u from i to j,
+  // with v from i to k a multiple of the height, |u|² v − (u·v) u, and what a scalar product with either has to be multiplied by.
+  struct Base
   {
-    const auto& points = surface_.metric().points();
-    const std::array<double, 3>&p = points[from.idx()], &q = points[to.idx()];
-    const auto difference = [&](int i) { return image_.coordinate(q[i]) - image_.coordinate(p[i]); };
-    return {difference(0), difference(1), difference(2)};
+    Vector_3<Coordinate> side, height;
+    Real side_unit, height_unit;
+  };
+
+  Base base_of(Halfedge_index h)
+  {
+    const Delta_complex& c = surface_.connectivity();
+    const Vertex_index i = c.source(h);
+    const auto u = vector(i, c.target(h)), v = vector(i, c.target(c.next(h)));
+    const Coordinate s = scalar_product(u, u), t = scalar_product(u, v);
+    // Twice |u|² |u × v|², where four_areas is twice |u × v|.
+    const Coordinate divisor = (s + s) * (s * scalar_product(v, v) - t * t);
+    return {u,
+            {s * v[0] - t * u[0], s * v[1] - t * u[1], s * v[2] - t * u[2]},
+            image_.real(image_.coordinate(1)) / image_.real(s),
+            four_areas(c.face(h)) / image_.real(divisor)};
+  }
+
+  Vector_3<Coordinate> vector(Vertex_index from, Vertex_index to)
+  {
+    const Vector_3<Coordinate> p = position(from); // a copy: the other may displace it
+    const Vector_3<Coordinate>& q = position(to);
+    return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+  }
+  const Vector_3<Coordinate>& position(Vertex_index v)
+  {
+    return remembered_in(positions_, v, [&] {
+      const std::array<double, 3>& p = surface_.metric().points()[v.idx()];
+      return Vector_3<Coordinate>{image_.coordinate(p[0]), image_.coordinate(p[1]), image_.coordinate(p[2])};
+    });
   }
 
   void count()
@@ -291,8 +320,11 @@ private:
   Image image_;
   std::size_t largest_count_;
   std::size_t count_ = 0;
+  bool has_points_ = false;
   std::unordered_map<Halfedge_index, Corner_ratios<Vector>> ratios_;
   std::unordered_map<Face_index, Real> roots_;
+  std::unordered_map<Halfedge_index, Base> bases_;
+  std::unordered_map<Vertex_index, Vector_3<Coordinate>> positions_;
 };
 
 // Multiple-precision intervals.

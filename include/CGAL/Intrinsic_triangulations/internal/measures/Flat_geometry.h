@@ -31,8 +31,15 @@ namespace internal {
 // has 50,000 lines.
 #ifdef CGAL_HAS_MPZF
 using Exact_ring = Mpzf;
+inline Rational rational(const Exact_ring& x)
+{
+  Rational result;
+  x.export_to_mpq_t(result.backend().data());
+  return result;
+}
 #else
 using Exact_ring = Rational;
+inline Rational rational(const Exact_ring& x) { return x; }
 #endif
 
 template <class FT>
