@@ -19,23 +19,45 @@ function(idt_compile_quickly target)
     $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:${INTRINSIC_TRIANGULATIONS_TEST_OPTIMIZATION}>)
 endfunction()
 
+# Writes one source of several: first what any of them includes, then each in a namespace of its own, so that names may recur.
+function(idt_join_sources result)
+  set(includes)
+  set(bodies)
+  foreach(source IN LISTS ARGN)
+    get_filename_component(source ${source} ABSOLUTE)
+    get_filename_component(stem ${source} NAME_WE)
+    file(STRINGS ${source} lines REGEX "^#[ ]*include ")
+    list(APPEND includes ${lines})
+    string(APPEND bodies "namespace ${stem} {\n#include \"${source}\"\n}\n")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
+  endforeach()
+  list(REMOVE_DUPLICATES includes)
+  list(JOIN includes "\n" includes)
+  file(CONFIGURE OUTPUT ${result} @ONLY CONTENT "@includes@\n@bodies@")
+endfunction()
+
 # add_idt_test(NAME SOURCE... [SANITIZE] [SANITIZE_AT_NIGHT] [THREADS] [LIBRARIES TARGET...] [DEFINITIONS DEF...]
-#              [TIMEOUT SECONDS] [PREFIX PREFIX] [OPTIMIZE])
+#              [TIMEOUT SECONDS] [PREFIX PREFIX] [OPTIMIZE] [TOGETHER])
 #
 # One GoogleTest executable, each of whose cases is a test of its own in CTest.
 # SANITIZE marks a test that the sanitizer lane of .ci/run builds and runs, SANITIZE_AT_NIGHT one that takes long to compile there
 # and that `scripts/test --all` runs, THREADS one that
 # has several threads, for the preset `thread-sanitize`. OPTIMIZE keeps -O1 under the sanitizers: for a test that computes for longer
-# than its compilation takes.
+# than its compilation takes. TOGETHER compiles all sources as one, which takes half of the time: most of it goes into what they include.
 function(add_idt_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;SANITIZE_AT_NIGHT;THREADS;OPTIMIZE" "TIMEOUT;PREFIX" "LIBRARIES;DEFINITIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;SANITIZE_AT_NIGHT;THREADS;OPTIMIZE;TOGETHER" "TIMEOUT;PREFIX" "LIBRARIES;DEFINITIONS")
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 300)
   endif()
   get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   set_property(DIRECTORY PROPERTY LABELS ${folder})
 
-  add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
+  set(sources ${arg_UNPARSED_ARGUMENTS})
+  if(arg_TOGETHER)
+    idt_join_sources(${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp ${sources})
+    set(sources ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  endif()
+  add_executable(${name} ${sources})
   target_link_libraries(${name} PRIVATE
     Intrinsic_triangulations::compiled
     Intrinsic_triangulations_own_options
@@ -52,7 +74,7 @@ function(add_idt_test name)
     endif()
   endif()
   # CMAKE_CURRENT_FUNCTION_LIST_DIR is test/, where the shared headers are.
-  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
+  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
 
   set(label)
   if(arg_SANITIZE)
