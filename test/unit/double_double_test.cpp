@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sums of two doubles against rational numbers: no result is farther from the truth than its bound says.
+// Sums of two doubles, and doubles, against rational numbers: no result is farther from the truth than its bound says.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double_disk.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Disk.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_with_bound.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 
 #include <gtest/gtest.h>
@@ -17,8 +18,9 @@
 namespace {
 
 using CGAL::Intrinsic_triangulations::internal::Bounded_double_double;
+using CGAL::Intrinsic_triangulations::internal::Disk;
 using CGAL::Intrinsic_triangulations::internal::Double_double;
-using CGAL::Intrinsic_triangulations::internal::Double_double_disk;
+using CGAL::Intrinsic_triangulations::internal::Double_with_bound;
 using Rational = CGAL::Intrinsic_triangulations::internal::Rational;
 
 // Numbers of few bits and of all bits, whose lower part is next to half a unit in the last place of the upper one as often as not:
@@ -55,9 +57,11 @@ private:
 
 Rational exact(const Double_double& x) { return Rational(x.hi) + Rational(x.lo); }
 Rational exact(const Bounded_double_double& x) { return Rational(x.hi()) + Rational(x.lo()); }
+Rational exact(const Double_with_bound& x) { return Rational(x.hi()); }
 Bounded_double_double bounded(const Double_double& x) { return {x.hi, x.lo, 0}; }
 
-bool is_within_bound(const Bounded_double_double& computed, const Rational& truth)
+template <class Number>
+bool is_within_bound(const Number& computed, const Rational& truth)
 {
   return !(Rational(computed.error()) < abs(exact(computed) - truth));
 }
@@ -73,17 +77,30 @@ TEST(Double_double, is_as_accurate_as_it_says)
   }
 }
 
+template <class Number>
+void expect_bounds_that_hold(const Double_double& a, const Double_double& b, const Double_double& c)
+{
+  const Number x(bounded(a)), y(bounded(b)), z(bounded(c));
+  ASSERT_TRUE(is_within_bound(x + y, exact(a) + exact(b)));
+  ASSERT_TRUE(is_within_bound(x - y, exact(a) - exact(b)));
+  ASSERT_TRUE(is_within_bound(x * y, exact(a) * exact(b)));
+  ASSERT_TRUE(is_within_bound(x / y, exact(a) / exact(b)));
+  ASSERT_TRUE(is_within_bound(x * y - z * y, (exact(a) - exact(c)) * exact(b)));
+  ASSERT_TRUE(is_within_bound((x * y + z).scaled(0.5) / y, (exact(a) * exact(b) + exact(c)) / exact(b) / 2));
+  const Number difference = x * y - y * x;
+  ASSERT_TRUE(!is_certain(difference.sign()) || difference.is_zero());
+  ASSERT_TRUE(certainly(x.sign() == (a.hi > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE)));
+}
+
 TEST(Double_double, has_bounds_that_hold)
 {
   Operands operand;
   for (int i = 0; i < 100000; ++i) {
     const Double_double a = operand(), b = operand(), c = operand();
-    const Bounded_double_double x = bounded(a), y = bounded(b), z = bounded(c);
-    ASSERT_TRUE(is_within_bound(x + y, exact(a) + exact(b))) << i;
-    ASSERT_TRUE(is_within_bound(x - y, exact(a) - exact(b))) << i;
-    ASSERT_TRUE(is_within_bound(x * y, exact(a) * exact(b))) << i;
-    ASSERT_TRUE(is_within_bound(x / y, exact(a) / exact(b))) << i;
-    ASSERT_TRUE(is_within_bound(x * y - z * y, (exact(a) - exact(c)) * exact(b))) << i;
+    SCOPED_TRACE(i);
+    expect_bounds_that_hold<Bounded_double_double>(a, b, c);
+    expect_bounds_that_hold<Double_with_bound>(a, b, c);
+    const Bounded_double_double x = bounded(a);
     if (a.hi > 0) {
       const Bounded_double_double root = sqrt(x);
       const Rational low = exact(root) - Rational(root.error()), high = exact(root) + Rational(root.error());
@@ -92,21 +109,31 @@ TEST(Double_double, has_bounds_that_hold)
   }
 }
 
+template <class Number>
+void expect_disks_that_hold(const Double_double& a, const Double_double& b, const Double_double& c, const Double_double& d)
+{
+  const Disk<Number> u(Number(bounded(a)), Number(bounded(b))), v(Number(bounded(c)), Number(bounded(d)));
+  const auto expect_inside = [&](const Disk<Number>& computed, const Rational& x, const Rational& y) {
+    const Rational dx = exact(computed.x()) - x, dy = exact(computed.y()) - y, radius(computed.radius());
+    ASSERT_FALSE(radius * radius < dx * dx + dy * dy);
+    ASSERT_LE(computed.radius(), 64 * Number::unit * (1 + computed.modulus())); // an infinite one would hold, too
+  };
+  expect_inside(u, exact(a), exact(b));
+  expect_inside(u + v, exact(a) + exact(c), exact(b) + exact(d));
+  expect_inside(u - v, exact(a) - exact(c), exact(b) - exact(d));
+  expect_inside(u * v, exact(a) * exact(c) - exact(b) * exact(d), exact(a) * exact(d) + exact(b) * exact(c));
+  expect_inside(times_conjugate(u, v), exact(a) * exact(c) + exact(b) * exact(d), exact(b) * exact(c) - exact(a) * exact(d));
+  ASSERT_TRUE(is_within_bound(squared_norm(u), exact(a) * exact(a) + exact(b) * exact(b)));
+}
+
 TEST(Double_double, has_disks_that_hold)
 {
   Operands operand;
   for (int i = 0; i < 50000; ++i) {
     const Double_double a = operand(), b = operand(), c = operand(), d = operand();
-    const Double_double_disk u(bounded(a), bounded(b)), v(bounded(c), bounded(d));
-    const auto expect_inside = [&](const Double_double_disk& computed, const Rational& x, const Rational& y) {
-      ASSERT_TRUE(is_within_bound(computed.x(), x)) << i;
-      ASSERT_TRUE(is_within_bound(computed.y(), y)) << i;
-    };
-    expect_inside(u + v, exact(a) + exact(c), exact(b) + exact(d));
-    expect_inside(u - v, exact(a) - exact(c), exact(b) - exact(d));
-    expect_inside(u * v, exact(a) * exact(c) - exact(b) * exact(d), exact(a) * exact(d) + exact(b) * exact(c));
-    expect_inside(times_conjugate(u, v), exact(a) * exact(c) + exact(b) * exact(d), exact(b) * exact(c) - exact(a) * exact(d));
-    ASSERT_TRUE(is_within_bound(squared_norm(u), exact(a) * exact(a) + exact(b) * exact(b))) << i;
+    SCOPED_TRACE(i);
+    expect_disks_that_hold<Bounded_double_double>(a, b, c, d);
+    expect_disks_that_hold<Double_with_bound>(a, b, c, d);
   }
 }
 

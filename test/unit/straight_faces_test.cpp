@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Double-doubles of triangles in space with one bound for all their errors, against numbers of 100 digits.
+// Double-doubles, and doubles, of triangles in space with one bound for all their errors, against numbers of 100 digits.
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Double_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Two_straight_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/ratios_in_space.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
@@ -119,7 +120,13 @@ TEST(Two_straight_faces, nothing_is_known_without_area)
   EXPECT_EQ(numbers.cotangents[2].hi(), 1);
 }
 
-TEST(Ratios_in_space, bounds_hold)
+Number value(const Bounded_double_double& x) { return Number(x.hi()) + x.lo(); }
+Number value(const IT::internal::Double_with_bound& x) { return Number(x.hi()); }
+
+// \param ratios what finds them
+// \param largest_error of a ratio with an absolute value of 1
+template <class Find>
+void expect_bounds_of_ratios(const Find& find, double largest_error)
 {
   const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(3, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}});
   std::size_t number_of_known = 0;
@@ -127,24 +134,36 @@ TEST(Ratios_in_space, bounds_hold)
   for (const Triangle& t : all) {
     const Points points(t.begin(), t.end());
     const IT::Halfedge_index h = complex.halfedge(IT::Face_index(0));
-    const auto ratios = IT::internal::ratios_in_space(complex, points, h);
+    const auto ratios = find(complex, points, h);
     if (!ratios)
       continue;
     ++number_of_known;
     const std::size_t i = complex.source(h).idx();
     const Corner corner(t[i], t[(i + 1) % 3], t[(i + 2) % 3]);
     const Number x = corner.product / corner.s, y = corner.twice_area / corner.s;
-    const auto expect_in_disk = [](const Number& re, const Number& im, const auto& disk) {
-      const Number dx = Number(disk.x().hi()) + disk.x().lo() - re, dy = Number(disk.y().hi()) + disk.y().lo() - im;
+    const auto expect_in_disk = [&](const Number& re, const Number& im, const auto& disk) {
+      const Number dx = value(disk.x()) - re, dy = value(disk.y()) - im;
       EXPECT_LE(Number(sqrt(dx * dx + dy * dy)), disk.radius());
-      EXPECT_LE(disk.radius(), 0x1p-90 * (1 + disk.modulus()));
+      EXPECT_LE(disk.radius(), largest_error * (1 + disk.modulus()));
     };
     expect_in_disk(x, y, ratios->at_source);
     expect_in_disk(Number(1 - x), Number(-y), ratios->at_target);
   }
   EXPECT_GT(number_of_known, all.size() * 9 / 10);
+  EXPECT_FALSE(find(complex, Points{{0, 0, 0}, {0, 0, 0}, {2, 0, 0}}, complex.halfedge(IT::Face_index(0))));
+  EXPECT_FALSE(find(complex, Points(), complex.halfedge(IT::Face_index(0))));
+}
+
+TEST(Ratios_in_space, bounds_hold)
+{
+  expect_bounds_of_ratios(IT::internal::ratios_in_space, 0x1p-90);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(3, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}});
   EXPECT_FALSE(IT::internal::ratios_in_space(complex, Points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, complex.halfedge(IT::Face_index(0))));
-  EXPECT_FALSE(IT::internal::ratios_in_space(complex, Points(), complex.halfedge(IT::Face_index(0))));
+}
+
+TEST(Ratios_in_space, bounds_of_rounded_ones_hold)
+{
+  expect_bounds_of_ratios(IT::internal::rounded_ratios_in_space, 0x1p-46);
 }
 
 } // namespace

@@ -17,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_with_bound.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Scratch_pool.h>
 
@@ -276,6 +277,9 @@ public:
   using Face_cotangents = std::array<internal::Bounded_double_double, 3>;
   // Finds them with one corner laid out. The errors are infinite where the area is not known to be positive.
   void find_cotangents(const Delta_complex& complex, Face_index f, Face_cotangents& result) const;
+  // The same in doubles, in a fraction of the time. The errors are infinite for long strips, too.
+  using Rounded_face_cotangents = std::array<internal::Double_with_bound, 3>;
+  void find_cotangents(const Delta_complex& complex, Face_index f, Rounded_face_cotangents& result) const;
 
   // Whether a corner of the face of h was inserted into an input that is given by points.
   bool has_inserted_corner(const Delta_complex& complex, Halfedge_index h) const;
@@ -340,9 +344,10 @@ private:
                                                  internal::Input_surface& surface) const;
   internal::Late_stages late_stages(const Delta_complex& complex, internal::Input_surface& surface) const;
   bool is_straight(Face_index f) const;
+  template <class Real>
   struct Side_and_corner;
   template <class Unfolding_>
-  Side_and_corner quickest_corner(const Delta_complex& complex, Face_index f, const Unfolding_& unfolding) const;
+  Side_and_corner<internal::Bounded_double_double> quickest_corner(const Delta_complex& complex, Face_index f, const Unfolding_& unfolding) const;
   Corner straight_corner(const Delta_complex& complex, Halfedge_index h) const;
 
   mutable Correspondence correspondence_;     // prepared by the first query that needs it

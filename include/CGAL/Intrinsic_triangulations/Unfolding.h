@@ -49,7 +49,7 @@ namespace Intrinsic_triangulations {
 ///   `Vector` of complex numbers over it; `remembered(Halfedge_index, compute)`, which
 ///   returns what the last call with that halfedge did, or `compute()`;
 ///   `is_flat(Halfedge_index)`, whether the two faces of an input edge are known to lie in
-///   one plane in space, and if so, `ratio_in_plane(Halfedge_index, Vertex_index,
+///   one plane in space, a `std::false_type` where that is never used, and if so, `ratio_in_plane(Halfedge_index, Vertex_index,
 ///   Vertex_index)`, the ratio of the vector between two vertices in the plane of the face
 ///   of a halfedge, to the halfedge; `interruption()`, which can end a long computation.
 ///

@@ -15,9 +15,11 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_with_bound.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/prefetch.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
@@ -25,6 +27,7 @@
 
 #include <boost/config.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -118,8 +121,11 @@ std::vector<double> numbers_of_elements(std::size_t n, const Number& number)
   return result;
 }
 
-// The cotangents of faces from the exact geometry. Where what is stored is not accurate enough for an edge, that is most often so for all
+// The cotangents of faces from the exact geometry, with error bounds. Where what is stored is not accurate enough for an edge, that is most often so for all
 // edges of a face: one corner of it is laid out for them, and remembered for a while.
+//
+// \tparam Number `Double_with_bound` or `Bounded_double_double`
+template <class Number>
 class Known_cotangents
 {
 public:
@@ -129,7 +135,7 @@ public:
   Known_cotangents& operator=(const Known_cotangents&) = delete;
 
   // Opposite to h; zero on the border.
-  Bounded_double_double operator()(const Delta_complex& complex, const Exact_geometry& geometry, Halfedge_index h)
+  Number operator()(const Delta_complex& complex, const Exact_geometry& geometry, Halfedge_index h)
   {
     if (complex.is_border(h))
       return {};
@@ -152,7 +158,7 @@ private:
   struct Entry
   {
     Face_index face;
-    Exact_geometry::Face_cotangents cotangents;
+    std::array<Number, 3> cotangents;
   };
 
   std::vector<Entry> entries_; // by numbers of faces
@@ -192,30 +198,63 @@ public:
 
   double operator()(Edge_index e) const
   {
+    prefetch_soon(e);
     const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
     const Bounded_double k = cotangent(e, h), l = cotangent(e, g);
     // The rounding of the sum is far below the error of its terms.
     const double weight = k.value + l.value, error = 1.5 * (k.error + l.error);
-    return is_accurate(weight, error, std::abs(k.value) + std::abs(l.value)) ? weight : by_exact_geometry(e);
+    const bool is_precise = error <= stored_number_accuracy * (1 + std::abs(k.value) + std::abs(l.value));
+    return is_precise && error < std::abs(weight) ? weight : by_exact_geometry(e, is_precise, k, l);
   }
 
 private:
-  BOOST_NOINLINE double by_exact_geometry(Edge_index e) const
+  // Edges are asked for in order: the records of their halfedges stream in by themselves, and what these name is fetched early.
+  BOOST_FORCEINLINE void prefetch_soon(Edge_index e) const
+  {
+    constexpr std::size_t distance = 32;
+    const std::size_t soon = e.idx() + distance;
+    if (soon >= complex_.number_of_edges())
+      return;
+    const Halfedge_index h = complex_.halfedge(Edge_index(Edge_index::size_type(soon)));
+    for (Halfedge_index side : {h, complex_.opposite(h)}) {
+      if (complex_.is_border(side))
+        continue;
+      prefetch_to_read(&triangulation_.face_data(complex_.face(side)));
+      prefetch_to_read(&triangulation_.edge_data(complex_.edge(complex_.next(side))));
+      prefetch_to_read(&triangulation_.edge_data(complex_.edge(complex_.prev(side))));
+    }
+  }
+
+  // Where it is the sign alone that is not known, doubles will not tell it.
+  BOOST_NOINLINE double by_exact_geometry(Edge_index e, bool is_sign_alone, const Bounded_double& stored_k,
+                                          const Bounded_double& stored_l) const
   {
     if constexpr (Triangulation::uses_exact_geometry) {
       const Exact_geometry& geometry = triangulation_.exact_geometry();
-      const Halfedge_index h = complex_.halfedge(e);
-      const Bounded_double_double k = known_cotangents_(complex_, geometry, h),
-                                  l = known_cotangents_(complex_, geometry, complex_.opposite(h)), weight = k + l;
-      if (weight.is_zero() || is_accurate(weight.hi(), weight.error(), std::abs(k.hi()) + std::abs(l.hi())))
-        return weight.hi();
+      const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+      double weight;
+      if (!is_sign_alone) {
+        const auto cotangent = [&](Halfedge_index side, const Bounded_double& stored) {
+          const bool is_precise = stored.error <= stored_number_accuracy / 4 * (1 + std::abs(stored.value));
+          return is_precise ? Double_with_bound(stored.value, stored.error) : in_doubles_(complex_, geometry, side);
+        };
+        if (find_weight(cotangent(h, stored_k), cotangent(g, stored_l), weight))
+          return weight;
+      }
+      if (find_weight(in_double_doubles_(complex_, geometry, h), in_double_doubles_(complex_, geometry, g), weight))
+        return weight;
     }
     return cotangent_weight_by_number_type(triangulation_, e);
   }
 
-  static bool is_accurate(double weight, double error, double sum_of_absolute_values)
+  // Returns whether the sum of two cotangents is accurate enough.
+  template <class Number>
+  static bool find_weight(const Number& k, const Number& l, double& result)
   {
-    return error <= stored_number_accuracy * (1 + sum_of_absolute_values) && error < std::abs(weight);
+    const Number weight = k + l;
+    result = weight.hi();
+    return weight.is_zero() || (weight.error() <= stored_number_accuracy * (1 + std::abs(k.hi()) + std::abs(l.hi())) &&
+                                weight.error() < std::abs(weight.hi()));
   }
 
   // On the border there is no angle, which counts as a cotangent of zero.
@@ -232,7 +271,9 @@ private:
 
   const Triangulation& triangulation_;
   const Delta_complex& complex_;
-  mutable Known_cotangents known_cotangents_; // so an object is for one thread
+  // So an object is for one thread.
+  mutable Known_cotangents<Double_with_bound> in_doubles_;
+  mutable Known_cotangents<Bounded_double_double> in_double_doubles_;
 };
 
 // Gives the area of a face, as documented for face_areas().

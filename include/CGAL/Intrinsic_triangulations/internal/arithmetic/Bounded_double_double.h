@@ -32,8 +32,12 @@ namespace internal {
 class Bounded_double_double
 {
 public:
+  using Part = Double_double; // what there is without the bound
+  static constexpr double unit = 0x1p-100;
+
   Bounded_double_double(double x = 0) : hi_(x) {}
   Bounded_double_double(double hi, double lo, double error) : hi_(hi), lo_(lo), error_(error) {}
+  Bounded_double_double(const Part& x, double error) : hi_(x.hi), lo_(x.lo), error_(error) {}
 
   static Bounded_double_double difference(double a, double b)
   {
@@ -45,6 +49,7 @@ public:
   double hi() const { return hi_; }
   double lo() const { return lo_; }
   double error() const { return error_; }
+  Part part() const { return {hi_, lo_}; }
 
   friend Bounded_double_double operator-(const Bounded_double_double& a)
   {
@@ -156,7 +161,6 @@ public:
   double relative_error() const { return error_ == 0 ? 0 : error_ / std::abs(hi_); }
 
 private:
-  static constexpr double unit = 0x1p-100;
   static constexpr double slightly_more = 1 + 0x1p-30;
   static constexpr double tiny = 1e-300;
 

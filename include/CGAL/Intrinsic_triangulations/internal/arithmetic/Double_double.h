@@ -43,6 +43,9 @@ inline void two_product(double a, double b, double& p, double& e)
   e = ((ah * bh - p) + ah * bl + al * bh) + al * bl;
 }
 
+// The double next to a number.
+inline double high(double x) { return x; }
+
 // Additions and multiplications are good to 2^-103 of the result; who uses them bounds the
 // error of the whole expression.
 struct Double_double
@@ -76,6 +79,7 @@ struct Double_double
     fast_two_sum(p, e + (a.hi * b.lo + a.lo * b.hi), r.hi, r.lo);
     return r;
   }
+  friend double high(const Double_double& x) { return x.hi; }
 };
 
 } // namespace internal

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// A complex number known to lie within a disk (see Double_double_disk for why a disk). The
+// A complex number known to lie within a disk (see Disk for why a disk). The
 // centre is a pair of intervals of one point each, so that the rounding of each operation
 // shows as their width, which goes into the radius.
 class Mpfr_disk

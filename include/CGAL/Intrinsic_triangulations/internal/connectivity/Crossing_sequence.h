@@ -18,6 +18,7 @@
 #include <CGAL/assertions.h>
 
 #include <boost/config.hpp>
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -57,7 +58,7 @@ public:
                             std::to_string(n) + " input edges, too many to be laid out");
     if (n < 2)
       return;
-    turns_.assign(std::size_t(n - 1), UNKNOWN);
+    turns_.resize(std::size_t(n - 1), UNKNOWN);
     number_of_unknown_ = n - 1;
     Queue left({h, 0, 0, n - 1}), right({complex.opposite(h), 0, 0, n - 1});
     for (std::size_t step = 0; number_of_unknown_ > 0; ++step) {
@@ -101,11 +102,11 @@ private:
     std::int64_t count;
   };
 
-  // Most often of one block: a std::deque would ask for memory twice as often.
+  // Most often of one block.
   class Queue
   {
   public:
-    explicit Queue(const Block& block) : blocks_{block} {}
+    explicit Queue(const Block& block) { push_back(block); }
     bool empty() const { return first_ == blocks_.size(); }
     void push_back(const Block& block) { blocks_.push_back(block); }
     Block pop_front()
@@ -119,7 +120,7 @@ private:
     }
 
   private:
-    std::vector<Block> blocks_;
+    boost::container::small_vector<Block, 4> blocks_;
     std::size_t first_ = 0; // those before are done
   };
 
@@ -260,8 +261,8 @@ private:
   const Normal_coordinates& coordinates_;
   Halfedge_index start_;
   const Interruption& interruption_;
-  std::vector<Turn> turns_;
-  std::vector<std::array<Link, 2>> links_; // to the left and to the right; empty until needed
+  boost::container::small_vector<Turn, 64> turns_; // of most edges without asking for memory, which takes as long as to find few of them
+  std::vector<std::array<Link, 2>> links_;         // to the left and to the right; empty until needed
   std::vector<std::int64_t> to_pass_on_;
   std::int64_t number_of_unknown_ = 0;
 };

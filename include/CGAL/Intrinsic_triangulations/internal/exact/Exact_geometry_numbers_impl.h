@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Double_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_geometry_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Two_straight_faces.h>
@@ -197,23 +198,39 @@ double Exact_geometry::Rounded_numbers::cotangent_weight(const Delta_complex& co
 }
 
 // A corner of a face, and the side that is opposite to it.
+template <class Real>
 struct Exact_geometry::Side_and_corner
 {
   Halfedge_index side;
-  Corner corner;
+  Triangle_corner<Real> corner;
 
   // The cotangents of the angles opposite to the side and to those that follow. \pre the area is positive
-  Face_cotangents cotangents() const
+  std::array<Real, 3> cotangents() const
   {
-    const internal::Bounded_double_double inverse = internal::Bounded_double_double(1) / corner.four_areas;
+    const Real inverse = Real(1) / corner.four_areas;
     return {corner.p * inverse, (corner.s_first.scaled(2) - corner.p) * inverse, (corner.s_second.scaled(2) - corner.p) * inverse};
+  }
+  // Those opposite to the first halfedge of a face and to those that follow. The errors are infinite where the area is not known to
+  // be positive.
+  void get_cotangents(const Delta_complex& complex, Face_index f, std::array<Real, 3>& result) const
+  {
+    if (!certainly(corner.four_areas.sign() == POSITIVE)) {
+      result.fill(Real() / Real());
+      return;
+    }
+    const std::array<Real, 3> from_side = cotangents();
+    const Halfedge_index first = complex.halfedge(f);
+    const std::size_t turns = side == first ? 0 : side == complex.next(first) ? 1
+                                                                              : 2;
+    for (std::size_t i = 0; i < 3; ++i)
+      result[(i + turns) % 3] = from_side[i];
   }
 };
 
 // The corner of a face that takes the least time.
 template <class Unfolding_>
-Exact_geometry::Side_and_corner Exact_geometry::quickest_corner(const Delta_complex& complex, Face_index f,
-                                                                const Unfolding_& unfolding) const
+Exact_geometry::Side_and_corner<internal::Bounded_double_double>
+Exact_geometry::quickest_corner(const Delta_complex& complex, Face_index f, const Unfolding_& unfolding) const
 {
   if (is_straight(f))
     return {complex.halfedge(f), straight_corner(complex, complex.halfedge(f))};
@@ -229,17 +246,25 @@ void Exact_geometry::find_cotangents(const Delta_complex& complex, Face_index f,
   const Surface_lease surface = input_surface();
   internal::Double_double_metric metric(*surface);
   metric.interruption().check();
-  const Side_and_corner c = quickest_corner(complex, f, Unfolding<internal::Double_double_metric>(complex, correspondence_, metric));
-  if (!certainly(c.corner.four_areas.sign() == POSITIVE)) {
-    result.fill({0, 0, std::numeric_limits<double>::infinity()});
+  quickest_corner(complex, f, Unfolding<internal::Double_double_metric>(complex, correspondence_, metric)).get_cotangents(complex, f, result);
+}
+
+// Nothing but the input and the integers is used, so that flips need not be repeated to find straight faces.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::find_cotangents(const Delta_complex& complex, Face_index f, Rounded_face_cotangents& result) const
+{
+  using Metric = internal::Double_metric;
+  constexpr double largest_number = 256; // of input quantities
+  prepare(complex);
+  Metric metric(correspondence_.input(), metric_, interruption());
+  metric.interruption().check();
+  const Unfolding<Metric> unfolding(complex, correspondence_, metric);
+  const Halfedge_index side = unfolding.side_with_most_crossings(f);
+  if (number_of_quantities(complex, side) > largest_number) {
+    result.fill({0, std::numeric_limits<double>::infinity()});
     return;
   }
-  const Face_cotangents cotangents = c.cotangents();
-  const Halfedge_index first = complex.halfedge(f);
-  const std::size_t turns = c.side == first ? 0 : c.side == complex.next(first) ? 1
-                                                                                : 2;
-  for (std::size_t i = 0; i < 3; ++i)
-    result[(i + turns) % 3] = cotangents[i];
+  Side_and_corner<Metric::Real>{side, unfolding.opposite_corner(side)}.get_cotangents(complex, f, result);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -264,7 +289,7 @@ void Exact_geometry::find_numbers(const Delta_complex& complex, const std::size_
     numbers.cotangents[h.idx()] = {cotangent.hi(), cotangent.lo(), cotangent.error()};
   };
   const auto find = [&](Face_index f) {
-    const Side_and_corner at = quickest_corner(complex, f, unfolding);
+    const Side_and_corner<Real> at = quickest_corner(complex, f, unfolding);
     const Corner& c = at.corner;
     const Halfedge_index h = at.side, second = complex.next(h), third = complex.prev(h);
     note_length(h, [&] { return sqrt(c.s_opposite); });

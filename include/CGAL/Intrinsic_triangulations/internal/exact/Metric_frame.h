@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <array>
 #include <cstdint>
+#include <type_traits>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -55,7 +56,7 @@ public:
     return {{reference(input_, path.front()), zero, one, 1}, one};
   }
 
-  bool is_flat(Halfedge_index h) const { return metric_.is_flat(h); }
+  auto is_flat(Halfedge_index h) const { return metric_.is_flat(h); }
 
   void turn_left(Run& run, std::size_t) const { run.direction = run.direction * ratios(run.base).at_source; }
 
@@ -125,8 +126,10 @@ public:
       ++length;
     } while (length < at_most && metric_.is_flat(from));
     at_most -= length;
-    return length == 1 ? ratios(base).at_source
-                       : metric_.ratio_in_plane(base, input_.source(base), input_.target(from));
+    if constexpr (!std::is_same<decltype(is_flat(base)), std::false_type>::value)
+      if (length > 1)
+        return metric_.ratio_in_plane(base, input_.source(base), input_.target(from));
+    return ratios(base).at_source;
   }
 
 private:

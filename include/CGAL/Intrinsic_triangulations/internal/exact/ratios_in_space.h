@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double_disk.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Disk.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>

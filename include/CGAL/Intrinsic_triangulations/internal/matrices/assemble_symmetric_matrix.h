@@ -12,7 +12,9 @@
 #include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_columns.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Huge_page_allocator.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/prefetch.h>
 
 #include <CGAL/tags.h>
 
@@ -120,7 +122,10 @@ private:
   void start_columns()
   {
     matrix_.resize(Eigen::Index(size_), Eigen::Index(size_));
-    matrix_.resizeNonZeros(Eigen::Index(2 * entries_.size() + size_));
+    const std::size_t n = 2 * entries_.size() + size_;
+    matrix_.resizeNonZeros(Eigen::Index(n));
+    wish_for_huge_pages(matrix_.innerIndexPtr(), n * sizeof(Index));
+    wish_for_huge_pages(matrix_.valuePtr(), n * sizeof(double));
     Index* const start = matrix_.outerIndexPtr();
     start[0] = 0;
     for (std::size_t c = 0; c < size_; ++c) {
@@ -141,6 +146,7 @@ private:
                  *const below = below_.data();
     double* const value = matrix_.valuePtr();
     const Entry* entry = entries_.data();
+    const Entry* const behind_all = entry + entries_.size();
     for (Index c = 0; c < Index(size_); ++c) {
       double sum = 0;
       for (Index i = start[c], end = above[c]; i < end; ++i) {
@@ -150,6 +156,11 @@ private:
         sum += value[i];
       }
       for (const Entry* const end = entries_.data() + bucket[c]; entry != end; ++entry) {
+        if (behind_all - entry > entries_ahead) {
+          const Index soon = above[entry[entries_ahead].larger_vertex];
+          prefetch(row + soon);
+          prefetch(value + soon);
+        }
         const Index column = entry->larger_vertex, position = above[column];
         sum += entry->value;
         if (position > start[column] && row[position - 1] == c) {
@@ -166,25 +177,34 @@ private:
     }
   }
 
-  // Sums of several edges have left room at the ends of both parts of a column.
+  // Sums of several edges have left room at the ends of both parts of a column. What lies between two gaps is moved at once.
   void close_gaps()
   {
-    Index* const row = matrix_.innerIndexPtr();
+    Index *const row = matrix_.innerIndexPtr(), *const start = matrix_.outerIndexPtr();
     double* const value = matrix_.valuePtr();
-    Index end = 0;
-    const auto move = [&](Index first, Index last) {
-      std::copy(row + first, row + last, row + end);
-      end = Index(std::copy(value + first, value + last, value + end) - value);
+    Index first = 0, end = 0; // what begins at `first` will begin at `end`
+    const auto move = [&](Index gap, Index behind) {
+      if (first != end) {
+        std::copy(row + first, row + gap, row + end);
+        std::copy(value + first, value + gap, value + end);
+      }
+      end += gap - first;
+      first = behind;
     };
     for (std::size_t c = 0; c < size_; ++c) {
-      const Index start = matrix_.outerIndexPtr()[c];
-      matrix_.outerIndexPtr()[c] = end;
-      move(start, above_[c]);
-      move(diagonal_[c], below_[c]);
+      start[c] -= first - end;
+      if (above_[c] != diagonal_[c])
+        move(above_[c], diagonal_[c]);
+      if (below_[c] != start[c + 1])
+        move(below_[c], start[c + 1]);
     }
-    matrix_.outerIndexPtr()[size_] = end;
+    move(start[size_], start[size_]);
+    start[size_] = end;
     matrix_.resizeNonZeros(end);
   }
+
+  // How early the end of a column is fetched.
+  static constexpr std::ptrdiff_t entries_ahead = 24;
 
   const Delta_complex& complex_;
   const Row& row_;

@@ -8,6 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_PREFETCH_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_PREFETCH_H
 
+#include <boost/config.hpp>
+
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
@@ -17,6 +19,17 @@ inline void prefetch(const void* p)
 {
 #ifdef __GNUC__
   __builtin_prefetch(p, 1);
+#else
+  (void)p;
+#endif
+}
+
+// The same to read it, as other threads may, too. A function that does nothing else has to be forced inline: GCC takes it for one
+// without effect, and leaves out its calls.
+BOOST_FORCEINLINE void prefetch_to_read(const void* p)
+{
+#ifdef __GNUC__
+  __builtin_prefetch(p, 0);
 #else
   (void)p;
 #endif
