@@ -4,4 +4,6 @@
 // What is compiled once of the validation.
 
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/reports/Surface_report_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/polygon_texts_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/remove_flat_vertices_impl.h>

@@ -12,20 +12,17 @@
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Flip_journal.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Rotation_system.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/tags.h>
 
 #include <boost/config.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -50,13 +47,7 @@ public:
   std::size_t number_of_journaled_flips() const { return journal_.size(); }
 
   /// returns the edges of these flips, in order.
-  std::vector<Edge_index> journaled_flips(const Delta_complex& complex) const
-  {
-    std::vector<Edge_index> result;
-    result.reserve(journal_.size());
-    journal_.for_each([&](const Hinge_halfedges& around) { result.push_back(complex.edge(around.ij)); });
-    return result;
-  }
+  std::vector<Edge_index> journaled_flips(const Delta_complex& complex) const;
 
   /// \brief computes the integers and recovers the input. O(size + number of flips) the first time,
   /// and O(1) afterwards.
@@ -64,37 +55,10 @@ public:
   /// \return the edges that were flipped before, in order; the journal is then cleared
   /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`. Nothing is changed then, but
   ///   the integers can no longer be computed, even if the flips are undone
-  std::vector<Edge_index> prepare(const Delta_complex& complex)
-  {
-    return prepare(complex, internal::block_runner<Sequential_tag>());
-  }
+  std::vector<Edge_index> prepare(const Delta_complex& complex);
   /// \cond SKIP_IN_MANUAL
   // As above: the integers and the input do not depend on each other, so that two threads can compute them.
-  std::vector<Edge_index> prepare(const Delta_complex& complex, const internal::Block_runner& run)
-  {
-    if (is_prepared_)
-      return {};
-    Normal_coordinates coordinates;
-    Delta_complex input = complex.copied([&](std::size_t n, const auto& f) { run(n, internal::elements_of_block, f); });
-    std::vector<Edge_index> flipped_edges;
-    const std::function<void()> tasks[] = {
-      [&] {
-        coordinates = Normal_coordinates(complex); // as many elements as the input
-        journal_.for_each([&](const Hinge_halfedges& around) { coordinates.flip(around); });
-        flipped_edges = journaled_flips(complex);
-      },
-      [&] { journal_.for_each_backwards([&](const Hinge_halfedges& around) { input.flip_back(around); }); }};
-    run(2, 1, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i)
-        tasks[i]();
-    });
-    coordinates_ = std::move(coordinates);
-    input_ = std::move(input);
-    shorten_walks(flipped_edges, run);
-    is_prepared_ = true;
-    journal_ = {};
-    return flipped_edges;
-  }
+  std::vector<Edge_index> prepare(const Delta_complex& complex, const internal::Block_runner& run);
   /// \endcond
 
   /// \brief records the flip of `e`; to be called before the connectivity is flipped. O(1).
@@ -137,17 +101,7 @@ public:
   /// \param location where the vertex lies: strictly inside a face of the input
   /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   /// \pre `is_prepared()`
-  void split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location)
-  {
-    CGAL_precondition(is_prepared_ && location.dimension() == 2);
-    coordinates_.split_face(complex, piece);
-    locations_.push_back(location);
-    Halfedge_index from_corner(2 * complex.number_of_edges() + 1);
-    for (Halfedge_index side : {piece.side, complex.next(piece.side), complex.prev(piece.side)}) {
-      turn_around(from_corner, complex.source(side));
-      from_corner = Halfedge_index(from_corner.idx() + 2);
-    }
-  }
+  void split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location);
   /// \brief follows the insertion of a vertex on an edge that coincides with an input edge; to be called before `split_edge(h)`
   /// of the connectivity. O(1).
   /// \param complex the current connectivity
@@ -155,34 +109,14 @@ public:
   /// \param location where the vertex lies: on that input edge
   /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   /// \pre `is_prepared()`
-  void split_edge(const Delta_complex& complex, Halfedge_index h, const Surface_point& location)
-  {
-    CGAL_precondition(is_prepared_ && location.dimension() == 1);
-    coordinates_.split_edge(complex, h, input_halfedge(h));
-    locations_.push_back(location);
-    Halfedge_index from_corner(2 * complex.number_of_edges() + 1);
-    turn_around(from_corner, complex.target(h));
-    for (Halfedge_index side : {h, complex.opposite(h)}) {
-      if (complex.is_border(side))
-        continue;
-      from_corner = Halfedge_index(from_corner.idx() + 2);
-      turn_around(from_corner, complex.target(complex.next(side)));
-    }
-  }
+  void split_edge(const Delta_complex& complex, Halfedge_index h, const Surface_point& location);
 
   /// \brief follows the join of two edges; to be called before `unsplit_edge(h)` of the connectivity. O(1).
   /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   /// \pre `is_inserted()` of the target of `h`
-  void unsplit_edge(const Delta_complex& complex, Halfedge_index h)
-  {
-    coordinates_.unsplit_edge(complex, h, location(complex.target(h)).dimension() == 1);
-  }
+  void unsplit_edge(const Delta_complex& complex, Halfedge_index h);
   /// \brief follows the removal of an inserted vertex, after that of the connectivity. O(1).
-  void remove(const Removed_elements& removed)
-  {
-    coordinates_.remove(removed);
-    remove_entries(locations_, removed.vertices, input_.number_of_vertices());
-  }
+  void remove(const Removed_elements& removed);
 
   /// returns whether `v` is no vertex of the input. \pre `is_prepared()`
   bool is_inserted(Vertex_index v) const { return v.idx() >= input_.number_of_vertices(); }
@@ -227,50 +161,16 @@ private:
   static constexpr std::uint64_t longest_walk = 16;
 
   // Few are long, so that one thread replaces what all have found: there is one table for that.
-  void shorten_walks(const std::vector<Edge_index>& edges, const internal::Block_runner& run)
-  {
-    std::vector<Halfedge_index> long_walks;
-    std::mutex mutex;
-    run(edges.size(), internal::elements_of_block, [&](std::size_t first, std::size_t last) {
-      std::vector<Halfedge_index> found;
-      for (std::size_t i = first; i < last; ++i)
-        for (std::uint32_t side : {0u, 1u}) {
-          const Halfedge_index h(2 * edges[i].idx() + side);
-          if (coordinates_.roundabout(h).steps > longest_walk)
-            found.push_back(h);
-        }
-      const std::lock_guard<std::mutex> lock(mutex);
-      long_walks.insert(long_walks.end(), found.begin(), found.end());
-    });
-    for (Halfedge_index h : long_walks)
-      shorten_walk(h);
-  }
+  void shorten_walks(const std::vector<Edge_index>& edges, const internal::Block_runner& run);
   BOOST_NOINLINE void shorten_walks(Halfedge_index h)
   {
     for (Halfedge_index side : {h, input_.opposite(h)})
       shorten_walk(side);
   }
-  void shorten_walk(Halfedge_index h)
-  {
-    const Roundabout r = coordinates_.roundabout(h);
-    if (r.steps <= longest_walk)
-      return;
-    if (!around_)
-      around_.emplace(input_);
-    coordinates_.set_roundabout(h, around_->advanced(input_, r.base, r.steps));
-  }
+  void shorten_walk(Halfedge_index h);
 
   // Around a vertex on an input edge, there are two directions only.
-  void turn_around(Halfedge_index h, Vertex_index source)
-  {
-    if (!is_inserted(source)) {
-      shorten_walk(h);
-      return;
-    }
-    const Roundabout r = coordinates_.roundabout(h);
-    if (r.base.is_valid() && r.steps != 0)
-      coordinates_.set_roundabout(h, r.steps % 2 == 0 ? r.base : input_.opposite(r.base));
-  }
+  void turn_around(Halfedge_index h, Vertex_index source);
 
   bool is_prepared_ = false;
   internal::Flip_journal journal_;
@@ -282,5 +182,9 @@ private:
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Correspondence_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_H

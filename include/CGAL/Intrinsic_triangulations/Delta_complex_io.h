@@ -10,15 +10,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_IO_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/gluing_text.h>
+#include <CGAL/Intrinsic_triangulations/config.h>
 
-#include <CGAL/assertions.h>
-
-#include <istream>
-#include <ostream>
-#include <string>
-#include <utility>
+#include <iosfwd>
 #include <vector>
 
 namespace CGAL {
@@ -57,17 +51,8 @@ struct Gluing
 ///   more than a million isolated vertices, which `read_gluing()` would take for damage.
 ///   Then nothing is written. O(size).
 /// \pre `lengths.size() == complex.number_of_edges()`
-inline void write_gluing(std::ostream& os, const Delta_complex& complex,
-                         const std::vector<double>& lengths)
-{
-  CGAL_precondition(lengths.size() == complex.number_of_edges());
-  for (Edge_index e : complex.edges())
-    if (!internal::is_positive_and_finite(lengths[e.idx()]))
-      throw Invalid_surface_error(Invalid_surface_error::Defect::NOT_FINITE, e.idx(), 1,
-                                  "the length of edge " + std::to_string(e.idx()) +
-                                    " is not a positive finite number");
-  internal::write_gluing_text(os, complex, 1, [&](std::ostream& text, Edge_index e) { text << lengths[e.idx()]; });
-}
+void write_gluing(std::ostream& os, const Delta_complex& complex,
+                  const std::vector<double>& lengths);
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief reads a complex and the lengths of its edges in the format of `write_gluing()`.
@@ -78,16 +63,13 @@ inline void write_gluing(std::ostream& os, const Delta_complex& complex,
 ///   `element()` name the line; only if faces form more than one fan around a vertex, they
 ///   name that vertex. The triangle inequality is not checked here, but in
 ///   `Intrinsic_triangulation::from_lengths()`. O(size).
-inline Gluing read_gluing(std::istream& is)
-{
-  internal::Lengths_only numbers;
-  Gluing result;
-  result.complex = internal::Gluing_reader<internal::Lengths_only>(is).read(numbers);
-  result.lengths = std::move(numbers.lengths);
-  return result;
-}
+Gluing read_gluing(std::istream& is);
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_io_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_IO_H

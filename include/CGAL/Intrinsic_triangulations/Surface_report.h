@@ -9,6 +9,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_REPORT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_REPORT_H
 
+#include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <array>
@@ -114,44 +115,7 @@ struct Finding_properties
   const char* advice;
 };
 
-inline const Finding_properties& finding_properties(const Finding_kind kind)
-{
-  typedef Invalid_surface_error::Defect Defect;
-  static const Finding_properties table[] = {
-    {Defect::EMPTY, true, "file", "files", "without a face",
-     "at least one triangle is needed"},
-    {Defect::OUT_OF_RANGE, true, "element", "elements", "too many",
-     "split the surface"},
-    {Defect::BAD_INDEX, true, "face", "faces", "with a bad index",
-     "vertices are counted from 0 here: remove the face, or add the missing vertices"},
-    {Defect::NOT_FINITE, true, "vertex", "vertices", "not finite",
-     "give every vertex finite coordinates"},
-    {Defect::NOT_A_TRIANGLE, true, "face", "faces", "not a triangle",
-     "triangulate the faces first, for example with CGAL::Polygon_mesh_processing::triangulate_faces()"},
-    {Defect::REPEATED_CORNER, true, "face", "faces", "with a repeated corner",
-     "remove the face"},
-    {Defect::DUPLICATE_FACE, true, "face", "faces", "repeating another",
-     "remove all but one, for example with"
-     " CGAL::Polygon_mesh_processing::merge_duplicate_polygons_in_polygon_soup()"},
-    {Defect::NON_MANIFOLD_EDGE, true, "edge", "edges", "not manifold",
-     "remove the faces that do not belong there, or cut the surface open along the edge, for example with"
-     " CGAL::Polygon_mesh_processing::orient_polygon_soup()"},
-    {Defect::INCONSISTENT_ORIENTATION, true, "edge", "edges", "with faces of opposite orientation",
-     "orient the faces, for example with CGAL::Polygon_mesh_processing::orient_polygon_soup()"},
-    {Defect::NON_MANIFOLD_VERTEX, true, "vertex", "vertices", "not manifold",
-     "give each fan a vertex of its own, for example with"
-     " CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() or orient_polygon_soup()"},
-    {Defect::ZERO_LENGTH_EDGE, true, "edge", "edges", "of zero length",
-     "merge the two vertices and remove the faces that vanish, or move one of them"},
-    {Defect::OUT_OF_RANGE, true, "vertex", "vertices", "out of range",
-     "no scaling brings both into the range of double: round it to zero, or remove the outliers"},
-    {Defect::OUT_OF_RANGE, true, "edge", "edges", "out of range",
-     "no scaling brings both squared lengths, and their products, into the range of double: remove the outliers"},
-    {Defect::DEGENERATE_FACE, false, "face", "faces", "of zero area", ""},
-    {Defect::EMPTY, false, "vertex", "vertices", "not referenced by any face", ""},
-    {Defect::EMPTY, false, "component", "components", "in all", ""}};
-  return table[static_cast<std::size_t>(kind)];
-}
+const Finding_properties& finding_properties(const Finding_kind kind);
 } // namespace internal
 /// \endcond
 
@@ -161,18 +125,7 @@ inline const Finding_properties& finding_properties(const Finding_kind kind)
 /// \param advice what to do about it, instead of the default advice for programmers; empty for no advice
 /// \return for example "edge 3-17 has 4 faces (faces 5, 8, 9, 11), and 2 more edges like it; remove ...".
 /// Complexity: constant.
-inline std::string message(const Finding& finding, const std::optional<std::string>& advice = std::nullopt)
-{
-  const internal::Finding_properties& properties = internal::finding_properties(finding.kind);
-  std::string text = finding.description;
-  if (finding.count > 1 && finding.kind != Finding_kind::SEVERAL_COMPONENTS)
-    text += ", and " + std::to_string(finding.count - 1) + " more " +
-            (finding.count == 2 ? properties.singular : properties.plural) + " like it";
-  const std::string what_to_do = advice.value_or(properties.advice);
-  if (!what_to_do.empty())
-    text += "; " + what_to_do;
-  return text;
-}
+std::string message(const Finding& finding, const std::optional<std::string>& advice = std::nullopt);
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief returns a text that says what is wrong with a surface.
@@ -182,27 +135,8 @@ inline std::string message(const Finding& finding, const std::optional<std::stri
 /// \return if the report has fatal entries, the first one in full and the counts of the
 /// others; otherwise all entries, one after the other; the
 /// empty string if there is no entry. Complexity: constant.
-inline std::string message(const Surface_report& report, const std::string& name = std::string(),
-                           const std::optional<std::string>& advice = std::nullopt)
-{
-  std::string text;
-  const Finding* const fatal = report.first_fatal();
-  if (fatal != nullptr) {
-    text = message(*fatal, advice);
-    std::string others;
-    for (const Finding& finding : report.findings) {
-      if (!finding.is_fatal || &finding == fatal)
-        continue;
-      const internal::Finding_properties& properties = internal::finding_properties(finding.kind);
-      others += (others.empty() ? " (also: " : ", ") + std::to_string(finding.count) + " " +
-                (finding.count == 1 ? properties.singular : properties.plural) + " " + properties.summary;
-    }
-    text += others.empty() ? others : others + ")";
-  } else
-    for (const Finding& finding : report.findings)
-      text += (text.empty() ? "" : "; ") + message(finding);
-  return name.empty() || text.empty() ? text : name + ": " + text;
-}
+std::string message(const Surface_report& report, const std::string& name = std::string(),
+                    const std::optional<std::string>& advice = std::nullopt);
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief does nothing if a surface can be used; otherwise throws an exception that says why not.
@@ -211,15 +145,13 @@ inline std::string message(const Surface_report& report, const std::string& name
 /// \exception Invalid_surface_error with the defect, first element and count of the first
 /// fatal entry (for an edge, the element is its first face), and the text of `message()`.
 /// Complexity: constant.
-inline void throw_if_fatal(const Surface_report& report, const std::string& name = std::string())
-{
-  const Finding* const fatal = report.first_fatal();
-  if (fatal != nullptr)
-    throw Invalid_surface_error(fatal->defect, fatal->elements.empty() ? 0 : fatal->elements.front(),
-                                fatal->count, message(report, name));
-}
+void throw_if_fatal(const Surface_report& report, const std::string& name = std::string());
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/reports/Surface_report_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_REPORT_H

@@ -10,11 +10,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/config.h>
 
-#include <cstdint>
-#include <iostream>
 #include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -24,42 +22,7 @@ namespace internal {
 
 // Says how the two differ, or nothing. Crossings have no numbers in common: those of
 // `incremental` are learnt along the intrinsic edges.
-inline std::string difference_of_overlays(const Overlay& overlay, const Incremental_overlay& incremental)
-{
-  using Halfedge = Overlay::Halfedge;
-  using Vertex = Overlay::Vertex;
-  if (overlay.number_of_intrinsic_edges() != incremental.intrinsic().number_of_edges())
-    return "they are of different surfaces";
-  std::vector<Vertex> in_incremental(overlay.number_of_vertices());
-  for (Edge_index e : incremental.intrinsic().edges()) {
-    const auto edge = [&](const char* what) { return "intrinsic edge " + std::to_string(e.idx()) + what; };
-    Halfedge part = incremental.first_part(incremental.intrinsic().halfedge(e));
-    if (overlay.input_halfedge(overlay.halfedge(*overlay.intrinsic_segments(e).begin())) !=
-        incremental.input_halfedge(part))
-      return edge(" does not coincide with the same input halfedge");
-    for (Vertex x : overlay.intrinsic_crossings(e)) {
-      if (!incremental.is_crossing(incremental.target(part)) ||
-          overlay.crossing_input_halfedge(x) != incremental.input_halfedge(incremental.next(part)))
-        return edge(" does not cross the same input halfedges");
-      in_incremental[x.idx()] = incremental.target(part);
-      part = incremental.straight_on(part);
-    }
-    if (incremental.is_crossing(incremental.target(part)))
-      return edge(" does not cross the same number of input edges");
-  }
-  for (Edge_index e : incremental.input().edges()) {
-    const auto edge = [&](const char* what) { return "input edge " + std::to_string(e.idx()) + what; };
-    Halfedge part = incremental.first_part_in_input(incremental.input().halfedge(e));
-    for (std::uint32_t i = 0; i + 1 < overlay.number_of_input_segments(e); ++i) {
-      if (in_incremental[overlay.input_crossing(e, i).idx()] != incremental.target(part))
-        return edge(" does not have the same crossings");
-      part = incremental.straight_on(part);
-    }
-    if (incremental.is_crossing(incremental.target(part)))
-      return edge(" does not have the same number of crossings");
-  }
-  return std::string();
-}
+std::string difference_of_overlays(const Overlay& overlay, const Incremental_overlay& incremental);
 
 } // namespace internal
 /// \endcond
@@ -72,16 +35,14 @@ inline std::string difference_of_overlays(const Overlay& overlay, const Incremen
 /// \param overlay built from the integers
 /// \param incremental updated flip by flip
 /// \param verbose whether the first difference is described on `std::cerr`
-inline bool are_same_overlay(const Overlay& overlay, const Incremental_overlay& incremental,
-                             bool verbose = false)
-{
-  const std::string difference = internal::difference_of_overlays(overlay, incremental);
-  if (verbose && !difference.empty())
-    std::cerr << "are_same_overlay: " << difference << std::endl;
-  return difference.empty();
-}
+bool are_same_overlay(const Overlay& overlay, const Incremental_overlay& incremental,
+                      bool verbose = false);
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/overlay/are_same_overlay_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_ARE_SAME_OVERLAY_H

@@ -13,7 +13,9 @@
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
 
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
@@ -38,6 +40,10 @@ flip_all<Sequential_tag, Whole_triangulation<Filtered_edge_length_traits>, Stati
 
 CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template void
 Face_measurer<Sequential_tag, Filtered_edge_length_traits>::measure(std::size_t, std::size_t, Findings&) const;
+
+CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template int normalize_points<Sequential_tag, Points, Is_used_vertex>(Points&, const Is_used_vertex&);
+
+CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template void throw_zero_length<Points>(const Delta_complex&, const Points&, const Defect_tally&);
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

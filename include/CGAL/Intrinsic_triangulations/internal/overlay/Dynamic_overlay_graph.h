@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/config.h>
 
 #include <CGAL/assertions.h>
 
@@ -32,20 +32,7 @@ public:
   using Segment = Overlay::Segment;
 
   // The graph of a triangulation over itself.
-  explicit Dynamic_overlay_graph(const Delta_complex& input)
-    : number_of_original_vertices_(input.number_of_vertices()),
-      end_of_vertices_(input.number_of_vertices())
-  {
-    halfedges_.reserve(input.number_of_halfedges());
-    for (Halfedge_index h : input.halfedges()) {
-      halfedges_.push_back({Halfedge(input.next(h).idx()), Halfedge(input.prev(h).idx()),
-                            Vertex(input.target(h).idx())});
-      first_input_parts_.push_back(Halfedge(h.idx()));
-    }
-    for (Edge_index e : input.edges())
-      segments_.push_back({input.halfedge(e), input.halfedge(e)});
-    first_intrinsic_parts_ = first_input_parts_;
-  }
+  explicit Dynamic_overlay_graph(const Delta_complex& input);
 
   size_type number_of_crossings() const
   {
@@ -92,60 +79,18 @@ public:
 
   // Adds a part of an intrinsic halfedge, through one face: from its corner behind `before` to
   // that behind `arriving`.
-  Halfedge add_intrinsic_part(Halfedge_index h, Halfedge before, Halfedge arriving)
-  {
-    const Halfedge part = new_segment(target(before), target(arriving));
-    segments_[part.idx() >> 1] = {h, Halfedge_index()};
-    const Halfedge after = next(before), leaving = next(arriving);
-    link(before, part);
-    link(part, leaving);
-    link(arriving, opposite(part));
-    link(opposite(part), after);
-    return part;
-  }
+  Halfedge add_intrinsic_part(Halfedge_index h, Halfedge before, Halfedge arriving);
 
   // Takes a segment out.
   // \pre something else is left at both ends
-  void remove(Halfedge h)
-  {
-    const Halfedge g = opposite(h);
-    CGAL_precondition(next(h) != g && next(g) != h);
-    link(prev(h), next(g));
-    link(prev(g), next(h));
-    release(h);
-  }
+  void remove(Halfedge h);
 
   // Cuts the part h of an input edge in two at a new crossing, the target of h afterwards.
-  void split(Halfedge h)
-  {
-    const Halfedge g = opposite(h), after = next(h), before = prev(g);
-    CGAL_precondition(after != g);
-    const Vertex end = target(h), crossing = new_crossing();
-    const Halfedge rest = new_segment(crossing, end);
-    segments_[rest.idx() >> 1].input = input_halfedge(h);
-    halfedges_[h.idx()].target = crossing;
-    link(h, rest);
-    link(rest, after);
-    link(before, opposite(rest));
-    link(opposite(rest), g);
-    if (!is_crossing(end))
-      first_input_parts_[input_halfedge(g).idx()] = opposite(rest);
-  }
+  void split(Halfedge h);
 
   // Joins the part h of an input edge with the next one.
   // \pre nothing else is left at the crossing in which h ends
-  void join(Halfedge h)
-  {
-    const Halfedge g = opposite(h), rest = next(h);
-    CGAL_precondition(next(opposite(rest)) == g && input_halfedge(rest) == input_halfedge(h));
-    free_crossings_.push_back(target(h));
-    halfedges_[h.idx()].target = target(rest);
-    link(h, next(rest));
-    link(prev(opposite(rest)), g);
-    if (!is_crossing(target(h)))
-      first_input_parts_[input_halfedge(g).idx()] = g;
-    release(rest);
-  }
+  void join(Halfedge h);
 
 private:
   struct Halfedge_record
@@ -172,37 +117,11 @@ private:
     halfedges_[next.idx()].prev = h;
   }
 
-  Vertex new_crossing()
-  {
-    if (free_crossings_.empty())
-      return Vertex(end_of_vertices_++); // there are fewer vertices than halfedges
-    const Vertex v = free_crossings_.back();
-    free_crossings_.pop_back();
-    return v;
-  }
+  Vertex new_crossing();
 
-  Halfedge new_segment(Vertex source, Vertex target)
-  {
-    if (free_segments_.empty()) {
-      if (segments_.size() >= std::size_t(1) << 31)
-        throw Integer_overflow_error(
-          "the overlay has 2^31 segments or more: too many edges cross each other");
-      free_segments_.push_back(Segment(size_type(segments_.size())));
-      segments_.emplace_back();
-      halfedges_.resize(2 * segments_.size());
-    }
-    const Halfedge h(2 * free_segments_.back().idx());
-    free_segments_.pop_back();
-    halfedges_[h.idx()].target = target;
-    halfedges_[h.idx() + 1].target = source;
-    return h;
-  }
+  Halfedge new_segment(Vertex source, Vertex target);
 
-  void release(Halfedge h)
-  {
-    segments_[h.idx() >> 1] = Segment_record();
-    free_segments_.push_back(Segment(h.idx() >> 1));
-  }
+  void release(Halfedge h);
 
   size_type number_of_original_vertices_;
   size_type end_of_vertices_;
@@ -217,5 +136,9 @@ private:
 } // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_DYNAMIC_OVERLAY_GRAPH_H

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Definitions of Delta_complex_io.h.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_IO_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_IO_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
+#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/gluing_text.h>
+
+#include <CGAL/assertions.h>
+
+#include <istream>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void write_gluing(std::ostream& os, const Delta_complex& complex,
+                                                       const std::vector<double>& lengths)
+{
+  CGAL_precondition(lengths.size() == complex.number_of_edges());
+  for (Edge_index e : complex.edges())
+    if (!internal::is_positive_and_finite(lengths[e.idx()]))
+      throw Invalid_surface_error(Invalid_surface_error::Defect::NOT_FINITE, e.idx(), 1,
+                                  "the length of edge " + std::to_string(e.idx()) +
+                                    " is not a positive finite number");
+  internal::write_gluing_text(os, complex, 1, [&](std::ostream& text, Edge_index e) { text << lengths[e.idx()]; });
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Gluing read_gluing(std::istream& is)
+{
+  internal::Lengths_only numbers;
+  Gluing result;
+  result.complex = internal::Gluing_reader<internal::Lengths_only>(is).read(numbers);
+  result.lengths = std::move(numbers.lengths);
+  return result;
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_IO_IMPL_H
