@@ -55,9 +55,8 @@ using Number_type_with_roots = typename decltype(checked_number_type<FT>())::typ
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-// Who has included Boost.Multiprecision before our headers need not ask for what makes its floats work; others need not parse it.
-#if (defined(BOOST_MP_NUMBER_HPP) || defined(BOOST_MATH_EXTENDED_REAL_HPP)) /* since Boost 1.76, and before */ && \
-  !defined(CGAL_INTRINSIC_TRIANGULATIONS_BOOST_MULTIPRECISION_IS_OURS)
+// Who has included Boost.Multiprecision need not ask for what makes its floats work; others need not parse it.
+#if defined(BOOST_MP_NUMBER_HPP) || defined(BOOST_MATH_EXTENDED_REAL_HPP) // since Boost 1.76, and before
 #include <CGAL/Intrinsic_triangulations/boost_multiprecision_floats.h>
 #endif
 

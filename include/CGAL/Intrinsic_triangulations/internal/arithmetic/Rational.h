@@ -8,11 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_RATIONAL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_RATIONAL_H
 
-// Whether Boost.Multiprecision comes from here alone, and so no number type of a user: see Number_type_with_roots.h.
-#if !defined(BOOST_MP_NUMBER_HPP) && !defined(BOOST_MATH_EXTENDED_REAL_HPP) // since Boost 1.76, and before
-#define CGAL_INTRINSIC_TRIANGULATIONS_BOOST_MULTIPRECISION_IS_OURS
-#endif
-
 #include <boost/multiprecision/gmp.hpp>
 
 namespace CGAL {
