@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The cotangents of faces laid out in doubles: within their bounds of those laid out in double-doubles.
+// The cotangents and areas of faces laid out in doubles: within their bounds of those laid out in double-doubles.
 
 #include "flip_test_surfaces.h"
 #include "insert_random_vertices.h"
@@ -28,7 +28,7 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 // Of those of all faces.
 struct Count
 {
-  std::size_t known = 0, precise = 0, all = 0;
+  std::size_t known = 0, precise = 0, areas = 0, all = 0; // three cotangents for each area
 };
 
 void expect_bounds_that_hold(const Triangulation& t, Count& count)
@@ -39,6 +39,11 @@ void expect_bounds_that_hold(const Triangulation& t, Count& count)
     IT::Exact_geometry::Face_cotangents precise;
     t.exact_geometry().find_cotangents(complex, f, rounded);
     t.exact_geometry().find_cotangents(complex, f, precise);
+    const auto area = t.exact_geometry().rounded_four_areas(complex, f);
+    const auto precise_area = t.exact_geometry().corner(complex, complex.halfedge(f)).four_areas;
+    count.areas += area.error() < 0x1p-32 * area.hi();
+    const double area_difference = (area.hi() - precise_area.hi()) - precise_area.lo();
+    ASSERT_LE(std::abs(area_difference), 1.0001 * (area.error() + precise_area.error())) << f;
     for (std::size_t i = 0; i < 3; ++i) {
       ++count.all;
       if (!std::isfinite(rounded[i].error()) || !std::isfinite(precise[i].error()))
@@ -74,6 +79,7 @@ TEST(Rounded_cotangents, bounds_hold)
   }
   EXPECT_GT(count.known, count.all * 9 / 10); // an infinite error would be a bound, too
   EXPECT_GT(count.precise, count.all * 9 / 10);
+  EXPECT_GT(count.areas, count.all * 3 / 10);
 }
 
 TEST(Rounded_cotangents, bounds_hold_with_inserted_vertices)

@@ -280,6 +280,8 @@ public:
   // The same in doubles, in a fraction of the time. The errors are infinite for long strips, too.
   using Rounded_face_cotangents = std::array<internal::Double_with_bound, 3>;
   void find_cotangents(const Delta_complex& complex, Face_index f, Rounded_face_cotangents& result) const;
+  // Likewise four times the area of a face, in the unit of the metric.
+  internal::Double_with_bound rounded_four_areas(const Delta_complex& complex, Face_index f) const;
 
   // Whether a corner of the face of h was inserted into an input that is given by points.
   bool has_inserted_corner(const Delta_complex& complex, Halfedge_index h) const;
@@ -309,6 +311,8 @@ private:
 
   // In flips for each edge. A journal is not to become much larger than the triangulation.
   static constexpr std::size_t longest_journal = 8;
+  // In input quantities: what is laid out in some microseconds.
+  static constexpr double short_strip = 256;
 
   bool flip_and_follow(const Delta_complex& complex, const Hinge_halfedges& around);
   bool follow(const Delta_complex& complex, Edge_index e);
@@ -348,6 +352,7 @@ private:
   struct Side_and_corner;
   template <class Unfolding_>
   Side_and_corner<internal::Bounded_double_double> quickest_corner(const Delta_complex& complex, Face_index f, const Unfolding_& unfolding) const;
+  std::optional<Side_and_corner<internal::Double_with_bound>> rounded_corner(const Delta_complex& complex, Face_index f) const;
   Corner straight_corner(const Delta_complex& complex, Halfedge_index h) const;
 
   mutable Correspondence correspondence_;     // prepared by the first query that needs it

@@ -121,8 +121,8 @@ std::vector<double> numbers_of_elements(std::size_t n, const Number& number)
   return result;
 }
 
-// The cotangents of faces from the exact geometry, with error bounds. Where what is stored is not accurate enough for an edge, that is most often so for all
-// edges of a face: one corner of it is laid out for them, and remembered for a while.
+// The cotangents of faces from the exact geometry, with error bounds. Where what is stored is not accurate enough for an edge, that is most
+// often so for all edges of a face: one corner of it is laid out for them, and remembered for a while.
 //
 // \tparam Number `Double_with_bound` or `Bounded_double_double`
 template <class Number>
@@ -289,9 +289,14 @@ public:
 
   double operator()(Face_index f) const
   {
-    if constexpr (Triangulation::uses_exact_geometry)
-      if (is_stored(f))
-        return area_in_input_unit(triangulation_.face_data(f).value / 4, triangulation_.unit_exponent(), f);
+    if constexpr (Triangulation::uses_exact_geometry) {
+      const auto& stored = triangulation_.face_data(f);
+      if (is_accurate(stored.value, stored.error))
+        return in_input_unit(stored.value, f);
+      const Double_with_bound rounded = triangulation_.exact_geometry().rounded_four_areas(triangulation_.connectivity(), f);
+      if (is_accurate(rounded.hi(), rounded.error()))
+        return in_input_unit(rounded.hi(), f);
+    }
     const double area = CGAL::to_double(triangulation_.area(f));
     if (!std::isfinite(area))
       throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, f.idx(), 1,
@@ -301,12 +306,10 @@ public:
   }
 
 private:
-  bool is_stored(Face_index f) const
+  static bool is_accurate(double four_areas, double error) { return error <= stored_number_accuracy * four_areas; }
+  double in_input_unit(double four_areas, Face_index f) const
   {
-    if constexpr (Triangulation::uses_exact_geometry)
-      return triangulation_.face_data(f).error <= stored_number_accuracy * triangulation_.face_data(f).value;
-    else
-      return false;
+    return area_in_input_unit(four_areas / 4, triangulation_.unit_exponent(), f);
   }
 
   const Triangulation& triangulation_;

@@ -13,11 +13,11 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Disk.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_with_bound.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
-#include <array>
 #include <cmath>
 #include <optional>
 #include <type_traits>
@@ -31,14 +31,13 @@ inline std::optional<Corner_ratios<Double_disk>> rounded_ratios_in_space(const D
 {
   if (points.empty())
     return std::nullopt;
-  const auto &p = points[input.source(ij).idx()], &q = points[input.target(ij).idx()], &r = points[input.target(input.next(ij)).idx()];
-  const std::array<double, 3> u{q[0] - p[0], q[1] - p[1], q[2] - p[2]}, v{r[0] - p[0], r[1] - p[1], r[2] - p[2]},
-    n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-  const double s = u[0] * u[0] + u[1] * u[1] + u[2] * u[2], s_v = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  const Vertex_index i = input.source(ij);
+  const auto u = difference<double>(points, i, input.target(ij)), v = difference<double>(points, i, input.target(input.next(ij))),
+             n = cross_product(u, v);
+  const double s = scalar_product(u, u), s_v = scalar_product(v, v);
   if (!(s > 1e-100 && s < 1e100 && s_v > 1e-100 && s_v < 1e100))
     return std::nullopt;
-  const double reciprocal = 1 / s, x = (u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) * reciprocal,
-               y = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) * reciprocal;
+  const double reciprocal = 1 / s, x = scalar_product(u, v) * reciprocal, y = std::sqrt(scalar_product(n, n)) * reciprocal;
   // In units of 2^-53, s is good to 6 of itself, the scalar product to 6 of |u| |v|, and the area to 10 of that (see
   // Filtered_edge_length_traits::Construct_face_data), so that x + iy is good to 2^-48 of its absolute value.
   const Double_disk at_source(x, y, 0x1p-47 * std::sqrt(x * x + y * y));

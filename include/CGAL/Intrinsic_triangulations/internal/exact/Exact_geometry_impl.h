@@ -486,10 +486,9 @@ std::optional<Exact_geometry::Test> Exact_geometry::test_by_short_strips(const D
 {
   prepare(complex);
   find_straight_faces(complex);
-  constexpr double largest_number = 256; // of input quantities: some microseconds
   const Halfedge_index h = complex.halfedge(e);
   for (Halfedge_index side : {h, complex.opposite(h)})
-    if (!is_straight(complex.face(side)) && number_of_quantities(complex, side) > largest_number)
+    if (!is_straight(complex.face(side)) && number_of_quantities(complex, side) > short_strip)
       return std::nullopt;
   return test_by_corners(complex, h, known_corners(complex, h, *input_surface()));
 }

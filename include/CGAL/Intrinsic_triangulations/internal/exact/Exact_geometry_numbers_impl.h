@@ -251,20 +251,33 @@ void Exact_geometry::find_cotangents(const Delta_complex& complex, Face_index f,
 
 // Nothing but the input and the integers is used, so that flips need not be repeated to find straight faces.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::optional<Exact_geometry::Side_and_corner<internal::Double_with_bound>>
+Exact_geometry::rounded_corner(const Delta_complex& complex, Face_index f) const
+{
+  prepare(complex);
+  interruption().check();
+  internal::Double_metric metric(correspondence_.input(), metric_, interruption());
+  const Unfolding<internal::Double_metric> unfolding(complex, correspondence_, metric);
+  const Halfedge_index side = unfolding.side_with_most_crossings(f);
+  if (number_of_quantities(complex, side) > short_strip)
+    return std::nullopt;
+  return Side_and_corner<internal::Double_with_bound>{side, unfolding.opposite_corner(side)};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_geometry::find_cotangents(const Delta_complex& complex, Face_index f, Rounded_face_cotangents& result) const
 {
-  using Metric = internal::Double_metric;
-  constexpr double largest_number = 256; // of input quantities
-  prepare(complex);
-  Metric metric(correspondence_.input(), metric_, interruption());
-  metric.interruption().check();
-  const Unfolding<Metric> unfolding(complex, correspondence_, metric);
-  const Halfedge_index side = unfolding.side_with_most_crossings(f);
-  if (number_of_quantities(complex, side) > largest_number) {
+  if (const auto c = rounded_corner(complex, f))
+    c->get_cotangents(complex, f, result);
+  else
     result.fill({0, std::numeric_limits<double>::infinity()});
-    return;
-  }
-  Side_and_corner<Metric::Real>{side, unfolding.opposite_corner(side)}.get_cotangents(complex, f, result);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+internal::Double_with_bound Exact_geometry::rounded_four_areas(const Delta_complex& complex, Face_index f) const
+{
+  const auto c = rounded_corner(complex, f);
+  return c ? c->corner.four_areas : internal::Double_with_bound(0, std::numeric_limits<double>::infinity());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
