@@ -64,6 +64,10 @@ function(add_idt_test name)
     ${arg_LIBRARIES}
     GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE ${arg_DEFINITIONS})
+  if(arg_TOGETHER)
+    # GCC takes each of these sources for a header, where a fixture in a namespace without a name would be wrong.
+    target_compile_options(${name} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
+  endif()
   if(arg_OPTIMIZE)
     target_compile_options(${name} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>>:-O1>)
   else()

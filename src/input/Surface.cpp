@@ -61,7 +61,7 @@ void load_mesh(Surface& surface, bool is_repaired)
   if (is_repaired) {
     surface.repair = repair(input);
     for (const IT::Repair& repair : surface.repair->repairs)
-      std::cerr << "idt: " << surface.path << ": repaired: " << message(repair) << std::endl;
+      std::cerr << "idt: " << surface.path << ": repaired: " << repair_message(repair) << std::endl;
   }
 
   // What can be built was examined on the way, as far as the faces are concerned. The whole

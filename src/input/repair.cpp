@@ -45,7 +45,7 @@ Repair_report repair(Surface_input& input)
 
 bool is_repairable(const IT::Finding& finding) { return IT::is_repairable(finding.kind); }
 
-std::string message(const IT::Repair& repair) { return IT::message(repair); }
+std::string repair_message(const IT::Repair& repair) { return IT::message(repair); }
 
 std::optional<std::vector<IT::Repair>> repairs(const Surface& surface)
 {

@@ -27,7 +27,7 @@ Repair_report repair(Surface_input& input);
 bool is_repairable(const CGAL::Intrinsic_triangulations::Finding& finding);
 
 // What was done, in a sentence.
-std::string message(const CGAL::Intrinsic_triangulations::Repair& repair);
+std::string repair_message(const CGAL::Intrinsic_triangulations::Repair& repair);
 
 // What was done to a surface; nothing unless it was asked for.
 std::optional<std::vector<CGAL::Intrinsic_triangulations::Repair>> repairs(const Surface& surface);

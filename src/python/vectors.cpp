@@ -66,7 +66,7 @@ py::array log_map(const Vector_heat& heat, std::uint32_t v)
   return to_rows(without_lock([&] { return heat.vectors.log_map(IT::Vertex_index(v)); }));
 }
 
-py::array extend(const Vector_heat& heat, const Indices& vertices, const Doubles& values)
+py::array extend_by_vector_heat(const Vector_heat& heat, const Indices& vertices, const Doubles& values)
 {
   const auto v = copied(vertices);
   const auto x = copied(values);
@@ -110,7 +110,7 @@ void add_vectors(py::module_& module)
   py::class_<Vector_heat>(module, "VectorHeat")
     .def("transport", &transport, py::arg("vertices").noconvert(), py::arg("x").noconvert(), py::arg("y").noconvert())
     .def("log_map", &log_map, py::arg("vertex"))
-    .def("extend", &extend, py::arg("vertices").noconvert(), py::arg("values").noconvert());
+    .def("extend", &extend_by_vector_heat, py::arg("vertices").noconvert(), py::arg("values").noconvert());
 }
 
 } // namespace idt_python
