@@ -3,33 +3,30 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of Exact_geometry.
+// Definitions of Exact_geometry: what it remembers, how it follows the flips, and corners.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_GEOMETRY_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_GEOMETRY_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Coplanar_hinge.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Developed_faces.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Sign_in_plane.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Straight_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
-
-#include <CGAL/Uncertain.h>
-#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <limits>
+#include <cstddef>
+#include <memory>
 #include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -399,316 +396,6 @@ Exact_geometry::Corner Exact_geometry::developed_corner(const Delta_complex& com
   return c;
 }
 
-// ---------------------------------------------------------------- signs
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Sign Exact_geometry::decide(const Delta_complex& complex, Edge_index e, std::optional<Opposite_corners>& corners)
-{
-  Memory& memory = *memory_;
-  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-  find_straight_faces(complex);
-  if (correspondence_.number_of_inserted_vertices() != 0) {
-    recognize_straight_face(complex, h);
-    recognize_straight_face(complex, g);
-  }
-  if (const std::optional<Test> test = test_in_plane(complex, h, *memory.straight_faces))
-    return memory.decided(*test);
-  prepare(complex);
-  const Surface_lease surface = input_surface();
-  memory.is_close_call.resize(complex.number_of_edges());
-  memory.is_close_call[e.idx()] = true;
-  corners = Opposite_corners{developed_corner(complex, h, *surface), developed_corner(complex, g, *surface)};
-  // Layouts that were carried along are not the best, but what they do not decide is almost
-  // always a tie.
-  if (const std::optional<Test> test = test_by_corners(complex, h, *corners))
-    return memory.decided(*test);
-  const auto find_image = [&](Halfedge_index side) {
-    return is_straight(complex.face(side)) ? image_of_straight_corner(complex, side) : image_of_developed_corner(complex, side);
-  };
-  if (const std::optional<Sign> tie = sign_by_images(complex, e, *corners, *surface, find_image))
-    return memory.decided({Stage::MODULAR, *tie});
-  const auto decision = late_stages(complex, *surface).sign_of_cotangents(internal::corners_beside(complex, e));
-  if (decision.is_rational && !memory.images)
-    carry_images();
-  return memory.decided({decision.stage, decision.sign});
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_geometry::has_inserted_corner(const Delta_complex& complex, Halfedge_index h) const
-{
-  return positions().has_inserted_corner(complex, h);
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::count(const Stage_counts& counts)
-{
-  memory_->counts += counts;
-}
-
-// \param straight_faces those of the memory; if they are const, nothing is remembered
-template <class Straight_faces>
-std::optional<Exact_geometry::Test> Exact_geometry::test_in_plane(const Delta_complex& complex, Halfedge_index h,
-                                                                  Straight_faces& straight_faces) const
-{
-  const internal::Vertex_positions all = positions();
-  if (!straight_faces.are_coplanar(complex, all, h))
-    return std::nullopt;
-  if (all.has_inserted_corner(complex, h) || all.has_inserted_corner(complex, complex.opposite(h)))
-    return Test{Stage::COPLANAR, internal::Sign_in_plane(complex, all, h)()};
-  return Test{Stage::COPLANAR, internal::Coplanar_hinge(complex, metric_.points(), h).sign_of_cotangents()};
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::optional<Exact_geometry::Test> Exact_geometry::test_in_plane(const Delta_complex& complex, Edge_index e) const
-{
-  find_straight_faces(complex);
-  const Memory& memory = *memory_;
-  return test_in_plane(complex, complex.halfedge(e), *memory.straight_faces);
-}
-
-// From the corners beside h.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::optional<Exact_geometry::Test> Exact_geometry::test_by_corners(const Delta_complex& complex, Halfedge_index h,
-                                                                    const Opposite_corners& corners) const
-{
-  const Halfedge_index g = complex.opposite(h);
-  const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
-  if (is_certain(sign))
-    return Test{Stage::UNFOLDING, get_certain(sign)};
-  if (is_straight(complex.face(h)) && is_straight(complex.face(g)))
-    return Test{Stage::RATIONAL, internal::sign_of_cotangents(internal::rational_corner(complex, positions(), h),
-                                                              internal::rational_corner(complex, positions(), g))};
-  return std::nullopt;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::optional<Exact_geometry::Test> Exact_geometry::test_by_short_strips(const Delta_complex& complex, Edge_index e) const
-{
-  prepare(complex);
-  find_straight_faces(complex);
-  const Halfedge_index h = complex.halfedge(e);
-  for (Halfedge_index side : {h, complex.opposite(h)})
-    if (!is_straight(complex.face(side)) && number_of_quantities(complex, side) > short_strip)
-      return std::nullopt;
-  return test_by_corners(complex, h, known_corners(complex, h, *input_surface()));
-}
-
-// As `corner()` on both sides of h, from what is kept of tests before.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry::Opposite_corners Exact_geometry::known_corners(const Delta_complex& complex, Halfedge_index h,
-                                                               internal::Input_surface& surface) const
-{
-  const auto known_corner = [&](Halfedge_index side) {
-    const Face_index f = complex.face(side);
-    return !is_straight(f) && memory_->developed_faces.contains(f) ? memory_->developed_faces.corner(complex, side)
-                                                                   : corner(complex, side, surface);
-  };
-  return {known_corner(h), known_corner(complex.opposite(h))};
-}
-
-// A bound on the number of input quantities that the corner opposite to h is a function of.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_geometry::number_of_quantities(const Delta_complex& complex, Halfedge_index h) const
-{
-  const Normal_coordinates& coordinates = correspondence_.coordinates();
-  return double(coordinates.number_of_crossings(complex.edge(complex.next(h)))) +
-         double(coordinates.number_of_crossings(complex.edge(complex.prev(h)))) +
-         double(coordinates.triangle_crossings(complex, h).e_k) + 16;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Sign Exact_geometry::sign_of_cotangents(const Delta_complex& complex, Edge_index e) const
-{
-  prepare(complex);
-  find_straight_faces(complex);
-  return sign_of_cotangents(complex, e, *input_surface());
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Sign Exact_geometry::sign_of_cotangents(const Delta_complex& complex, Edge_index e, internal::Input_surface& surface) const
-{
-  if (const std::optional<Test> test = test_in_plane(complex, e))
-    return test->sign;
-  const Halfedge_index h = complex.halfedge(e);
-  const Opposite_corners corners = known_corners(complex, h, surface);
-  if (const std::optional<Test> test = test_by_corners(complex, h, corners))
-    return test->sign;
-  // New images would be computed in rings that all threads share.
-  const auto find_image = [&](Halfedge_index side) { return image_of_developed_corner(complex, side); };
-  if (const std::optional<Sign> tie = sign_by_images(complex, e, corners, surface, find_image))
-    return *tie;
-  return late_stages(complex, surface).sign_of_cotangents(internal::corners_beside(complex, e)).sign;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Sign Exact_geometry::sign_by_unfolding(const Delta_complex& complex, Edge_index e) const
-{
-  prepare(complex);
-  const Surface_lease surface = input_surface();
-  internal::Double_double_metric metric(*surface);
-  const internal::Two_corners beside = internal::corners_beside(complex, e);
-  const Opposite_corners corners = internal::unfolded_corners(
-    Unfolding<internal::Double_double_metric>(complex, correspondence_, metric), beside);
-  const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
-  return is_certain(sign) ? get_certain(sign) : late_stages(complex, *surface).sign_of_cotangents(beside).sign;
-}
-
-// The sign of the sum of cotangents, if images that were carried along tell that the edge is a tie, or that both
-// faces have no area.
-template <class FindImage>
-std::optional<Sign> Exact_geometry::sign_by_images(const Delta_complex& complex, Edge_index e,
-                                                   const Opposite_corners& corners, internal::Input_surface& surface,
-                                                   const FindImage& find_image) const
-{
-  const Memory& memory = *memory_;
-  if (!memory.images || !surface.accepts_probable_ties())
-    return std::nullopt;
-  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-  const auto k = find_image(h), l = k ? find_image(g) : std::nullopt;
-  if (!k || !l || !(k->p * l->four_areas + l->p * k->four_areas).is_zero() || !memory.images->rings.is_defined())
-    return std::nullopt;
-  const double number = number_of_quantities(complex, h) + number_of_quantities(complex, g);
-  if (internal::Residue_rings::certainty(number, surface.largest_size(correspondence_.number_of_inserted_vertices() != 0)) < 128)
-    return std::nullopt;
-  const auto is_positive = [](const internal::Bounded_double_double& x) { return certainly(x.sign() == POSITIVE); };
-  if (is_positive(corners.k.four_areas) && is_positive(corners.l.four_areas))
-    return ZERO;
-  const Uncertain<Sign> p_k = corners.k.p.sign(), p_l = corners.l.p.sign();
-  if (k->four_areas.is_zero() && l->four_areas.is_zero() && is_certain(p_k) && is_certain(p_l))
-    return internal::sign_of_tie(get_certain(p_k), get_certain(p_l));
-  return std::nullopt;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_geometry::is_convex(const Delta_complex& complex, Edge_index e) const
-{
-  prepare(complex);
-  find_straight_faces(complex);
-  const Surface_lease surface = input_surface();
-  // At both ends of e the two angles have to sum to less than π.
-  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-  for (const internal::Two_corners& at_end :
-       {internal::Two_corners{complex.next(h), complex.prev(g)},
-        internal::Two_corners{complex.prev(h), complex.next(g)}}) {
-    const Uncertain<Sign> sign = internal::sign_of_cotangents(corner(complex, at_end.opposite_to_k, *surface),
-                                                              corner(complex, at_end.opposite_to_l, *surface));
-    if ((is_certain(sign) ? get_certain(sign) : late_stages(complex, *surface).sign_of_cotangents(at_end).sign) !=
-        POSITIVE)
-      return false;
-  }
-  return true;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Sign Exact_geometry::sign_of_area(const Delta_complex& complex, Face_index f) const
-{
-  prepare(complex);
-  return sign_of_area(complex, f, *input_surface());
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_geometry::has_input_face_area(Face_index f) const
-{
-  const Delta_complex& input = correspondence_.input();
-  const Uncertain<Sign> sign = metric_.four_areas_double_double(input, f).sign();
-  return is_certain(sign) ? get_certain(sign) != ZERO : squared_four_areas(metric_, input, f) != 0;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Sign Exact_geometry::sign_of_area(const Delta_complex& complex, Face_index f, internal::Input_surface& surface) const
-{
-  const Halfedge_index h = complex.halfedge(f);
-  const Uncertain<Sign> sign = unfolded_corner(complex, h, surface).four_areas.sign();
-  return is_certain(sign) ? get_certain(sign) : late_stages(complex, surface).sign_of_area(h);
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_geometry::has_length_zero(const Delta_complex& complex, Edge_index e) const
-{
-  prepare(complex);
-  const auto& developed_faces = memory_->developed_faces;
-  for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
-    if (!complex.is_border(h) && developed_faces.contains(complex.face(h)))
-      if (certainly(developed_faces.corner(complex, h).s_opposite.sign() == POSITIVE))
-        return false;
-  const Surface_lease surface = input_surface();
-  const internal::Bounded_double_double s = squared_length(complex, e, *surface);
-  return is_certain(s.sign()) ? s.is_zero() : late_stages(complex, *surface).has_length_zero(e);
-}
-
-// Vectors that evaluate(metric) computes, each with an error of at most 2^-50 of its length, or of that of the last one if that is longer.
-template <std::size_t N, class Evaluate>
-std::array<std::complex<double>, N> Exact_geometry::rounded_vectors(internal::Input_surface& surface, const Evaluate& evaluate)
-{
-  constexpr long largest_precision = 1 << 14; // more is not needed unless a ratio of lengths leaves the range of double
-  std::array<std::complex<double>, N> result;
-  const auto is_narrow = [&](std::size_t i, double width) {
-    return width <= 0x1p-51 * (std::max)(std::abs(result[i]), std::abs(result.back()));
-  };
-  {
-    internal::Double_double_metric metric(surface);
-    const auto vectors = evaluate(metric);
-    bool is_good = true;
-    for (std::size_t i = 0; i < N; ++i)
-      result[i] = {vectors[i].x().hi(), vectors[i].y().hi()};
-    for (std::size_t i = 0; i < N; ++i)
-      is_good = is_good && is_narrow(i, vectors[i].x().error());
-    if (is_good)
-      return result;
-  }
-  for (long precision = 256;; precision *= 2) {
-    internal::Mpfr_metric metric(surface, {precision});
-    const auto vectors = evaluate(metric);
-    std::array<double, N> width{};
-    const auto middle = [](const internal::Mpfr_interval& x, double& largest_width) {
-      const double low = x.lower_double(), high = x.upper_double();
-      largest_width = (std::max)(largest_width, high - low);
-      return low + (high - low) / 2;
-    };
-    for (std::size_t i = 0; i < N; ++i)
-      result[i] = {middle(vectors[i].x(), width[i]), middle(vectors[i].y(), width[i])};
-    bool is_good = true;
-    for (std::size_t i = 0; i < N; ++i)
-      is_good = is_good && is_narrow(i, width[i]);
-    if (is_good || precision >= largest_precision)
-      return result;
-  }
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry::Edge_beginning Exact_geometry::edge_beginning(const Delta_complex& complex, Halfedge_index h) const
-{
-  prepare(complex);
-  Halfedge_index reference;
-  const auto vectors = rounded_vectors<2>(*input_surface(), [&](auto& metric) {
-    auto begin = Unfolding<std::decay_t<decltype(metric)>>(complex, correspondence_, metric).edge_beginning(h);
-    reference = begin.reference;
-    return std::array{begin.source, begin.vector};
-  });
-  return {vectors[0], vectors[1], reference};
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_geometry::input_angle(Halfedge_index h) const
-{
-  const auto side = rounded_vectors<1>(*input_surface(), [&](auto& metric) {
-    return std::array{internal::Metric_frame<std::decay_t<decltype(metric)>>(correspondence_.input(), metric).ratios(h).at_source};
-  });
-  return std::atan2((std::max)(side[0].imag(), 0.), side[0].real());
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Sign Exact_geometry::side_of(const Delta_complex& complex, Halfedge_index h, std::int64_t position, const Surface_point& point) const
-{
-  prepare(complex);
-  const auto area_beside = [&](auto& metric) {
-    return Unfolding<std::decay_t<decltype(metric)>>(complex, correspondence_, metric).area_beside(h, position, point);
-  };
-  return internal::exact_sign(*input_surface(), area_beside, [&] {
-    return "that a point lies on edge " + std::to_string(complex.edge(h).idx());
-  });
-}
-
 // ---------------------------------------------------------------- corners
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -774,5 +461,6 @@ Exact_geometry::Corner Exact_geometry::straight_corner(const Delta_complex& comp
 } // namespace CGAL
 
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_geometry_numbers_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_geometry_signs_impl.h>
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_GEOMETRY_IMPL_H

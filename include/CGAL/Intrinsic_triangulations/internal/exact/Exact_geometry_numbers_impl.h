@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of Exact_geometry: lengths, angles, areas and weights, rounded to doubles.
+// Definitions of Exact_geometry: vectors, lengths, angles, areas and weights, rounded to doubles.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_GEOMETRY_NUMBERS_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_GEOMETRY_NUMBERS_IMPL_H
@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/exact/Double_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_geometry_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Two_straight_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/corner_signs.h>
@@ -26,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
 
@@ -49,6 +51,67 @@ inline double rounded_root(const Bounded_double_double& s, int unit_exponent)
 }
 
 } // namespace internal
+
+// Vectors that evaluate(metric) computes, each with an error of at most 2^-50 of its length, or of that of the last one if that is longer.
+template <std::size_t N, class Evaluate>
+std::array<std::complex<double>, N> Exact_geometry::rounded_vectors(internal::Input_surface& surface, const Evaluate& evaluate)
+{
+  constexpr long largest_precision = 1 << 14; // more is not needed unless a ratio of lengths leaves the range of double
+  std::array<std::complex<double>, N> result;
+  const auto is_narrow = [&](std::size_t i, double width) {
+    return width <= 0x1p-51 * (std::max)(std::abs(result[i]), std::abs(result.back()));
+  };
+  {
+    internal::Double_double_metric metric(surface);
+    const auto vectors = evaluate(metric);
+    bool is_good = true;
+    for (std::size_t i = 0; i < N; ++i)
+      result[i] = {vectors[i].x().hi(), vectors[i].y().hi()};
+    for (std::size_t i = 0; i < N; ++i)
+      is_good = is_good && is_narrow(i, vectors[i].x().error());
+    if (is_good)
+      return result;
+  }
+  for (long precision = 256;; precision *= 2) {
+    internal::Mpfr_metric metric(surface, {precision});
+    const auto vectors = evaluate(metric);
+    std::array<double, N> width{};
+    const auto middle = [](const internal::Mpfr_interval& x, double& largest_width) {
+      const double low = x.lower_double(), high = x.upper_double();
+      largest_width = (std::max)(largest_width, high - low);
+      return low + (high - low) / 2;
+    };
+    for (std::size_t i = 0; i < N; ++i)
+      result[i] = {middle(vectors[i].x(), width[i]), middle(vectors[i].y(), width[i])};
+    bool is_good = true;
+    for (std::size_t i = 0; i < N; ++i)
+      is_good = is_good && is_narrow(i, width[i]);
+    if (is_good || precision >= largest_precision)
+      return result;
+  }
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Edge_beginning Exact_geometry::edge_beginning(const Delta_complex& complex, Halfedge_index h) const
+{
+  prepare(complex);
+  Halfedge_index reference;
+  const auto vectors = rounded_vectors<2>(*input_surface(), [&](auto& metric) {
+    auto begin = Unfolding<std::decay_t<decltype(metric)>>(complex, correspondence_, metric).edge_beginning(h);
+    reference = begin.reference;
+    return std::array{begin.source, begin.vector};
+  });
+  return {vectors[0], vectors[1], reference};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::input_angle(Halfedge_index h) const
+{
+  const auto side = rounded_vectors<1>(*input_surface(), [&](auto& metric) {
+    return std::array{internal::Metric_frame<std::decay_t<decltype(metric)>>(correspondence_.input(), metric).ratios(h).at_source};
+  });
+  return std::atan2((std::max)(side[0].imag(), 0.), side[0].real());
+}
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_geometry::length(const Delta_complex& complex, Edge_index e) const

@@ -15,18 +15,19 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Measured_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Segments.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Small_cones.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/point_on_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_config.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -51,9 +52,9 @@ public:
   Delaunay_refiner(Triangulation& triangulation, const Refinement_criteria& criteria, std::vector<bool> is_segment, Visitor& visitor,
                    std::uint64_t maximum_number)
     : triangulation_(triangulation), complex_(triangulation.connectivity()), geometry_(triangulation.exact_geometry()),
-      correspondence_(geometry_.correspondence()), shapes_(geometry_), criteria_(criteria), is_segment_(std::move(is_segment)),
-      visitor_(visitor), maximum_number_(maximum_number),
-      has_segments_(std::find(is_segment_.begin(), is_segment_.end(), true) != is_segment_.end()), cones_(geometry_, shapes_), sine_of_minimum_angle_(std::sin(criteria.minimum_angle / 180 * CGAL_PI))
+      correspondence_(geometry_.correspondence()), shapes_(geometry_), criteria_(criteria), visitor_(visitor),
+      maximum_number_(maximum_number), faces_(triangulation), segments_(complex_, correspondence_, shapes_, faces_, std::move(is_segment)),
+      cones_(geometry_, shapes_), sine_of_minimum_angle_(std::sin(criteria.minimum_angle / 180 * CGAL_PI))
   {}
 
   Refinement_report operator()()
@@ -78,30 +79,28 @@ public:
 private:
   void refine_all()
   {
-    lengths_.resize(complex_.number_of_edges());
-    for (Edge_index e : complex_.edges())
-      measure(e);
+    faces_.measure_all();
     fix_faces_without_area();
     find_cones();
     if (goes_on())
       protect_cones();
     if (criteria_.splits_encroached_edges)
       for (Edge_index e : complex_.edges())
-        if (is_segment_[e.idx()])
-          segments_.push_back(e);
+        if (segments_.contains(e))
+          segments_to_test_.push_back(e);
     for (Face_index f : complex_.faces())
       note(f);
     while (has_candidates() && goes_on()) {
-      if (!segments_.empty()) {
-        const Edge_index e = segments_.back();
-        segments_.pop_back();
-        if (is_encroached(e))
+      if (!segments_to_test_.empty()) {
+        const Edge_index e = segments_to_test_.back();
+        segments_to_test_.pop_back();
+        if (segments_.is_encroached(e))
           split_segment(e);
         continue;
       }
       const Candidate candidate = bad_faces_.top();
       bad_faces_.pop();
-      if (is_bad(candidate.face) && circumradius(candidate.face) == candidate.radius)
+      if (is_bad(candidate.face) && faces_.circumradius(candidate.face) == candidate.radius)
         refine(candidate.face);
     }
     list_unrefined_faces();
@@ -127,7 +126,7 @@ private:
     }
   };
 
-  bool has_candidates() const { return !segments_.empty() || !bad_faces_.empty(); }
+  bool has_candidates() const { return !segments_to_test_.empty() || !bad_faces_.empty(); }
   bool goes_on()
   {
     if (report_.status != Refinement_status::REFINED)
@@ -135,81 +134,6 @@ private:
     if (asks_further() && report_.insertions + report_.segment_splits >= maximum_number_ && has_candidates())
       report_.status = Refinement_status::BUDGET_EXHAUSTED;
     return report_.status == Refinement_status::REFINED;
-  }
-
-  // Lengths, in the unit of the input, and shapes.
-  double length(Edge_index e) const { return lengths_[e.idx()]; }
-  double squared_length(Edge_index e) const { return triangulation_.traits().compute_squared_length_object()(triangulation_.edge_data(e)); }
-  // Whether the numbers that flips keep are good to 30 bits.
-  bool has_good_length(Edge_index e) const
-  {
-    double error = (std::numeric_limits<double>::infinity)();
-    for (Halfedge_index side : {complex_.halfedge(e), complex_.opposite(complex_.halfedge(e))})
-      if (!complex_.is_border(side))
-        error = (std::min)(error, triangulation_.face_data(complex_.face(side)).error);
-    return error <= 0x1p-30 * squared_length(e);
-  }
-  void measure(Edge_index e)
-  {
-    lengths_[e.idx()] = has_good_length(e) ? std::ldexp(std::sqrt(squared_length(e)), triangulation_.unit_exponent())
-                                           : CGAL::to_double(triangulation_.length(e));
-  }
-  // Of all edges at v, once its faces are measured anew if flips have left numbers that are not good.
-  void measure_star(Vertex_index v)
-  {
-    bool are_good = true;
-    const Halfedge_index first = complex_.halfedge(v);
-    Halfedge_index h = first;
-    do {
-      are_good = are_good && has_good_length(complex_.edge(h));
-      h = complex_.next_around_target(h);
-    } while (h != first);
-    if (!are_good)
-      triangulation_.refine(v);
-    do {
-      measure(complex_.edge(h));
-      h = complex_.next_around_target(h);
-    } while (h != first);
-  }
-  double length(Halfedge_index h) const { return length(complex_.edge(h)); }
-  Plane_point apex(Halfedge_index h) const
-  {
-    return third_corner(length(h), length(complex_.next(h)), length(complex_.prev(h)));
-  }
-  Halfedge_index longest_side(Face_index f) const
-  {
-    const Halfedge_index h = complex_.halfedge(f);
-    Halfedge_index result = h;
-    for (Halfedge_index side : {complex_.next(h), complex_.prev(h)})
-      if (length(side) > length(result))
-        result = side;
-    return result;
-  }
-  Halfedge_index shortest_side(Face_index f) const
-  {
-    const Halfedge_index h = complex_.halfedge(f);
-    Halfedge_index result = h;
-    for (Halfedge_index side : {complex_.next(h), complex_.prev(h)})
-      if (length(side) < length(result))
-        result = side;
-    return result;
-  }
-  double circumradius(Face_index f) const
-  {
-    const Halfedge_index h = longest_side(f);
-    const double jk = length(complex_.next(h)), ki = length(complex_.prev(h)), height = apex(h).imag();
-    return height > 0 ? jk / length(h) * ki / height / 2 : (std::numeric_limits<double>::infinity)();
-  }
-  // The angle at the source of h, in its face.
-  double angle(Halfedge_index h) const
-  {
-    const Halfedge_index longest = longest_side(complex_.face(h));
-    const Plane_point z = apex(longest);
-    if (h == longest)
-      return std::atan2(z.imag(), z.real());
-    if (h == complex_.next(longest))
-      return std::atan2(z.imag(), 1 - z.real());
-    return CGAL_PI - std::atan2(z.imag(), z.real()) - std::atan2(z.imag(), 1 - z.real());
   }
 
   // Whether refinement cannot change the corner at the source of h.
@@ -221,16 +145,16 @@ private:
       return Refinement_obstacle::CONE;
     return std::nullopt;
   }
-  bool is_segment(Halfedge_index h) const { return is_segment_[complex_.edge(h).idx()]; }
+  bool is_segment(Halfedge_index h) const { return segments_.contains(h); }
 
   bool is_too_large(Face_index f) const
   {
-    return length(longest_side(f)) > criteria_.maximum_edge_length || circumradius(f) > criteria_.maximum_circumradius;
+    return faces_.length(faces_.longest_side(f)) > criteria_.maximum_edge_length || faces_.circumradius(f) > criteria_.maximum_circumradius;
   }
   // The sine of the smallest angle is the shortest side over the diameter of the circumcircle.
   bool has_small_angle(Face_index f) const
   {
-    return !(length(shortest_side(f)) > 2 * circumradius(f) * sine_of_minimum_angle_ * (1 + 1e-9));
+    return !(faces_.length(faces_.shortest_side(f)) > 2 * faces_.circumradius(f) * sine_of_minimum_angle_ * (1 + 1e-9));
   }
   bool is_too_small(double angle) const { return angle < criteria_.minimum_angle / 180 * CGAL_PI; }
 
@@ -249,7 +173,7 @@ private:
   }
   bool is_to_be_enlarged(Halfedge_index corner) const
   {
-    return is_too_small(angle(corner)) && !obstacle_at(corner) && !is_between_shells(complex_.next(corner));
+    return is_too_small(faces_.angle(corner)) && !obstacle_at(corner) && !segments_.is_between_shells(complex_.next(corner));
   }
   // The number of roots of two that a length is worth, rounded down.
   static int half_octave(double length)
@@ -260,57 +184,12 @@ private:
   }
   int order_of_size(Face_index f) const
   {
-    return has_small_angle(f) ? half_octave(length(shortest_side(f))) : (std::numeric_limits<int>::max)();
+    return has_small_angle(f) ? half_octave(faces_.length(faces_.shortest_side(f))) : (std::numeric_limits<int>::max)();
   }
   void note(Face_index f)
   {
     if (is_bad(f))
-      bad_faces_.push({order_of_size(f), circumradius(f), f});
-  }
-
-  // A corner of the input between two segments can force a small angle opposite to an edge between points at the same distance from it.
-  // (G. Miller, S. Pav, N. Walkington, "When and why Ruppert's algorithm works", 2003.)
-  bool is_between_shells(Halfedge_index h) const
-  {
-    // A vertex on an input edge, as seen from one end of that.
-    struct View
-    {
-      Halfedge_index from_end;
-      double distance = 0;
-    };
-    const Delta_complex& input = correspondence_.input();
-    const auto views = [&](Vertex_index v) {
-      std::array<View, 2> result;
-      if (!correspondence_.is_inserted(v) || correspondence_.location(v).dimension() != 1)
-        return result;
-      const Surface_point& p = correspondence_.location(v);
-      Halfedge_index along = p.halfedge;
-      std::size_t i = 0;
-      for (; p.coordinates[(i + 2) % 3] != 0; ++i)
-        along = input.next(along);
-      const double l = shapes_.length(input.edge(along));
-      result[0] = {along, l * p.coordinates[(i + 1) % 3]};
-      result[1] = {input.opposite(along), l * p.coordinates[i]};
-      return result;
-    };
-    for (const auto& [g, d] : views(complex_.source(h)))
-      for (const auto& [k, e] : views(complex_.target(h)))
-        if (g.is_valid() && k.is_valid() && g != k && input.source(g) == input.source(k) && std::abs(d - e) < 1e-9 * d &&
-            small_corners_.count(input.source(g)) != 0)
-          return true;
-    return false;
-  }
-
-  // An edge is encroached if an opposite angle is larger than a right one.
-  bool is_encroached(Edge_index e) const
-  {
-    for (Halfedge_index h : {complex_.halfedge(e), complex_.opposite(complex_.halfedge(e))})
-      if (!complex_.is_border(h)) {
-        const double a = length(complex_.next(h)) / length(h), b = length(complex_.prev(h)) / length(h);
-        if (a * a + b * b < 1)
-          return true;
-      }
-    return false;
+      bad_faces_.push({order_of_size(f), faces_.circumradius(f), f});
   }
 
   // Faces without area are left at the border and at constrained edges: their longest side is one. They are kept as they are.
@@ -320,7 +199,7 @@ private:
       if (!has_area(triangulation_, f)) {
         const Halfedge_index h = complex_.halfedge(f);
         for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)})
-          is_segment_[complex_.edge(side).idx()] = has_segments_ = true;
+          segments_.add(complex_.edge(side));
       }
   }
 
@@ -332,8 +211,8 @@ private:
       if (complex_.is_border(h))
         is_on_border[complex_.source(h).idx()] = true;
     for (Face_index f : complex_.faces()) {
-      const Halfedge_index ij = longest_side(f);
-      const Plane_point z = apex(ij);
+      const Halfedge_index ij = faces_.longest_side(f);
+      const Plane_point z = faces_.apex(ij);
       const double at_i = std::atan2(z.imag(), z.real()), at_j = std::atan2(z.imag(), 1 - z.real());
       sum[complex_.source(ij).idx()] += at_i;
       sum[complex_.target(ij).idx()] += at_j;
@@ -342,46 +221,11 @@ private:
     for (Vertex_index v : complex_.vertices()) {
       if (!complex_.halfedge(v).is_valid() || correspondence_.is_inserted(v))
         continue;
-      if (!is_on_border[v.idx()] && sum[v.idx()] < smallest_whole_cone && !(has_segments_ && has_segment(v)))
+      if (!is_on_border[v.idx()] && sum[v.idx()] < smallest_whole_cone && (segments_.is_empty() || !segments_.has_segment(v)))
         cones_.add(v, sum[v.idx()]);
-      if (has_segments_ && has_small_corner(v))
-        small_corners_.emplace(v, true);
+      segments_.find_small_corner(v);
     }
   }
-  bool has_segment(Vertex_index v) const
-  {
-    const Halfedge_index first = complex_.halfedge(v);
-    Halfedge_index h = first;
-    do {
-      if (is_segment(h))
-        return true;
-      h = complex_.next_around_target(h);
-    } while (h != first);
-    return false;
-  }
-  // Whether two segments meet at v in less than 60 degrees.
-  bool has_small_corner(Vertex_index v) const
-  {
-    const Halfedge_index first = complex_.opposite(complex_.halfedge(v));
-    Halfedge_index h = first;
-    do {
-      if (is_segment(h)) {
-        double sum = 0;
-        for (Halfedge_index side = h; !complex_.is_border(side);) {
-          sum += angle(side);
-          side = complex_.next_around_source(side);
-          if (is_segment(side)) {
-            if (sum < smallest_whole_cone)
-              return true;
-            break;
-          }
-        }
-      }
-      h = complex_.next_around_source(h);
-    } while (h != first);
-    return false;
-  }
-
   // A vertex close to a small cone makes a triangle around it that no other vertex disturbs: those that would lie in its circumcircle are
   // not inserted.
   void protect_cones()
@@ -390,11 +234,11 @@ private:
       const Halfedge_index first = complex_.opposite(complex_.halfedge(v));
       Halfedge_index nearest = first, h = first;
       while ((h = complex_.next_around_source(h)) != first)
-        if (length(h) < length(nearest))
+        if (faces_.length(h) < faces_.length(nearest))
           nearest = h;
-      const double radius = (std::min)(length(nearest) / 3, cones_.radius_of_input_faces(v) / 2);
-      const double t = radius / length(nearest);
-      const auto place = point_on_input(complex_, geometry_, shapes_, nearest, {1 - t, t, 0}, [&](Halfedge_index x) { return apex(x); });
+      const double radius = (std::min)(faces_.length(nearest) / 3, cones_.radius_of_input_faces(v) / 2);
+      const double t = radius / faces_.length(nearest);
+      const auto place = point_on_input(complex_, geometry_, shapes_, nearest, {1 - t, t, 0}, [&](Halfedge_index x) { return faces_.apex(x); });
       if (!(t > 0) || !place)
         continue;
       const std::optional<Vertex_index> p = insert(*place);
@@ -405,7 +249,7 @@ private:
       while (complex_.source(to_p) != v && (to_p = complex_.next_around_target(to_p)) != last) {
       }
       if (complex_.source(to_p) == v)
-        cones_.protect(v, length(to_p));
+        cones_.protect(v, faces_.length(to_p));
     }
   }
   // Inserts a vertex for a face, or splits the segment that is in the way.
@@ -415,15 +259,15 @@ private:
       if (!insert_or_split(f, end))
         return;
     if (const std::optional<Refinement_obstacle> reason = refine_at_circumcenter(f))
-      left_[f] = {circumradius(f), *reason};
+      left_[f] = {faces_.circumradius(f), *reason};
   }
 
   // A vertex on the bisector of the shortest side ij makes a triangle with that whose angles are large enough already if it is as close as this.
   // It needs no circumcenter farther away, and leaves more room (A. Ungor). The factor is 1 for an angle that just meets the bound; others need fewer vertices.
   std::optional<Walk_end> walk_to_off_center(Face_index f) const
   {
-    const Halfedge_index h = shortest_side(f);
-    const Plane_point z = apex(h);
+    const Halfedge_index h = faces_.shortest_side(f);
+    const Plane_point z = faces_.apex(h);
     const double farthest = 0.85 / (2 * std::tan(criteria_.minimum_angle / 360 * CGAL_PI));
     if (!(std::norm(z) - z.real() > farthest * 2 * z.imag()) || !(z.imag() > 0) || !is_to_be_enlarged(complex_.prev(h)))
       return std::nullopt;
@@ -433,8 +277,8 @@ private:
   // \return why that cannot be done, if so
   std::optional<Refinement_obstacle> refine_at_circumcenter(Face_index f)
   {
-    const Halfedge_index h = longest_side(f);
-    const Plane_point z = apex(h);
+    const Halfedge_index h = faces_.longest_side(f);
+    const Plane_point z = faces_.apex(h);
     // Far outside, the height is of no importance.
     constexpr double farthest = 64;
     const double below = std::abs(z) * std::abs(z) - z.real(), height = 2 * z.imag();
@@ -449,7 +293,7 @@ private:
   std::optional<Walk_end> walk(Halfedge_index h, Plane_point end) const
   {
     return walk_straight(
-      complex_, h, 0.5, end, false, [&](Halfedge_index g) { return apex(g); }, [&](Edge_index e) { return is_segment_[e.idx()]; });
+      complex_, h, 0.5, end, false, [&](Halfedge_index g) { return faces_.apex(g); }, [&](Edge_index e) { return segments_.contains(e); });
   }
   std::optional<Refinement_obstacle> insert_or_split(Face_index f, const std::optional<Walk_end>& end)
   {
@@ -457,9 +301,9 @@ private:
       return Refinement_obstacle::UNREPRESENTABLE;
     if (end->barrier.is_valid())
       return split(f, complex_.edge(end->barrier));
-    if (const std::optional<Edge_index> e = encroached_by(*end))
+    if (const std::optional<Edge_index> e = segments_.encroached_by(*end))
       return split(f, *e);
-    const auto place = point_on_input(complex_, geometry_, shapes_, end->halfedge, end->weights, [&](Halfedge_index g) { return apex(g); });
+    const auto place = point_on_input(complex_, geometry_, shapes_, end->halfedge, end->weights, [&](Halfedge_index g) { return faces_.apex(g); });
     if (!place)
       return Refinement_obstacle::UNREPRESENTABLE;
     if (cones_.is_too_close(place->point))
@@ -481,7 +325,7 @@ private:
   // the angles opposite to it are smaller than those at the base.
   std::optional<Refinement_obstacle> insert_at_centroid(Face_index f)
   {
-    const auto place = point_on_input(complex_, geometry_, shapes_, complex_.halfedge(f), {1. / 3, 1. / 3, 1. / 3}, [&](Halfedge_index g) { return apex(g); });
+    const auto place = point_on_input(complex_, geometry_, shapes_, complex_.halfedge(f), {1. / 3, 1. / 3, 1. / 3}, [&](Halfedge_index g) { return faces_.apex(g); });
     if (!place || is_too_fine(f, place->point) || !insert(*place))
       return Refinement_obstacle::UNREPRESENTABLE;
     return std::nullopt;
@@ -493,38 +337,7 @@ private:
     double size = 0;
     for (Halfedge_index h : {point.halfedge, input.next(point.halfedge), input.prev(point.halfedge)})
       size = (std::max)(size, shapes_.length(input.edge(h)));
-    return circumradius(f) < std::ldexp(size, geometry_.metric().unit_exponent() - 46);
-  }
-
-  // A segment that a vertex at this point would encroach on: among those that bound the triangles with the point in their circumcircles.
-  std::optional<Edge_index> encroached_by(const Walk_end& end)
-  {
-    if (!has_segments_)
-      return std::nullopt;
-    struct Side
-    {
-      Halfedge_index halfedge;
-      Plane_point point;
-    };
-    std::vector<Side> sides{{end.halfedge, end.weights[1] + end.weights[2] * apex(end.halfedge)}};
-    const auto push_others = [&](Side s, Plane_point z) {
-      sides.push_back({complex_.next(s.halfedge), (s.point - 1.) / (z - 1.)});
-      sides.push_back({complex_.prev(s.halfedge), (s.point - z) / -z});
-    };
-    push_others(sides[0], apex(end.halfedge));
-    for (std::size_t i = 0; i < sides.size() && i < 300; ++i) {
-      const Side s = sides[i];
-      if (is_segment(s.halfedge)) {
-        if (std::real(s.point * std::conj(s.point - 1.)) < 0)
-          return complex_.edge(s.halfedge);
-        continue;
-      }
-      const Side behind{complex_.opposite(s.halfedge), 1. - s.point};
-      const Plane_point z = apex(behind.halfedge), center(0.5, (std::norm(z) - z.real()) / (2 * z.imag()));
-      if (std::norm(behind.point - center) < std::norm(center))
-        push_others(behind, z);
-    }
-    return std::nullopt;
+    return faces_.circumradius(f) < std::ldexp(size, geometry_.metric().unit_exponent() - 46);
   }
 
   // \return nothing if a vertex lies there
@@ -559,51 +372,35 @@ private:
       return b / (a + b);
     };
     const double begin = position(complex_.source(h), 0), end = position(complex_.target(h), 1);
-    const double t = std::ldexp(std::nearbyint(std::ldexp(split_position(h, begin, end), 52)), -52);
+    const double t = std::ldexp(std::nearbyint(std::ldexp(segments_.split_position(h, begin, end), 52)), -52);
     if (!(begin < t && t < end))
       return false;
     const Vertex_index v = triangulation_.split_edge(h, Surface_point{along, {1 - t, t, 0}});
     ++report_.segment_splits;
-    is_segment_.resize(complex_.number_of_edges(), false);
+    segments_.resize();
     // Of the edges that lead to the new vertex, these are its parts.
     const Halfedge_index first = complex_.halfedge(v);
     Halfedge_index g = first;
     do {
       if (correspondence_.coordinates().is_original(complex_.edge(g)))
-        is_segment_[complex_.edge(g).idx()] = true;
+        segments_.add(complex_.edge(g));
       g = complex_.next_around_target(g);
     } while (g != first);
     settle(v);
     return true;
   }
-  // Halfway, but at a distance that is a power of two from a corner where two segments meet in a small angle: so they are split at the same
-  // distances from it.
-  double split_position(Halfedge_index h, double begin, double end) const
-  {
-    const bool at_source = small_corners_.count(complex_.source(h)) != 0, at_target = small_corners_.count(complex_.target(h)) != 0;
-    if (at_source == at_target)
-      return (begin + end) / 2;
-    const double l = length(h);
-    double shell = std::exp2(std::floor(std::log2(l)));
-    while (shell > 2 * l / 3)
-      shell /= 2;
-    const double part = shell / l * (end - begin);
-    return at_source ? begin + part : end - part;
-  }
-
   void settle(Vertex_index v)
   {
-    is_segment_.resize(complex_.number_of_edges(), false);
+    segments_.resize();
     flipped_.clear();
-    const auto is_fixed = boost::make_function_property_map<Edge_index, bool>([&](Edge_index e) { return is_segment_[e.idx()]; });
+    const auto is_fixed = boost::make_function_property_map<Edge_index, bool>([&](Edge_index e) { return segments_.contains(e); });
     report_.flips += settle_around(triangulation_, v, is_fixed, stack_, [&](Edge_index e) { flipped_.push_back(e); });
     visitor_.after_insertion(v);
-    lengths_.resize(complex_.number_of_edges());
-    measure_star(v);
+    faces_.measure_star(v);
     const auto is_at_v = [&](Edge_index e) { return complex_.source(complex_.halfedge(e)) == v || complex_.target(complex_.halfedge(e)) == v; };
     flipped_.erase(std::remove_if(flipped_.begin(), flipped_.end(), is_at_v), flipped_.end());
     for (Edge_index e : flipped_)
-      measure(e);
+      faces_.measure(e);
     const Halfedge_index first = complex_.halfedge(v);
     Halfedge_index h = first;
     const auto note_faces = [&](Halfedge_index h) {
@@ -615,7 +412,7 @@ private:
       if (criteria_.splits_encroached_edges)
         for (Halfedge_index side : {h, complex_.prev(h)})
           if ((side == h || !complex_.is_border(h)) && is_segment(side))
-            segments_.push_back(complex_.edge(side));
+            segments_to_test_.push_back(complex_.edge(side));
       h = complex_.next_around_target(h);
     } while (h != first);
     for (Edge_index e : flipped_)
@@ -632,17 +429,17 @@ private:
         continue;
       std::optional<Refinement_obstacle> reason;
       for (Halfedge_index corner : {h, complex_.next(h), complex_.prev(h)})
-        if (is_too_small(angle(corner))) {
+        if (is_too_small(faces_.angle(corner))) {
           is_below = true;
           if (const auto obstacle = obstacle_at(corner))
             reason = obstacle;
-          else if (is_between_shells(complex_.next(corner)))
+          else if (segments_.is_between_shells(complex_.next(corner)))
             reason = Refinement_obstacle::SMALL_INPUT_ANGLE;
         }
       if (!is_below)
         continue;
       const auto left = left_.find(f);
-      if (left != left_.end() && left->second.first == circumradius(f))
+      if (left != left_.end() && left->second.first == faces_.circumradius(f))
         reason = left->second.second;
       report_.unrefined.push_back({f, reason.value_or(Refinement_obstacle::BUDGET)});
     }
@@ -654,17 +451,15 @@ private:
   const Correspondence& correspondence_;
   const Input_shapes shapes_;
   const Refinement_criteria criteria_;
-  std::vector<bool> is_segment_;
-  std::vector<double> lengths_; // of the edges, in the unit of the input
   Visitor& visitor_;
   const std::uint64_t maximum_number_;
-  bool has_segments_;
+  Measured_faces<Traits> faces_;
+  Segments<Traits> segments_;
   Refinement_report report_;
   std::priority_queue<Candidate> bad_faces_;
-  std::vector<Edge_index> segments_, stack_, flipped_;
+  std::vector<Edge_index> segments_to_test_, stack_, flipped_;
   Small_cones cones_;
   const double sine_of_minimum_angle_;
-  std::unordered_map<Vertex_index, bool> small_corners_;
   std::unordered_map<Face_index, std::pair<double, Refinement_obstacle>> left_;
 };
 
