@@ -24,6 +24,8 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -189,8 +191,8 @@ public:
     return is_zero(pq) | is_zero(qr) | is_zero(pr);
   }
 
-  // Returns the smallest squared length of either face.
-  Two_doubles measure(const Face_halfedges& one, const Face_halfedges& two) const
+  // Returns the smallest squared length of either face. Inlined by force: where the loop is compiled once, GCC would call it.
+  BOOST_FORCEINLINE Two_doubles measure(const Face_halfedges& one, const Face_halfedges& two) const
   {
     const auto edge = traits_.construct_edge_data_object();
     const Two_points p = corners(one.prev, two.prev), q = corners(one.h, two.h), r = corners(one.next, two.next);
