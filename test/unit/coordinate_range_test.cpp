@@ -8,8 +8,11 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <gtest/gtest.h>
 
@@ -163,6 +166,54 @@ TEST(Coordinate_range, Names_the_vertex_whose_coordinate_is_lost)
   EXPECT_EQ(report.first_fatal(), finding);
   EXPECT_EQ(finding->elements, std::vector<std::size_t>{1});
   EXPECT_NE(IT::message(report).find("vertex 1 at (9.99989e-321, 0, 0)"), std::string::npos) << IT::message(report);
+}
+
+// Four times an area may be subnormal in the unit of the stored numbers, or in that of the input, and has few bits then.
+TEST(Coordinate_range, Of_numbers_of_a_face_far_smaller_than_the_surface)
+{
+  struct Small_face
+  {
+    int leg, surface; // as powers of two
+    bool has_normal_area;
+  };
+  for (const Small_face& face : {Small_face{-200, 332, true}, {-505, 0, true}, {-515, 0, false}, {-530, 0, false}, {100, 632, true}, {490, 1000, true}}) {
+    SCOPED_TRACE(face.leg);
+    const double h = std::ldexp(1., face.leg), l = std::ldexp(1., face.surface);
+    const Points points = {{0, 0, 0}, {3 * h, 0, 0}, {0, 4 * h, 0}, {0, 0, l}};
+    const Triangles triangles = {{0, 1, 2}, {1, 0, 3}};
+    const IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> t(
+      IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
+    const IT::Delta_complex& complex = t.connectivity();
+    const IT::Face_index f(0);
+    if (face.has_normal_area)
+      EXPECT_DOUBLE_EQ(t.area(f), 6 * h * h);
+    else
+      EXPECT_EQ(refusal([&] { t.area(f); }), Defect::OUT_OF_RANGE);
+    for (IT::Halfedge_index side : {complex.halfedge(f), complex.next(complex.halfedge(f)), complex.prev(complex.halfedge(f))}) {
+      const std::size_t at = complex.target(complex.next(side)).idx();
+      EXPECT_NEAR(IT::angle(t, side), at == 0 ? std::atan2(1., 0.) : at == 1 ? std::atan2(4., 3.)
+                                                                             : std::atan2(3., 4.),
+                  1e-15);
+    }
+  }
+}
+
+// A square one of whose corners is moved by the smallest number is no tie: beside the others, its coordinate underflows when it is scaled.
+TEST(Coordinate_range, Of_decisions_that_the_smallest_number_makes)
+{
+  const double q = 0x1p25;
+  for (double y : {least, -least, 0.})
+    for (bool other_diagonal : {false, true}) {
+      const Points points = {{0, 0, 0}, {q, y, 0}, {q, q, 0}, {0, q, 0}};
+      const Triangles triangles = other_diagonal ? Triangles{{0, 1, 2}, {0, 2, 3}} : Triangles{{0, 1, 3}, {1, 2, 3}};
+      IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> t(
+        IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
+      const bool is_Delaunay = y == 0 || (y > 0) != other_diagonal;
+      EXPECT_EQ(IT::flip_to_Delaunay(t).flips, is_Delaunay ? 0u : 1u) << y << other_diagonal;
+      const auto verification = IT::verify_Delaunay(t);
+      EXPECT_TRUE(verification.is_Delaunay());
+      EXPECT_EQ(verification.ties, y == 0 ? 1u : 0u);
+    }
 }
 
 } // namespace

@@ -128,6 +128,14 @@ public:
     return r;
   }
 
+  // a 2^exponent, without rounding
+  friend Mpfr_interval ldexp(Mpfr_interval a, long exponent)
+  {
+    mpfr_mul_2si(a.lower_, a.lower_, exponent, MPFR_RNDD);
+    mpfr_mul_2si(a.upper_, a.upper_, exponent, MPFR_RNDU);
+    return a;
+  }
+
   // For what is built on top: sets the interval to [0, upper end of x], ...
   void set_upper(const Mpfr_interval& x)
   {

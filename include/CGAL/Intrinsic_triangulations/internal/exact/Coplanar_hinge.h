@@ -144,7 +144,8 @@ private:
         continue;
       for (double each : x) {
         const double scaled = each * scale;
-        if (!(std::abs(scaled) < 0x1p51 && (scaled + to_integer) - to_integer == scaled))
+        const bool is_lost = scaled == 0 && each != 0; // by underflow
+        if (is_lost || !(std::abs(scaled) < 0x1p51 && (scaled + to_integer) - to_integer == scaled))
           return false;
       }
     }

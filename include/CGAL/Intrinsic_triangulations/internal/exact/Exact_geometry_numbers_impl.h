@@ -184,10 +184,11 @@ double Exact_geometry::angle(const Delta_complex& complex, Halfedge_index h) con
   if (sign_of_area(complex, complex.face(h), *surface) == ZERO)
     return late.sign_of_scalar_product(h) == NEGATIVE ? CGAL_PI : 0;
   const auto is_narrow = [](double width, double magnitude) { return width <= 0x1p-51 * magnitude; };
+  const long scale = late.scale_of_corner(h);
   const double four_areas = late.number_of_corner(
-    h, [](const auto& corner) { return corner.four_areas; }, is_narrow);
+    h, [&](const auto& corner) { return ldexp(corner.four_areas, scale); }, is_narrow);
   const double p = late.number_of_corner(
-    h, [](const auto& corner) { return corner.p; },
+    h, [&](const auto& corner) { return ldexp(corner.p, scale); },
     [&](double width, double magnitude) { return is_narrow(width, (std::max)(magnitude, four_areas)); });
   return std::atan2(four_areas, p);
 }
@@ -226,16 +227,14 @@ double Exact_geometry::area(const Delta_complex& complex, Face_index f) const
   const Surface_lease surface = input_surface();
   const Halfedge_index h = complex.halfedge(f);
   const internal::Bounded_double_double a = corner(complex, h, *surface).four_areas;
-  const auto precise_value = [&] {
-    return late_stages(complex, *surface)
-      .number_of_corner(
-        h, [](const auto& corner) { return corner.four_areas; },
-        [](double width, double magnitude) { return width <= 0x1p-51 * magnitude; });
-  };
-  const double value = internal::is_good_area(a)                    ? a.hi()
-                       : sign_of_area(complex, f, *surface) == ZERO ? 0
-                                                                    : precise_value();
-  return internal::area_in_input_unit(value / 4, metric_.unit_exponent(), f);
+  if (internal::is_good_area(a))
+    return internal::area_in_input_unit(a.hi() / 4, metric_.unit_exponent(), f);
+  if (sign_of_area(complex, f, *surface) == ZERO)
+    return 0;
+  // In the unit of the input, since in that of the numbers it may be subnormal.
+  const double value = late_stages(complex, *surface).number_of_corner(
+    h, [&](const auto& corner) { return ldexp(corner.four_areas, 2 * long(metric_.unit_exponent()) - 2); }, [](double width, double magnitude) { return width <= 0x1p-51 * magnitude; });
+  return internal::area_in_input_unit(value, 0, f);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

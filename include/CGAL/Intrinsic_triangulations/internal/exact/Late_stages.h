@@ -126,23 +126,38 @@ public:
     }
   }
 
-  // The middle of an interval around evaluate(corner opposite to h) that is narrow enough, as
-  // is_narrow(width, magnitude) says. What is too small for a double is rounded away from zero.
+  // The middle of an interval around evaluate(corner opposite to h) that is narrow enough, as is_narrow(width, magnitude) says, or as
+  // narrow as intervals around subnormal numbers can be. What is too small for a double is rounded away from zero.
   // \pre the face of h has positive area, or evaluate() does not divide by it
   // \exception Invalid_surface_error if the number leaves the range of double
   template <class Evaluate, class IsNarrow>
   double number_of_corner(Halfedge_index h, const Evaluate& evaluate, const IsNarrow& is_narrow)
   {
     for (long precision = 128;; precision *= 2) {
-      Mpfr_metric metric(surface_, {precision});
-      const Mpfr_interval x = evaluate(unfolding(metric).opposite_corner(h));
+      const Mpfr_interval x = evaluate(corner(h, precision));
       const double low = x.lower_double(), high = x.upper_double();
       const double magnitude = (std::max)(std::abs(low), std::abs(high));
-      if (magnitude < std::numeric_limits<double>::infinity() && is_narrow(high - low, magnitude))
-        return low + (high - low) / 2;
       if (is_tiny(x))
         return get_certain(x.sign()) * smallest;
+      if (magnitude < std::numeric_limits<double>::infinity() && (is_narrow(high - low, magnitude) || high - low <= 2 * smallest))
+        return low + (high - low) / 2;
       require_range(x, complex_.face(h));
+    }
+  }
+
+  // The exponent of a power of two by which numbers of the corner are scaled into the range of double, however small the face.
+  // \pre the face of h has positive area
+  long scale_of_corner(Halfedge_index h)
+  {
+    for (long precision = 128;; precision *= 2) {
+      const auto c = corner(h, precision);
+      if (!is_certain(c.four_areas.sign()))
+        continue;
+      long exponent = long(mpfr_get_exp(c.four_areas.upper()));
+      for (mpfr_srcptr end : {c.p.lower(), c.p.upper()})
+        if (mpfr_regular_p(end))
+          exponent = (std::max)(exponent, long(mpfr_get_exp(end)));
+      return -exponent;
     }
   }
 
@@ -181,6 +196,12 @@ private:
                                   "face " + std::to_string(f.idx()) +
                                     " is so thin that a cotangent leaves the range of double: remove it, or mollify "
                                     "the lengths first");
+  }
+
+  Triangle_corner<Mpfr_interval> corner(Halfedge_index h, long precision)
+  {
+    Mpfr_metric metric(surface_, {precision});
+    return unfolding(metric).opposite_corner(h);
   }
 
   template <class Metric>
