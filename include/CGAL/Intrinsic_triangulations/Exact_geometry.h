@@ -232,8 +232,8 @@ public:
   double cotangent_weight(const Delta_complex& complex, Edge_index e) const;
 
   /// returns the area of `f` in the unit of the input, up to a relative error of `2^-50`.
-  /// \exception Invalid_surface_error if the unit of the input is so small or so large that
-  ///   the area leaves the range of `double`
+  /// \exception Invalid_surface_error if the area is not zero and, in that unit, leaves the
+  ///   range of normal doubles
   double area(const Delta_complex& complex, Face_index f) const;
 
   /// returns whether two vertices coincide: whether `e` has length zero.
