@@ -8,16 +8,24 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <random>
 #include <vector>
 
 namespace {
@@ -143,6 +151,73 @@ TEST(Extreme_lengths, AsExactSquaresAreRefusedBeyondTheRangeOfDoubleAlone)
       EXPECT_EQ(error.element(), 2u) << error.what();
     }
   }
+}
+
+// What is below is the sign of a number far below its rounding errors.
+void expect_sign_of_weight(const IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>& t, IT::Edge_index e, CGAL::Sign sign)
+{
+  EXPECT_EQ(CGAL::sign(t.cotangent_weight(e)), sign);
+  EXPECT_EQ(CGAL::sign(IT::cotangent_weights(t)[e.idx()]), sign);
+}
+
+// Two angles of one triangle sum to less than π. Flips make such edges where coordinates of all sizes meet.
+TEST(Extreme_lengths, The_weight_of_an_edge_with_one_face_on_both_sides_is_positive)
+{
+  std::mt19937 random(5);
+  const auto number = [&](int exponent) { return std::ldexp(double(random() % 2001) / 1000 - 1, exponent); };
+  constexpr unsigned n = 4;
+  std::size_t number_of_edges = 0;
+  for (int round = 0; round < 100; ++round) {
+    SCOPED_TRACE(round);
+    const int exponent = int(random() % 240);
+    std::vector<std::array<double, 3>> points;
+    std::vector<std::array<unsigned, 3>> triangles;
+    for (unsigned j = 0; j <= n; ++j)
+      for (unsigned i = 0; i <= n; ++i) {
+        points.push_back({std::ldexp(i + 0.3 * number(0), i % 2 == 0 ? 0 : -exponent), std::ldexp(j + 0.3 * number(0), -exponent),
+                          number(-int(random() % 240))});
+        const unsigned v = j * (n + 1) + i;
+        if (i < n && j < n)
+          triangles.insert(triangles.end(), {{v, v + 1, v + n + 1}, {v + 1, v + n + 2, v + n + 1}});
+      }
+    IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> t(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
+    IT::flip_to_Delaunay(t);
+    for (IT::Edge_index e : t.connectivity().edges())
+      if (t.connectivity().is_self_glued(e)) {
+        ++number_of_edges;
+        expect_sign_of_weight(t, e, CGAL::POSITIVE);
+      }
+  }
+  EXPECT_GT(number_of_edges, 20u);
+}
+
+TEST(Extreme_lengths, The_weight_of_a_border_edge_opposite_a_right_angle_is_zero)
+{
+  const IT::Delta_complex hinge =
+    IT::make_Delta_complex_from_triangles(4, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {1, 0, 3}});
+  // Thirds are not exact in double.
+  std::vector<IT::Rational> squared_lengths(hinge.number_of_edges());
+  for (IT::Edge_index e : hinge.edges()) {
+    const IT::Halfedge_index h = hinge.halfedge(e);
+    const unsigned i = (std::min)(hinge.source(h).idx(), hinge.target(h).idx()), j = hinge.source(h).idx() + hinge.target(h).idx() - i;
+    const int thirds = i == 0 ? (j == 1 ? 769 : j == 2 ? 400
+                                                       : 625)
+                              : (j == 2 ? 81 : 144);
+    squared_lengths[e.idx()] = IT::Rational(thirds) / 3;
+  }
+  auto t = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>::from_metric(hinge, IT::metric_from_squared_lengths(squared_lengths));
+  EXPECT_EQ(IT::flip_to_Delaunay(t).flips, 1u);
+  std::size_t number_of_right_angles = 0;
+  for (IT::Edge_index e : t.connectivity().edges()) {
+    const IT::Halfedge_index h = t.connectivity().halfedge(e);
+    // The flip makes the squared length of 2 and 3 225: 400 + 225 = 625.
+    if (t.connectivity().source(h).idx() + t.connectivity().target(h).idx() == 3 && t.connectivity().is_border(e) &&
+        (std::min)(t.connectivity().source(h).idx(), t.connectivity().target(h).idx()) == 0) {
+      ++number_of_right_angles;
+      expect_sign_of_weight(t, e, CGAL::ZERO);
+    }
+  }
+  EXPECT_EQ(number_of_right_angles, 1u);
 }
 
 } // namespace

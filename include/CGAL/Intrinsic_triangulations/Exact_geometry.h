@@ -232,8 +232,8 @@ public:
   double cotangent_weight(const Delta_complex& complex, Edge_index e) const;
 
   /// returns the area of `f` in the unit of the input, up to a relative error of `2^-50`.
-  /// \exception Invalid_surface_error if the area is not zero and, in that unit, leaves the
-  ///   range of normal doubles
+  /// A subnormal area is within two units in its last place, and not zero.
+  /// \exception Invalid_surface_error if the unit of the input is so small or so large that the area leaves the range of `double`
   double area(const Delta_complex& complex, Face_index f) const;
 
   /// returns whether two vertices coincide: whether `e` has length zero.
@@ -262,10 +262,10 @@ public:
   struct Rounded_numbers
   {
     explicit Rounded_numbers(const Delta_complex& complex);
-    // What cotangent_weight() returns, or NaN. \pre e is no border edge
+    // As cotangent_weight() up to the last digits, or NaN. \pre e is no border edge
     double cotangent_weight(const Delta_complex& complex, Edge_index e) const;
 
-    Large_vector<double> lengths; // as length() returns them
+    Large_vector<double> lengths; // as length() returns them, up to the last digit
     Large_vector<double> areas;   // in the unit of the metric
     // Opposite to each halfedge of a face with a positive area: `hi()`, `lo()` and `error()`.
     Large_vector<std::array<double, 3>> cotangents;
@@ -342,6 +342,7 @@ private:
   Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e, internal::Input_surface& surface) const;
   Sign sign_of_area(const Delta_complex& complex, Face_index f, internal::Input_surface& surface) const;
   double cotangent(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;
+  double signed_cotangent(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;
   Corner corner(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;
   Corner unfolded_corner(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;
   internal::Bounded_double_double squared_length(const Delta_complex& complex, Edge_index e,

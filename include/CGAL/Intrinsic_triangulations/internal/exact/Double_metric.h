@@ -61,7 +61,8 @@ public:
       return Real(metric_.squared_length_double_double(input_, e));
     const Halfedge_index h = input_.halfedge(e);
     const double s = squared_distance_3(metric_.points()[input_.source(h).idx()], metric_.points()[input_.target(h).idx()]);
-    return {s, 0x1p-49 * s};
+    constexpr double of_underflow = 0x1p-1072; // of three squares
+    return {s, 0x1p-49 * s + of_underflow};
   }
   Real four_areas(Face_index f) const { return Real(metric_.four_areas_double_double(input_, f)); }
   // To compute them takes no longer than to look for them.

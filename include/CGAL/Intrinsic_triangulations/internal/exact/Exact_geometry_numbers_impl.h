@@ -171,6 +171,21 @@ double Exact_geometry::cotangent(const Delta_complex& complex, Halfedge_index h,
       [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
 }
 
+// As cotangent(), and zero only for a right angle, else with the right sign.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::signed_cotangent(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const
+{
+  const double value = cotangent(complex, h, surface);
+  const Uncertain<Sign> certain = corner(complex, h, surface).p.sign();
+  const Sign sign = is_certain(certain) ? get_certain(certain) : late_stages(complex, surface).sign_of_scalar_product(h);
+  if (sign == ZERO)
+    return 0;
+  if (CGAL::sign(value) == sign)
+    return value;
+  return late_stages(complex, surface).number_of_corner(
+    h, [](const auto& corner) { return corner.p / corner.four_areas; }, [](double width, double magnitude) { return width <= 0x1p-51 * magnitude; });
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_geometry::angle(const Delta_complex& complex, Halfedge_index h) const
 {
@@ -200,18 +215,15 @@ double Exact_geometry::cotangent_weight(const Delta_complex& complex, Edge_index
   find_straight_faces(complex);
   const Surface_lease surface = input_surface();
   const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-  if (complex.is_border(h))
-    return cotangent(complex, g, *surface);
-  if (complex.is_border(g))
-    return cotangent(complex, h, *surface);
+  if (complex.is_border(h) || complex.is_border(g))
+    return signed_cotangent(complex, complex.is_border(h) ? g : h, *surface);
   const Corner k = corner(complex, h, *surface), l = corner(complex, g, *surface);
   const internal::Bounded_double_double weight = k.p / k.four_areas + l.p / l.four_areas;
   if (internal::is_good_weight(weight))
     return weight.hi();
   const double sum = cotangent(complex, h, *surface) + cotangent(complex, g, *surface);
-  if (!complex.is_flippable(e))
-    return sum;
-  const Sign exact_sign = sign_of_cotangents(complex, e, *surface);
+  // Two angles of one triangle sum to less than π.
+  const Sign exact_sign = complex.is_self_glued(e) ? POSITIVE : sign_of_cotangents(complex, e, *surface);
   if (exact_sign == ZERO)
     return 0;
   return CGAL::sign(sum) == exact_sign
@@ -232,9 +244,10 @@ double Exact_geometry::area(const Delta_complex& complex, Face_index f) const
   if (sign_of_area(complex, f, *surface) == ZERO)
     return 0;
   // In the unit of the input, since in that of the numbers it may be subnormal.
+  const int unit = metric_.unit_exponent();
   const double value = late_stages(complex, *surface).number_of_corner(
-    h, [&](const auto& corner) { return ldexp(corner.four_areas, 2 * long(metric_.unit_exponent()) - 2); }, [](double width, double magnitude) { return width <= 0x1p-51 * magnitude; });
-  return internal::area_in_input_unit(value, 0, f);
+    h, [&](const auto& corner) { return ldexp(corner.four_areas, 2 * long(unit) - 2); }, [](double width, double magnitude) { return width <= 0x1p-51 * magnitude; });
+  return unit < 0 ? internal::area_in_input_unit(std::ldexp(value, -2 * unit), unit, f) : value;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
