@@ -9,10 +9,13 @@
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
+
+#include <CGAL/number_utils.h>
 
 #include <gtest/gtest.h>
 
@@ -209,6 +212,24 @@ TEST(Coordinate_range, Of_decisions_that_the_smallest_number_makes)
       const auto verification = IT::verify_Delaunay(t);
       EXPECT_TRUE(verification.is_Delaunay());
       EXPECT_EQ(verification.ties, y == 0 ? 1u : 0u);
+    }
+}
+
+// The cotangent is smaller than any double.
+TEST(Coordinate_range, Of_weights_that_the_smallest_number_makes)
+{
+  for (double q : {1., 0x1p25})
+    for (double y : {least, -least, 0.}) {
+      const Points points = {{0, 0, 0}, {q, y, 0}, {0, q, 0}};
+      const IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> t(
+        IT::make_Delta_complex_from_triangles(points.size(), Triangles{{0, 1, 2}}), points);
+      for (IT::Edge_index e : t.connectivity().edges()) {
+        const IT::Halfedge_index h = t.connectivity().halfedge(e);
+        if (t.connectivity().source(h).idx() != 0 && t.connectivity().target(h).idx() != 0) {
+          EXPECT_EQ(CGAL::sign(t.cotangent_weight(e)), CGAL::sign(y)) << q << ' ' << y;
+          EXPECT_EQ(CGAL::sign(IT::cotangent_weights(t)[e.idx()]), CGAL::sign(y)) << q << ' ' << y;
+        }
+      }
     }
 }
 

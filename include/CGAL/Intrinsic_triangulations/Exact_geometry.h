@@ -341,7 +341,7 @@ private:
   // As the public ones, with memory that the caller has taken.
   Sign sign_of_cotangents(const Delta_complex& complex, Edge_index e, internal::Input_surface& surface) const;
   Sign sign_of_area(const Delta_complex& complex, Face_index f, internal::Input_surface& surface) const;
-  double cotangent(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;
+  double cotangent(const Delta_complex& complex, Halfedge_index h, const Corner& corner, internal::Input_surface& surface) const;
   double signed_cotangent(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;
   Corner corner(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;
   Corner unfolded_corner(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;

@@ -44,6 +44,9 @@ inline bool is_good_weight(const Bounded_double_double& weight)
 }
 inline bool is_good_area(const Bounded_double_double& a) { return a.is_zero() || a.relative_error() < 0x1p-54; }
 
+// Of an interval around a number that is wanted to the last places.
+inline bool is_narrow(double width, double magnitude) { return width <= 0x1p-51 * magnitude; }
+
 inline double rounded_root(const Bounded_double_double& s, int unit_exponent)
 {
   const Bounded_double_double l = sqrt(s);
@@ -155,35 +158,29 @@ double Exact_geometry::cotangent(const Delta_complex& complex, Halfedge_index h)
 {
   prepare(complex);
   find_straight_faces(complex);
-  return cotangent(complex, h, *input_surface());
+  const Surface_lease surface = input_surface();
+  return cotangent(complex, h, corner(complex, h, *surface), *surface);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_geometry::cotangent(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const
+double Exact_geometry::cotangent(const Delta_complex& complex, Halfedge_index h, const Corner& corner, internal::Input_surface& surface) const
 {
-  const Corner c = corner(complex, h, surface);
-  const double value = c.p.hi() / c.four_areas.hi();
-  if (c.four_areas.relative_error() < 0x1p-60 && c.p.error() < 0x1p-60 * (std::abs(c.p.hi()) + c.four_areas.hi()))
-    return value;
-  return late_stages(complex, surface)
-    .number_of_corner(
-      h, [](const auto& corner) { return corner.p / corner.four_areas; },
-      [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
+  const double p = corner.p.hi(), four_areas = corner.four_areas.hi();
+  if (corner.four_areas.relative_error() < 0x1p-60 && corner.p.error() < 0x1p-60 * (std::abs(p) + four_areas))
+    return p / four_areas;
+  return late_stages(complex, surface).cotangent(h, [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
 }
 
 // As cotangent(), and zero only for a right angle, else with the right sign.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_geometry::signed_cotangent(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const
 {
-  const double value = cotangent(complex, h, surface);
-  const Uncertain<Sign> certain = corner(complex, h, surface).p.sign();
-  const Sign sign = is_certain(certain) ? get_certain(certain) : late_stages(complex, surface).sign_of_scalar_product(h);
+  const Corner c = corner(complex, h, surface);
+  const Sign sign = is_certain(c.p.sign()) ? get_certain(c.p.sign()) : late_stages(complex, surface).sign_of_scalar_product(h);
   if (sign == ZERO)
     return 0;
-  if (CGAL::sign(value) == sign)
-    return value;
-  return late_stages(complex, surface).number_of_corner(
-    h, [](const auto& corner) { return corner.p / corner.four_areas; }, [](double width, double magnitude) { return width <= 0x1p-51 * magnitude; });
+  const double value = cotangent(complex, h, c, surface);
+  return CGAL::sign(value) == sign ? value : late_stages(complex, surface).cotangent(h, internal::is_narrow);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -198,13 +195,12 @@ double Exact_geometry::angle(const Delta_complex& complex, Halfedge_index h) con
   internal::Late_stages late = late_stages(complex, *surface);
   if (sign_of_area(complex, complex.face(h), *surface) == ZERO)
     return late.sign_of_scalar_product(h) == NEGATIVE ? CGAL_PI : 0;
-  const auto is_narrow = [](double width, double magnitude) { return width <= 0x1p-51 * magnitude; };
   const long scale = late.scale_of_corner(h);
   const double four_areas = late.number_of_corner(
-    h, [&](const auto& corner) { return ldexp(corner.four_areas, scale); }, is_narrow);
+    h, [&](const auto& corner) { return ldexp(corner.four_areas, scale); }, internal::is_narrow);
   const double p = late.number_of_corner(
     h, [&](const auto& corner) { return ldexp(corner.p, scale); },
-    [&](double width, double magnitude) { return is_narrow(width, (std::max)(magnitude, four_areas)); });
+    [&](double width, double magnitude) { return internal::is_narrow(width, (std::max)(magnitude, four_areas)); });
   return std::atan2(four_areas, p);
 }
 
@@ -221,7 +217,7 @@ double Exact_geometry::cotangent_weight(const Delta_complex& complex, Edge_index
   const internal::Bounded_double_double weight = k.p / k.four_areas + l.p / l.four_areas;
   if (internal::is_good_weight(weight))
     return weight.hi();
-  const double sum = cotangent(complex, h, *surface) + cotangent(complex, g, *surface);
+  const double sum = cotangent(complex, h, k, *surface) + cotangent(complex, g, l, *surface);
   // Two angles of one triangle sum to less than π.
   const Sign exact_sign = complex.is_self_glued(e) ? POSITIVE : sign_of_cotangents(complex, e, *surface);
   if (exact_sign == ZERO)
@@ -246,7 +242,7 @@ double Exact_geometry::area(const Delta_complex& complex, Face_index f) const
   // In the unit of the input, since in that of the numbers it may be subnormal.
   const int unit = metric_.unit_exponent();
   const double value = late_stages(complex, *surface).number_of_corner(
-    h, [&](const auto& corner) { return ldexp(corner.four_areas, 2 * long(unit) - 2); }, [](double width, double magnitude) { return width <= 0x1p-51 * magnitude; });
+    h, [&](const auto& corner) { return ldexp(corner.four_areas, 2 * long(unit) - 2); }, internal::is_narrow);
   return unit < 0 ? internal::area_in_input_unit(std::ldexp(value, -2 * unit), unit, f) : value;
 }
 

@@ -139,10 +139,20 @@ public:
       const double magnitude = (std::max)(std::abs(low), std::abs(high));
       if (is_tiny(x))
         return get_certain(x.sign()) * smallest;
-      if (magnitude < std::numeric_limits<double>::infinity() && (is_narrow(high - low, magnitude) || high - low <= 2 * smallest))
+      // Where the sign is open, the middle could be zero.
+      const bool is_as_narrow_as_can_be = high - low <= 2 * smallest && is_certain(x.sign());
+      if (magnitude < std::numeric_limits<double>::infinity() && (is_narrow(high - low, magnitude) || is_as_narrow_as_can_be))
         return low + (high - low) / 2;
       require_range(x, complex_.face(h));
     }
+  }
+
+  // \pre the face of h has positive area
+  template <class IsNarrow>
+  double cotangent(Halfedge_index h, const IsNarrow& is_narrow)
+  {
+    return number_of_corner(
+      h, [](const auto& corner) { return corner.p / corner.four_areas; }, is_narrow);
   }
 
   // The exponent of a power of two by which numbers of the corner are scaled into the range of double, however small the face.
