@@ -72,6 +72,25 @@ TEST(Prime_field, primes_are_random_and_have_the_size_and_residue_that_are_promi
   EXPECT_EQ(primes.size(), 200u);
 }
 
+TEST(Prime_field, products_that_are_not_reduced_stay_below_twice_the_prime)
+{
+  Random_bits random(19);
+  for (int i = 0; i < 20; ++i) {
+    const Prime_field f(random);
+    const std::uint64_t p = f.prime();
+    std::vector<Prime_field::Number> factors{2 * p - 1, 2 * p - 2, p, p + 1};
+    for (Prime_field::Number x : numbers(f, random))
+      factors.insert(factors.end(), {x, x + p});
+    for (Prime_field::Number a : factors)
+      for (Prime_field::Number b : factors) {
+        const Prime_field::Number product = f.unreduced_product(a, b);
+        EXPECT_LT(product, 2 * p);
+        EXPECT_EQ(product % p, f.product(a % p, b % p)) << a << ' ' << b;
+        EXPECT_LT(f.product(a, b), p);
+      }
+  }
+}
+
 TEST(Prime_field, the_same_seed_gives_the_same_fields)
 {
   Random_bits first(7), again(7), other(8);

@@ -98,10 +98,15 @@ public:
   Number negative(Number a) const { return a == 0 ? 0 : p_ - a; }
   Number product(Number a, Number b) const
   {
+    const Number u = unreduced_product(a, b);
+    return u >= p_ ? u - p_ : u;
+  }
+  // The product or p more, of numbers below 2 p: as 4 p < 2^64, (a b + m p) / 2^64 < 2 p. So in chains of products only the last is reduced.
+  Number unreduced_product(Number a, Number b) const
+  {
     const Wide t = Wide(a) * b;
     const std::uint64_t m = std::uint64_t(t) * minus_inverse_;
-    const Number u = Number((t + Wide(m) * p_) >> 64);
-    return u >= p_ ? u - p_ : u;
+    return Number((t + Wide(m) * p_) >> 64);
   }
   Number power(Number a, std::uint64_t exponent) const
   {

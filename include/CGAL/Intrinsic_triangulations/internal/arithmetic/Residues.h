@@ -53,14 +53,17 @@ inverses(const Prime_fields& fields, const std::array<Gaussian_residue, std::tup
   }
   for (std::size_t k = 2; k < size; ++k)
     for (std::size_t i = 0; i < n; ++i)
-      small[k][i] = fields[i].product(small[k - 1][i], small[1][i]);
-  std::array<Prime_field::Number, n> power = small[0];
-  for (int w = number_of_windows; w-- > 0;) {
+      small[k][i] = fields[i].unreduced_product(small[k - 1][i], small[1][i]);
+  const auto factor = [&](std::size_t i, int w) { return small[(fields[i].exponent_of_inverse() >> (window * w)) % size][i]; };
+  std::array<Prime_field::Number, n> power;
+  for (std::size_t i = 0; i < n; ++i)
+    power[i] = factor(i, number_of_windows - 1);
+  for (int w = number_of_windows - 1; w-- > 0;) {
     for (int bit = 0; bit < window; ++bit)
       for (std::size_t i = 0; i < n; ++i)
-        power[i] = fields[i].product(power[i], power[i]);
+        power[i] = fields[i].unreduced_product(power[i], power[i]);
     for (std::size_t i = 0; i < n; ++i)
-      power[i] = fields[i].product(power[i], small[(fields[i].exponent_of_inverse() >> (window * w)) % size][i]);
+      power[i] = fields[i].unreduced_product(power[i], factor(i, w));
   }
   std::array<Gaussian_residue, n> result;
   for (std::size_t i = 0; i < n; ++i)
