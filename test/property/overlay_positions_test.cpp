@@ -129,7 +129,7 @@ void expect_most_positions_known(const Triangulation& t)
     if (overlay.intrinsic_crossings(e).empty())
       continue;
     IT::internal::Crossed_edges crossed(input);
-    IT::internal::find_crossed_edges(overlay, input, e, crossed);
+    IT::internal::find_crossed_edges(overlay, input, overlay.intrinsic_crossings(e), crossed);
     ++asked;
     known += is_known<Frame>(input, t.exact_geometry().metric().points(), crossed);
   }
@@ -193,7 +193,7 @@ TEST(Strip, ends_in_the_same_place_with_and_without_corners)
         continue;
       ++compared;
       IT::internal::Crossed_edges crossed(input);
-      IT::internal::find_crossed_edges(overlay, input, e, crossed);
+      IT::internal::find_crossed_edges(overlay, input, overlay.intrinsic_crossings(e), crossed);
       IT::internal::Strip<Frame> strip(input, Frame(input, metric));
       strip.lay_out(crossed);
       EXPECT_EQ(strip.number_of_edges(), crossed.size());

@@ -73,8 +73,9 @@ public:
     Halfedge_index start = correspondence_.input_halfedge(ki);
     if (correspondence_.coordinates().is_original(intrinsic_.edge(ki)))
       start = next_input_halfedge(correspondence_, v, start);
-    for (std::int64_t i = 0; i < n; ++i, start = next_input_halfedge(correspondence_, v, start))
-      function(start, i);
+    function(start, 0);
+    for (std::int64_t i = 1; i < n; ++i)
+      function(start = next_input_halfedge(correspondence_, v, start), i);
   }
 
   // Calls function(h, source, position) for the input halfedges h, those numbered 2e, that cross the

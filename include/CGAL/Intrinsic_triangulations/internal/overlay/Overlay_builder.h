@@ -425,8 +425,8 @@ private:
       link_corner(jk, ki, crossings.e_k);
       link_corner(ki, ij, crossings.e_i);
       link_corner(ij, jk, crossings.e_j);
-      for (const Side& side : {ij, jk, ki})
-        for (size_type part = (std::min)(side.first, side.last); part <= (std::max)(side.first, side.last); part += 2)
+      for (const Side* side : {&ij, &jk, &ki})
+        for (size_type part = (std::min)(side->first, side->last), end = (std::max)(side->first, side->last); part <= end; part += 2)
           if (record(part).face == Overlay_arrays::null)
             make_face(face++, part, f);
     }

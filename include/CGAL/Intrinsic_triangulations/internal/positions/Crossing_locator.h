@@ -13,6 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
@@ -50,21 +52,31 @@ inline Located located(const Mpfr_interval& x)
   return {low + (high - low) / 2, high - low <= 0x1p-51 * std::abs(low)};
 }
 
-// The input edges that an intrinsic edge crosses.
-inline void find_crossed_edges(const Overlay& overlay, const Delta_complex& input, Edge_index e, Crossed_edges& result)
+// The input edges that an intrinsic edge crosses, from its crossings.
+inline void find_crossed_edges(const Overlay& overlay, const Delta_complex& input,
+                               const Overlay::Range<Overlay::Vertex>& crossings, Crossed_edges& result)
 {
   result.clear();
-  for (Overlay::Vertex x : overlay.intrinsic_crossings(e))
+  for (Overlay::Vertex x : crossings)
     result.push_back(input.opposite(overlay.crossing_input_halfedge(x)));
 }
 
 // Whether a halfedge is that of its edge.
 inline bool is_in_own_direction(Halfedge_index h) { return (h.idx() & 1) == 0; }
 
+// Both in [0, 1]; a rounded quotient can be outside.
 struct Position_on_edges
 {
   double on_intrinsic_edge;
   double on_input_edge; // in its own direction
+
+  Position_on_edges(double intrinsic, double input) : Position_on_edges(Two_doubles(intrinsic, input)) {}
+  explicit Position_on_edges(Two_doubles both)
+  {
+    both = min_of(max_of(both, Two_doubles(0.)), Two_doubles(1.));
+    on_intrinsic_edge = both.first();
+    on_input_edge = both.second();
+  }
 };
 
 // By numbers with one bound for all their errors; gives up where that does not do.
@@ -80,10 +92,13 @@ bool locate_crossings(Strip<Frame>& strip, const Crossed_edges& crossed, std::ve
     if (!(areas.left.hi >= enough && areas.right.hi >= enough && areas.along.hi >= enough))
       return false;
     const auto whole = areas.left + areas.right;
-    const double reciprocal = 1 / whole.hi;
     const bool starts_left = is_in_own_direction(crossed[positions.size()]);
-    positions.push_back({quotient(areas.along, whole, reciprocal).hi,
-                         quotient(starts_left ? areas.left : areas.right, whole, reciprocal).hi});
+    const auto& from_start = starts_left ? areas.left : areas.right;
+    // Both quotients at once.
+    using Pair = Split_double_double<Two_doubles>;
+    const Pair parts(Two_doubles(areas.along.hi, from_start.hi), Two_doubles(areas.along.lo, from_start.lo));
+    const Pair whole_twice(whole.hi, whole.lo);
+    positions.push_back(Position_on_edges(quotient(parts, whole_twice, 1 / whole.hi).hi));
     return true;
   });
 }
@@ -107,19 +122,17 @@ public:
                                      : locate_crossings(in_space_, crossed, positions_));
     if (!is_good)
       locate_in_stages(e, crossed);
-    for (Position_on_edges& position : positions_)
-      position = {in_unit_interval(position.on_intrinsic_edge), in_unit_interval(position.on_input_edge)};
     return positions_;
   }
 
 private:
   bool has_inserted_end(Edge_index e) const
   {
+    if (correspondence_.number_of_inserted_vertices() == 0)
+      return false;
     const Halfedge_index h = intrinsic_.halfedge(e);
     return correspondence_.is_inserted(intrinsic_.source(h)) || correspondence_.is_inserted(intrinsic_.target(h));
   }
-
-  static double in_unit_interval(double x) { return (std::min)(1., (std::max)(0., x)); }
 
   bool is_flat(const Crossed_edges& crossed)
   {
@@ -185,8 +198,8 @@ private:
     const double a = located(times_conjugate(left, target).x() / length).value,
                  b = located(times_conjugate(right, target).x() / length).value;
     const double low = (std::max)(0., (std::min)(a, b)), high = (std::min)(1., (std::max)(a, b));
-    const double middle = in_unit_interval(low + (high - low) / 2);
-    const double from_left = a == b ? 0.5 : in_unit_interval((middle - a) / (b - a));
+    const double middle = low + (high - low) / 2;
+    const double from_left = a == b ? 0.5 : (middle - a) / (b - a);
     return {middle, starts_left ? from_left : 1 - from_left};
   }
 

@@ -46,7 +46,7 @@ inline std::string description_of_distance(Edge_index e)
 inline Crossed_edges crossed_edges(const Overlay& overlay, const Delta_complex& input, Edge_index e)
 {
   Crossed_edges result(input);
-  find_crossed_edges(overlay, input, e, result);
+  find_crossed_edges(overlay, input, overlay.intrinsic_crossings(e), result);
   return result;
 }
 

@@ -27,11 +27,12 @@ void Overlay_positions::find_crossings(const Delta_complex& intrinsic, const Exa
   for (std::size_t i = first; i < last; ++i) {
     progress.at(i);
     const Edge_index e{size_type(i)};
-    if (overlay.intrinsic_crossings(e).empty())
+    const Overlay::Range<Overlay::Vertex> crossings = overlay.intrinsic_crossings(e);
+    if (crossings.empty())
       continue;
-    internal::find_crossed_edges(overlay, input, e, crossed);
+    internal::find_crossed_edges(overlay, input, crossings, crossed);
     double before = 0;
-    auto x = overlay.intrinsic_crossings(e).begin();
+    auto x = crossings.begin();
     for (const internal::Position_on_edges& position : locate(e, crossed)) {
       on_intrinsic_edge_[index(*x)] = before = (std::max)(before, position.on_intrinsic_edge);
       on_input_edge_[index(*x)] = position.on_input_edge;

@@ -115,7 +115,8 @@ private:
   void compute_ratios(const Crossed_edges& crossed)
   {
     const std::size_t n = crossed.size();
-    ratios_.resize(n + 2);
+    if (ratios_.size() < n + 2)
+      ratios_.resize(n + 2);
     Two_doubles shortest(1.);
     for (std::size_t i = 0; i <= n; i += 2) {
       const Corner a = corner(crossed, i), b = corner(crossed, (std::min)(i + 1, n));
