@@ -3,8 +3,6 @@
 //
 // The overlay, built on one thread.
 
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Correspondence_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Normal_coordinates_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Incremental_overlay_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_builder.h>

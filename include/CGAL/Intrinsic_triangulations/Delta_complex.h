@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/Removed_elements.h>
-#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/prefetch.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/relaxed_atomic.h>
 
@@ -23,13 +22,10 @@
 
 #include <boost/iterator/iterator_facade.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iostream>
 #include <iterator>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -302,24 +298,7 @@ public:
   /// \return the new vertex
   /// \exception Integer_overflow_error if there would be 2^31 edges; then nothing is changed
   /// \pre `h` is not a border halfedge
-  Vertex_index split_face(Halfedge_index h)
-  {
-    CGAL_precondition(!is_border(h));
-    const Halfedge_index sides[] = {h, next(h), prev(h)};
-    const Vertex_index corners[] = {source(h), target(h), source(prev(h))};
-    const Halfedge_index spokes = append_edges(3); // from the new vertex to i, j, k
-    const Face_index f = face(h), jkv = append_faces(2), faces[] = {f, jkv, Face_index(jkv.idx() + 1)};
-    const Vertex_index v(number_of_vertices());
-    const auto spoke = [spokes](int i) { return Halfedge_index(spokes.idx() + 2 * i); };
-    for (int i = 0; i < 3; ++i) {
-      record(spoke(i)).target = corners[i].idx();
-      record(opposite(spoke(i))).target = v.idx();
-    }
-    for (int i = 0; i < 3; ++i)
-      set_face_cycle(faces[i], sides[i], opposite(spoke((i + 1) % 3)), spoke(i));
-    vertex_halfedges_.push_back(opposite(spoke(0)));
-    return v;
-  }
+  Vertex_index split_face(Halfedge_index h);
 
   /// \brief splits the edge of `h` and the one or two faces beside it by a new vertex on the edge.
   ///
@@ -331,103 +310,20 @@ public:
   /// \return the new vertex
   /// \exception Integer_overflow_error as `split_face()`
   /// \pre the edge of `h` lies on the border or between two different faces
-  Vertex_index split_edge(Halfedge_index h)
-  {
-    CGAL_precondition(!is_self_glued(edge(h)));
-    const Halfedge_index g = opposite(h);
-    const bool has_left = !is_border(h), has_right = !is_border(g);
-    const Halfedge_index jk = next(h), ki = prev(h), il = next(g), lj = prev(g);
-    const Vertex_index j = target(h), k = target(jk), l = target(il), v(number_of_vertices());
-    const Halfedge_index vj = append_edges(1 + (has_left ? 1 : 0) + (has_right ? 1 : 0)), jv = opposite(vj);
-    const Halfedge_index vk(vj.idx() + 2), vl(vj.idx() + (has_left ? 4 : 2));
-    Face_index appended = append_faces((has_left ? 1 : 0) + (has_right ? 1 : 0));
-    record(h).target = v.idx();
-    record(vj).target = j.idx();
-    record(jv).target = v.idx();
-    if (has_left) {
-      record(vk).target = k.idx();
-      record(opposite(vk)).target = v.idx();
-      const Face_index f = face(h);
-      set_face_cycle(f, h, vk, ki);
-      set_face_cycle(appended, vj, jk, opposite(vk));
-      appended = Face_index(appended.idx() + 1);
-    } else {
-      record(vj).face = Face_index().idx();
-      join(h, vj);
-      join(vj, jk);
-    }
-    if (has_right) {
-      record(vl).target = l.idx();
-      record(opposite(vl)).target = v.idx();
-      const Face_index f = face(g);
-      set_face_cycle(f, g, il, opposite(vl));
-      set_face_cycle(appended, jv, vl, lj);
-    } else {
-      record(jv).face = Face_index().idx();
-      join(lj, jv);
-      join(jv, g);
-    }
-    vertex_halfedges_.push_back(!has_left ? h : jv);
-    if (halfedge(j) == h)
-      vertex_halfedges_[j.idx()] = vj;
-    return v;
-  }
+  Vertex_index split_edge(Halfedge_index h);
 
   /// \brief undoes a split of a face: removes a vertex in the middle of three faces, which become one.
   ///
   /// The last elements take the descriptors of those that are removed. O(degree of the last vertex).
   /// \pre `v` has three different faces, of three edges to other vertices
-  Removed_elements unsplit_face(Vertex_index v)
-  {
-    const Halfedge_index a = halfedge(v), b = next_around_target(a), c = next_around_target(b);
-    CGAL_precondition(next_around_target(c) == a);
-    const Halfedge_index sides[] = {prev(a), prev(c), prev(b)};
-    const Face_index f = (std::min)((std::min)(face(a), face(b)), face(c));
-    Removed_elements removed = removed_elements(v, {edge(a), edge(b), edge(c)}, {face(a), face(b), face(c)});
-    removed.faces.pop_back(); // the least one stays
-    for (Halfedge_index h : {a, b, c})
-      replace_vertex_halfedge(source(h), opposite(h), prev(h));
-    set_face_cycle(f, sides[0], sides[1], sides[2]);
-    erase(removed);
-    return removed;
-  }
+  Removed_elements unsplit_face(Vertex_index v);
 
   /// \brief undoes a split of an edge: removes the vertex that `h` points to, and joins `h` with the edge that continues
   /// it, and the faces on either side.
   ///
   /// Descriptors move as in `unsplit_face()`; those of `h` and of the faces beside it are not removed.
   /// \pre the vertex has one edge on each side of `h` that has a face; its edges lead to other vertices, its faces are different
-  Removed_elements unsplit_edge(Halfedge_index h)
-  {
-    const Halfedge_index g = opposite(h), vj = continuation(h), jv = opposite(vj);
-    const Vertex_index v = target(h), j = target(vj);
-    const Halfedge_index jk = next(vj), ki = prev(h), il = next(g), lj = prev(jv);
-    std::vector<Edge_index> edges{edge(vj)};
-    std::vector<Face_index> faces;
-    if (!is_border(h)) {
-      edges.push_back(edge(next(h)));
-      faces.push_back(face(vj));
-      replace_vertex_halfedge(target(next(h)), next(h), jk);
-    }
-    if (!is_border(g)) {
-      edges.push_back(edge(prev(g)));
-      faces.push_back(face(jv));
-      replace_vertex_halfedge(source(prev(g)), opposite(prev(g)), il);
-    }
-    Removed_elements removed = removed_elements(v, std::move(edges), std::move(faces));
-    replace_vertex_halfedge(j, vj, h);
-    record(h).target = j.idx();
-    if (!is_border(h))
-      set_face_cycle(face(h), h, jk, ki);
-    else
-      join(h, jk);
-    if (!is_border(g))
-      set_face_cycle(face(g), g, il, lj);
-    else
-      join(lj, g);
-    erase(removed);
-    return removed;
-  }
+  Removed_elements unsplit_edge(Halfedge_index h);
 
   /// \brief returns the halfedge that continues `h` beyond its target, with one edge between them on each side that has a face.
   /// \pre as `unsplit_edge()`
@@ -439,15 +335,7 @@ public:
   /// border, sources and targets agree, each vertex has one fan of faces, and the
   /// halfedges of vertices and faces are incident to them. O(size).
   /// \param verbose whether the first defect is described on `std::cerr`
-  bool is_valid(bool verbose = false) const
-  {
-    std::string defect;
-    if (has_valid_cycles(defect) && has_valid_vertices(defect))
-      return true;
-    if (verbose)
-      std::cerr << "Delta_complex: " << defect << std::endl;
-    return false;
-  }
+  bool is_valid(bool verbose = false) const;
 
   /// \brief returns whether both complexes have the same elements, glued in the same way.
   ///
@@ -478,21 +366,9 @@ private:
   Halfedge& record(Halfedge_index h) { return halfedges_[h.idx()]; }
 
   // Appends n edges and returns the first halfedge.
-  Halfedge_index append_edges(int n)
-  {
-    const Halfedge_index first(number_of_halfedges());
-    if (halfedges_.size() + 2 * std::size_t(n) >= Halfedge_index::null_index())
-      throw Integer_overflow_error("a triangulation has 2^31 edges or more");
-    halfedges_.resize(halfedges_.size() + 2 * std::size_t(n));
-    return first;
-  }
+  Halfedge_index append_edges(int n);
   // Appends n faces and returns the first.
-  Face_index append_faces(int n)
-  {
-    const Face_index first(number_of_faces());
-    face_halfedges_.resize(face_halfedges_.size() + std::size_t(n));
-    return first;
-  }
+  Face_index append_faces(int n);
 
   void join(Halfedge_index a, Halfedge_index b)
   {
@@ -500,71 +376,12 @@ private:
     record(b).prev = a.idx();
   }
 
-  Removed_elements removed_elements(Vertex_index v, std::vector<Edge_index> edges, std::vector<Face_index> faces) const
-  {
-    std::sort(edges.rbegin(), edges.rend());
-    std::sort(faces.rbegin(), faces.rend());
-    return {{v}, std::move(edges), std::move(faces), number_of_edges()};
-  }
-
+  Removed_elements removed_elements(Vertex_index v, std::vector<Edge_index> edges, std::vector<Face_index> faces) const;
   // Nothing that stays refers to what is removed. The last elements move into the holes.
-  void erase(const Removed_elements& removed)
-  {
-    for (Edge_index hole : removed.edges) {
-      const Edge_index last(number_of_edges() - 1);
-      if (hole != last)
-        move_edge(last, hole);
-      halfedges_.pop_back();
-      halfedges_.pop_back();
-    }
-    for (Face_index hole : removed.faces) {
-      const Face_index last(number_of_faces() - 1);
-      if (hole != last) {
-        const Halfedge_index h = halfedge(last);
-        set_face_cycle(hole, h, next(h), prev(h));
-      }
-      face_halfedges_.pop_back();
-    }
-    for (Vertex_index hole : removed.vertices) {
-      const Vertex_index last(number_of_vertices() - 1);
-      if (hole != last)
-        move_vertex(last, hole);
-      vertex_halfedges_.pop_back();
-    }
-  }
+  void erase(const Removed_elements& removed);
 
-  void move_edge(Edge_index from, Edge_index to)
-  {
-    const auto moved = [=](std::uint32_t h) { return h >> 1 == from.idx() ? 2 * to.idx() + (h & 1) : h; };
-    for (std::uint32_t side : {0u, 1u}) {
-      const Halfedge_index old(2 * from.idx() + side), h(2 * to.idx() + side);
-      Halfedge& r = record(h);
-      r = record(old);
-      r.next = moved(r.next);
-      r.prev = moved(r.prev);
-    }
-    for (std::uint32_t side : {0u, 1u}) {
-      const Halfedge_index old(2 * from.idx() + side), h(2 * to.idx() + side);
-      record(next(h)).prev = h.idx();
-      record(prev(h)).next = h.idx();
-      replace_vertex_halfedge(target(h), old, h);
-      if (!is_border(h) && halfedge(face(h)) == old)
-        face_halfedges_[face(h).idx()] = h;
-    }
-  }
-
-  void move_vertex(Vertex_index from, Vertex_index to)
-  {
-    const Halfedge_index first = halfedge(from);
-    vertex_halfedges_[to.idx()] = first;
-    if (!first.is_valid())
-      return;
-    Halfedge_index h = first;
-    do {
-      record(h).target = to.idx();
-      h = next_around_target(h);
-    } while (h != first);
-  }
+  void move_edge(Edge_index from, Edge_index to);
+  void move_vertex(Vertex_index from, Vertex_index to);
 
   void set_face_cycle(Face_index f, Halfedge_index a, Halfedge_index b, Halfedge_index c)
   {
@@ -597,79 +414,8 @@ private:
     return true;
   }
 
-  template <class Descriptor>
-  static bool fails(std::string& defect, Descriptor element, const char* what)
-  {
-    defect = std::string(1, "vhef"[std::is_same<Descriptor, Halfedge_index>::value ? 1
-                                   : std::is_same<Descriptor, Face_index>::value   ? 3
-                                                                                   : 0]) +
-             std::to_string(element.idx()) + ": " + what;
-    return false;
-  }
-
-  bool has_valid_cycles(std::string& defect) const
-  {
-    if (halfedges_.size() % 2 != 0)
-      return fails(defect, Halfedge_index(number_of_halfedges()), "has no opposite");
-    for (Halfedge_index h : halfedges()) {
-      const Halfedge& r = record(h);
-      if (r.next >= number_of_halfedges() || r.prev >= number_of_halfedges())
-        return fails(defect, h, "next or prev is out of range");
-      if (r.target >= number_of_vertices())
-        return fails(defect, h, "target is out of range");
-      if (!is_border(h) && r.face >= number_of_faces())
-        return fails(defect, h, "face is out of range");
-    }
-    std::size_t number_of_face_halfedges = 0;
-    for (Halfedge_index h : halfedges()) {
-      if (prev(next(h)) != h || next(prev(h)) != h)
-        return fails(defect, h, "next and prev are not inverse to each other");
-      if (source(next(h)) != target(h))
-        return fails(defect, h, "the next halfedge does not start at the target");
-      if (face(next(h)) != face(h))
-        return fails(defect, h, "the next halfedge has another face");
-      if (is_border(h)) {
-        if (is_border(opposite(h)))
-          return fails(defect, h, "has no face on either side");
-        continue;
-      }
-      ++number_of_face_halfedges;
-      if (next(next(next(h))) != h)
-        return fails(defect, h, "its face is not a triangle");
-    }
-    if (number_of_face_halfedges != 3 * std::size_t(number_of_faces()))
-      return fails(defect, Face_index(0), "faces do not have three halfedges each");
-    for (Face_index f : faces())
-      if (halfedge(f).idx() >= number_of_halfedges() || face(halfedge(f)) != f)
-        return fails(defect, f, "its halfedge belongs to another face");
-    return true;
-  }
-
-  bool has_valid_vertices(std::string& defect) const
-  {
-    std::size_t number_of_visited = 0;
-    for (Vertex_index v : vertices()) {
-      const Halfedge_index first = halfedge(v);
-      if (!first.is_valid())
-        continue;
-      if (first.idx() >= number_of_halfedges() || target(first) != v)
-        return fails(defect, v, "its halfedge does not point to it");
-      bool meets_border = false;
-      Halfedge_index h = first;
-      do {
-        meets_border = meets_border || is_border(h);
-        ++number_of_visited;
-        h = next_around_target(h);
-      } while (h != first);
-      if (meets_border && !is_border(first))
-        return fails(defect, v, "is on the border and its halfedge is not");
-    }
-    // Each halfedge points to one vertex and lies in one fan: all are visited exactly
-    // if no vertex has two fans.
-    if (number_of_visited != number_of_halfedges())
-      return fails(defect, Vertex_index(0), "some vertex has more than one fan of faces");
-    return true;
-  }
+  bool has_valid_cycles(std::string& defect) const;
+  bool has_valid_vertices(std::string& defect) const;
 
   Halfedge_vector halfedges_;
   Descriptor_vector vertex_halfedges_;
@@ -683,34 +429,14 @@ private:
 /// This means that there is no loop, no two edges have the same end vertices, and no two faces have
 /// the same corners. Only then is it safe to look an element up by its vertices, as generic mesh
 /// algorithms and most file formats do. O(size).
-inline bool is_simplicial(const Delta_complex& complex)
-{
-  std::vector<Vertex_index> last_met_from(complex.number_of_vertices());
-  for (Vertex_index v : complex.vertices()) {
-    const Halfedge_index first = complex.halfedge(v);
-    if (!first.is_valid())
-      continue;
-    Halfedge_index h = first;
-    do {
-      Vertex_index& met_from = last_met_from[complex.source(h).idx()];
-      if (met_from == v) // by another edge, or by the other halfedge of a loop
-        return false;
-      met_from = v;
-      h = complex.next_around_target(h);
-    } while (h != first);
-  }
-  // Where no two edges have the same ends, faces with the same corners share all edges.
-  for (Face_index f : complex.faces()) {
-    const Halfedge_index h = complex.halfedge(f);
-    const Face_index g = complex.face(complex.opposite(h));
-    if (g.is_valid() && complex.face(complex.opposite(complex.next(h))) == g &&
-        complex.face(complex.opposite(complex.prev(h))) == g)
-      return false;
-  }
-  return true;
-}
+bool is_simplicial(const Delta_complex& complex);
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_checks_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_splits_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H

@@ -1,0 +1,219 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// How vertices come and go: definitions of Delta_complex.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_SPLITS_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_SPLITS_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/Removed_elements.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Vertex_index Delta_complex::split_face(Halfedge_index h)
+{
+  CGAL_precondition(!is_border(h));
+  const Halfedge_index sides[] = {h, next(h), prev(h)};
+  const Vertex_index corners[] = {source(h), target(h), source(prev(h))};
+  const Halfedge_index spokes = append_edges(3); // from the new vertex to i, j, k
+  const Face_index f = face(h), jkv = append_faces(2), faces[] = {f, jkv, Face_index(jkv.idx() + 1)};
+  const Vertex_index v(number_of_vertices());
+  const auto spoke = [spokes](int i) { return Halfedge_index(spokes.idx() + 2 * i); };
+  for (int i = 0; i < 3; ++i) {
+    record(spoke(i)).target = corners[i].idx();
+    record(opposite(spoke(i))).target = v.idx();
+  }
+  for (int i = 0; i < 3; ++i)
+    set_face_cycle(faces[i], sides[i], opposite(spoke((i + 1) % 3)), spoke(i));
+  vertex_halfedges_.push_back(opposite(spoke(0)));
+  return v;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Vertex_index Delta_complex::split_edge(Halfedge_index h)
+{
+  CGAL_precondition(!is_self_glued(edge(h)));
+  const Halfedge_index g = opposite(h);
+  const bool has_left = !is_border(h), has_right = !is_border(g);
+  const Halfedge_index jk = next(h), ki = prev(h), il = next(g), lj = prev(g);
+  const Vertex_index j = target(h), k = target(jk), l = target(il), v(number_of_vertices());
+  const Halfedge_index vj = append_edges(1 + (has_left ? 1 : 0) + (has_right ? 1 : 0)), jv = opposite(vj);
+  const Halfedge_index vk(vj.idx() + 2), vl(vj.idx() + (has_left ? 4 : 2));
+  Face_index appended = append_faces((has_left ? 1 : 0) + (has_right ? 1 : 0));
+  record(h).target = v.idx();
+  record(vj).target = j.idx();
+  record(jv).target = v.idx();
+  if (has_left) {
+    record(vk).target = k.idx();
+    record(opposite(vk)).target = v.idx();
+    const Face_index f = face(h);
+    set_face_cycle(f, h, vk, ki);
+    set_face_cycle(appended, vj, jk, opposite(vk));
+    appended = Face_index(appended.idx() + 1);
+  } else {
+    record(vj).face = Face_index().idx();
+    join(h, vj);
+    join(vj, jk);
+  }
+  if (has_right) {
+    record(vl).target = l.idx();
+    record(opposite(vl)).target = v.idx();
+    const Face_index f = face(g);
+    set_face_cycle(f, g, il, opposite(vl));
+    set_face_cycle(appended, jv, vl, lj);
+  } else {
+    record(jv).face = Face_index().idx();
+    join(lj, jv);
+    join(jv, g);
+  }
+  vertex_halfedges_.push_back(!has_left ? h : jv);
+  if (halfedge(j) == h)
+    vertex_halfedges_[j.idx()] = vj;
+  return v;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Removed_elements Delta_complex::unsplit_face(Vertex_index v)
+{
+  const Halfedge_index a = halfedge(v), b = next_around_target(a), c = next_around_target(b);
+  CGAL_precondition(next_around_target(c) == a);
+  const Halfedge_index sides[] = {prev(a), prev(c), prev(b)};
+  const Face_index f = (std::min)((std::min)(face(a), face(b)), face(c));
+  Removed_elements removed = removed_elements(v, {edge(a), edge(b), edge(c)}, {face(a), face(b), face(c)});
+  removed.faces.pop_back(); // the least one stays
+  for (Halfedge_index h : {a, b, c})
+    replace_vertex_halfedge(source(h), opposite(h), prev(h));
+  set_face_cycle(f, sides[0], sides[1], sides[2]);
+  erase(removed);
+  return removed;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Removed_elements Delta_complex::unsplit_edge(Halfedge_index h)
+{
+  const Halfedge_index g = opposite(h), vj = continuation(h), jv = opposite(vj);
+  const Vertex_index v = target(h), j = target(vj);
+  const Halfedge_index jk = next(vj), ki = prev(h), il = next(g), lj = prev(jv);
+  std::vector<Edge_index> edges{edge(vj)};
+  std::vector<Face_index> faces;
+  if (!is_border(h)) {
+    edges.push_back(edge(next(h)));
+    faces.push_back(face(vj));
+    replace_vertex_halfedge(target(next(h)), next(h), jk);
+  }
+  if (!is_border(g)) {
+    edges.push_back(edge(prev(g)));
+    faces.push_back(face(jv));
+    replace_vertex_halfedge(source(prev(g)), opposite(prev(g)), il);
+  }
+  Removed_elements removed = removed_elements(v, std::move(edges), std::move(faces));
+  replace_vertex_halfedge(j, vj, h);
+  record(h).target = j.idx();
+  if (!is_border(h))
+    set_face_cycle(face(h), h, jk, ki);
+  else
+    join(h, jk);
+  if (!is_border(g))
+    set_face_cycle(face(g), g, il, lj);
+  else
+    join(lj, g);
+  erase(removed);
+  return removed;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Halfedge_index Delta_complex::append_edges(int n)
+{
+  const Halfedge_index first(number_of_halfedges());
+  if (halfedges_.size() + 2 * std::size_t(n) >= Halfedge_index::null_index())
+    throw Integer_overflow_error("a triangulation has 2^31 edges or more");
+  halfedges_.resize(halfedges_.size() + 2 * std::size_t(n));
+  return first;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Face_index Delta_complex::append_faces(int n)
+{
+  const Face_index first(number_of_faces());
+  face_halfedges_.resize(face_halfedges_.size() + std::size_t(n));
+  return first;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Removed_elements Delta_complex::removed_elements(Vertex_index v, std::vector<Edge_index> edges, std::vector<Face_index> faces) const
+{
+  std::sort(edges.rbegin(), edges.rend());
+  std::sort(faces.rbegin(), faces.rend());
+  return {{v}, std::move(edges), std::move(faces), number_of_edges()};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Delta_complex::erase(const Removed_elements& removed)
+{
+  for (Edge_index hole : removed.edges) {
+    const Edge_index last(number_of_edges() - 1);
+    if (hole != last)
+      move_edge(last, hole);
+    halfedges_.pop_back();
+    halfedges_.pop_back();
+  }
+  for (Face_index hole : removed.faces) {
+    const Face_index last(number_of_faces() - 1);
+    if (hole != last) {
+      const Halfedge_index h = halfedge(last);
+      set_face_cycle(hole, h, next(h), prev(h));
+    }
+    face_halfedges_.pop_back();
+  }
+  for (Vertex_index hole : removed.vertices) {
+    const Vertex_index last(number_of_vertices() - 1);
+    if (hole != last)
+      move_vertex(last, hole);
+    vertex_halfedges_.pop_back();
+  }
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Delta_complex::move_edge(Edge_index from, Edge_index to)
+{
+  const auto moved = [=](std::uint32_t h) { return h >> 1 == from.idx() ? 2 * to.idx() + (h & 1) : h; };
+  for (std::uint32_t side : {0u, 1u}) {
+    const Halfedge_index old(2 * from.idx() + side), h(2 * to.idx() + side);
+    Halfedge& r = record(h);
+    r = record(old);
+    r.next = moved(r.next);
+    r.prev = moved(r.prev);
+  }
+  for (std::uint32_t side : {0u, 1u}) {
+    const Halfedge_index old(2 * from.idx() + side), h(2 * to.idx() + side);
+    record(next(h)).prev = h.idx();
+    record(prev(h)).next = h.idx();
+    replace_vertex_halfedge(target(h), old, h);
+    if (!is_border(h) && halfedge(face(h)) == old)
+      face_halfedges_[face(h).idx()] = h;
+  }
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Delta_complex::move_vertex(Vertex_index from, Vertex_index to)
+{
+  const Halfedge_index first = halfedge(from);
+  vertex_halfedges_[to.idx()] = first;
+  if (!first.is_valid())
+    return;
+  Halfedge_index h = first;
+  do {
+    record(h).target = to.idx();
+    h = next_around_target(h);
+  } while (h != first);
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_SPLITS_IMPL_H
