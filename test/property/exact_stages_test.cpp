@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
@@ -74,6 +75,17 @@ TEST(Exact_stages, ties_of_an_integer_grid_are_decided_in_the_plane)
   EXPECT_EQ(t.stage_counts()[IT::Stage::COPLANAR], 900u);
   EXPECT_EQ(t.stage_counts().ties, 900u);
   EXPECT_EQ(IT::Delaunay_tessellation(t).number_of_cells(), 900u);
+  expect_agreement(t);
+}
+
+// Each flip makes an edge whose old faces are known to have area, so that it has length: the exact geometry, for which all flips
+// are repeated, is not asked.
+TEST(Exact_stages, long_chains_of_flips_in_a_plane_need_no_correspondence)
+{
+  Triangulation t = make_Delaunay(IT::sheared_grid(60, 60, 20.3));
+  EXPECT_GT(t.stage_counts()[IT::Stage::COPLANAR], 0u);
+  using Whole = IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>;
+  EXPECT_FALSE(Whole(t).geometry().correspondence().is_prepared());
   expect_agreement(t);
 }
 

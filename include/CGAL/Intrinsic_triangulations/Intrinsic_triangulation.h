@@ -345,15 +345,17 @@ public:
   Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around)
   {
     const Hinge_data old = hinge(around);
-    bool is_straight = false;
-    const Flip_outcome outcome =
-      flip_hinge(around, old, [&] { is_straight = geometry_ && geometry_->flip(connectivity_, around); });
+    bool is_straight = false, has_length = false;
+    const Flip_outcome outcome = flip_hinge(around, old, [&] {
+      has_length = is_new_edge_known_to_have_length(old);
+      is_straight = geometry_ && geometry_->flip(connectivity_, around);
+    });
     if (outcome != Flip_outcome::FLIPPED)
       return outcome;
     if constexpr (uses_exact_geometry)
       if (is_straight)
         measure_straight_faces(around);
-    if (!is_new_edge_known_to_have_length(old))
+    if (!has_length)
       check_length(edge(around.ij));
     return outcome;
   }
