@@ -58,7 +58,9 @@ public:
   Overlay_builder(const Delta_complex& intrinsic, const Correspondence& correspondence,
                   const Progress_function& progress)
     : intrinsic_(intrinsic), input_(correspondence.input()), correspondence_(correspondence),
-      coordinates_(correspondence.coordinates()), tracer_(intrinsic, correspondence, overlay_), progress_(progress)
+      coordinates_(correspondence.coordinates()),
+      has_inserted_vertices_(correspondence.number_of_inserted_vertices() != 0),
+      tracer_(intrinsic, correspondence, overlay_), progress_(progress)
   {
     CGAL_precondition(correspondence.is_prepared());
   }
@@ -150,13 +152,12 @@ private:
     overlay_.faces.resize(intrinsic_.number_of_faces() + number_of_chords, default_init);
     overlay_.coinciding_halfedges.resize(intrinsic_.number_of_edges(), default_init);
     overlay_.input_edges.resize(input_.number_of_edges(), default_init);
-    if (has_inserted_vertices()) {
+    if (has_inserted_vertices_) {
       path_ends_.resize(input_.number_of_edges(), default_init);
       inserted_.resize(correspondence_.number_of_inserted_vertices(), default_init);
     }
   }
 
-  bool has_inserted_vertices() const { return correspondence_.number_of_inserted_vertices() != 0; }
   auto inserted_vertices() const
   {
     using Iterator = Descriptor_iterator<Vertex_index>;
@@ -207,7 +208,7 @@ private:
     const bool runs_against = (in_input.idx() & 1) != 0;
     const Halfedge_index along = runs_against ? intrinsic_.opposite(h) : h;
     const size_type first = 2 * segment + (runs_against ? 1 : 0);
-    if (!has_inserted_vertices())
+    if (!has_inserted_vertices_)
       overlay_.input_edges[input_.edge(in_input).idx()] = {first, 1, 0};
     else
       note_path(input_.edge(in_input), intrinsic_.source(along), intrinsic_.target(along), first, 1);
@@ -317,16 +318,15 @@ private:
                       const Function& for_each_crossing)
   {
     const size_type edge = input_.edge(input_halfedge).idx(), first = segment;
-    const bool has_inserted = has_inserted_vertices();
-    size_type from = (has_inserted ? tracer_.vertex(source) : input_.source(input_halfedge)).idx();
+    size_type from = (has_inserted_vertices_ ? tracer_.vertex(source) : input_.source(input_halfedge)).idx();
     const auto end_segment = [&](size_type to) {
       overlay_.parents[segment] = edge;
       set_ends(segment++, from, to);
       from = to;
     };
     const End target = for_each_crossing([&](const Crossed& x) { end_segment(cross(x, segment)); });
-    end_segment((has_inserted ? tracer_.vertex(target) : input_.target(input_halfedge)).idx());
-    if (has_inserted)
+    end_segment((has_inserted_vertices_ ? tracer_.vertex(target) : input_.target(input_halfedge)).idx());
+    if (has_inserted_vertices_)
       note_path(Edge_index(edge), tracer_.vertex(source), tracer_.vertex(target), 2 * first, segment - first);
     else
       overlay_.input_edges[edge] = {2 * first, segment - first, 0};
@@ -380,9 +380,9 @@ private:
     if (is_inserted(v))
       return is_onward ? inserted(v).onward.first : inserted(v).back;
     const Overlay_arrays::Input_edge& edge = overlay_.input_edges[e.idx()];
-    return is_onward                 ? edge.first
-           : has_inserted_vertices() ? path_ends_[e.idx()]
-                                     : (edge.first + 2 * (edge.count - 1)) ^ 1;
+    return is_onward                ? edge.first
+           : has_inserted_vertices_ ? path_ends_[e.idx()]
+                                    : (edge.first + 2 * (edge.count - 1)) ^ 1;
   }
 
   void fill_faces()
@@ -557,6 +557,7 @@ private:
   const Delta_complex& input_;
   const Correspondence& correspondence_;
   const Normal_coordinates& coordinates_;
+  const bool has_inserted_vertices_;
   const Input_edge_tracer tracer_;
   const Progress_function& progress_;
   Overlay_arrays overlay_;
