@@ -347,6 +347,7 @@ public:
     const Hinge_data old = hinge(around);
     bool is_straight = false, has_length = false;
     const Flip_outcome outcome = flip_hinge(around, old, [&] {
+      // Asked here: `old` refers to the numbers that the flip replaces.
       has_length = is_new_edge_known_to_have_length(old);
       is_straight = geometry_ && geometry_->flip(connectivity_, around);
     });
