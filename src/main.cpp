@@ -26,7 +26,7 @@ int main(int argc, char** argv)
     CLI::App app("Intrinsic Delaunay triangulations of triangulated surfaces", "idt");
     app.footer("Exit status: 0 done; 1 a result could not be written; 2 the command line is wrong;\n"
                "3 an input is unusable; 4 undecided, not flippable, out of budget or cancelled\n"
-               "(what was found so far is still written).\n");
+               "(what was found so far is still written, if that takes less than a second).\n");
     app.require_subcommand(1);
     idt::Selected_command selected;
     idt::add_triangulate_command(app, selected);
@@ -57,5 +57,6 @@ int main(int argc, char** argv)
   } catch (...) {
     idt::keep_first_failure(status, idt::report_current_exception());
   }
+  idt::end_in_good_order();
   return static_cast<int>(status);
 }

@@ -7,6 +7,7 @@
 #include "input/repair.h"
 #include "output/Output_file.h"
 #include "output/write_json.h"
+#include "system/Progress.h"
 #include "system/Stopwatch.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -81,6 +82,7 @@ void Result_files::add_to(Requested_results& wanted) const
 
 void Result_files::write(Triangulation_result& result) const
 {
+  const Progress progress(result.surface.path, "writing");
   const auto write_one = [&result](const char* option, const std::string& path, const auto& write) {
     if (path.empty())
       return;

@@ -142,8 +142,13 @@ void set_number_of_vertices(const Distance_options& options, std::size_t n, Dist
   result.surface.number_of_vertices = n;
 }
 
-void find_distances(const Distance_options& options, IT::Heat_method<> heat, Distance_result& result)
+// \param surface a triangulation, or a tufted cover
+template <class Heat_surface>
+void find_distances(const Distance_options& options, const Heat_surface& surface, Progress& progress, Distance_result& result)
 {
+  progress.begin("building and factoring the matrix of the heat");
+  IT::Heat_method<> heat(surface, library_options(options));
+  progress.begin("solving for distances");
   const std::size_t n = result.surface.number_of_vertices;
   for (std::uint64_t v : options.sources)
     heat.add_source(IT::Vertex_index(IT::Vertex_index::size_type(v)));
@@ -186,7 +191,7 @@ void find_on_cover(const Distance_options& options, IT::Tufted_cover cover, Prog
   require(report.status == IT::Flip_status::DELAUNAY);
   result.flips = report.flips;
   result.triangulation_seconds = stopwatch.restart();
-  find_distances(options, IT::Heat_method<>(cover, library_options(options)), result);
+  find_distances(options, cover, progress, result);
 }
 
 // Any triangles.
@@ -196,16 +201,20 @@ void find_on_cover(const Distance_options& options, Distance_result& result)
   if (is_gluing_file(options.input)) {
     IT::Delta_complex complex;
     std::vector<double> lengths;
-    read_gluing_file(options.input, complex, lengths, [](double) { return !is_interrupted(); });
+    Progress progress(options.input, "reading");
+    read_gluing_file(options.input, complex, lengths, [&progress](double fraction) {
+      progress.show("reading", fraction);
+      return !is_interrupted();
+    });
     set_number_of_vertices(options, complex.number_of_vertices(), result);
     result.read_seconds = stopwatch.restart();
-    Progress progress(options.input);
+    progress.begin("covering");
     find_on_cover(options, IT::make_tufted_cover(complex, lengths), progress, stopwatch, result);
   } else {
     Triangle_soup soup = read_triangle_soup(options.input);
     set_number_of_vertices(options, soup.points.size(), result);
     result.read_seconds = stopwatch.restart();
-    Progress progress(options.input);
+    Progress progress(options.input, "covering");
     find_on_cover(options, IT::make_tufted_cover(soup.points, soup.triangles), progress, stopwatch, result);
     result.surface.points = std::move(soup.points);
     result.surface.triangles = std::move(soup.triangles);
@@ -221,7 +230,7 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
   const IT::Delta_complex& complex = surface.connectivity;
   set_number_of_vertices(options, complex.number_of_vertices(), result);
   result.read_seconds = stopwatch.restart();
-  Progress progress(options.input);
+  Progress progress(options.input, "triangulating");
   auto triangulation = make_triangulation<Triangulation::Traits>(surface);
   const IT::Flip_report report = IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
   require(report.status == IT::Flip_status::DELAUNAY);
@@ -235,7 +244,8 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
     result.number_of_inserted_vertices = triangulation.connectivity().number_of_vertices() - complex.number_of_vertices();
   }
   result.triangulation_seconds = stopwatch.restart();
-  find_distances(options, IT::Heat_method<>(triangulation, library_options(options)), result);
+  find_distances(options, triangulation, progress, result);
+  progress.begin("factoring and solving for vectors");
   if (options.has_vectors)
     find_vectors(options, triangulation, surface.points, result);
   result.distance_seconds = stopwatch.seconds();

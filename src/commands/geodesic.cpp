@@ -11,6 +11,7 @@
 #include "output/Output_file.h"
 #include "output/write_json.h"
 #include "system/Interruption.h"
+#include "system/Progress.h"
 #include "system/Stopwatch.h"
 #include "system/text.h"
 
@@ -281,8 +282,11 @@ Exit_status run_geodesic(const Geodesic_options& options)
     if (!surface.has_points() && (type == ".obj" || type == ".ply"))
       throw Usage_error(options.output_path + ": " + path + " has lengths alone, no points: write a .csv file");
     const Stopwatch stopwatch;
-    auto triangulation = make_triangulation<Triangulation::Traits>(surface);
-    const Curve curve = options.direction ? trace(options, triangulation) : find_path(options, triangulation);
+    const Curve curve = [&] {
+      const Progress progress(path, "looking for the line");
+      auto triangulation = make_triangulation<Triangulation::Traits>(surface);
+      return options.direction ? trace(options, triangulation) : find_path(options, triangulation);
+    }();
     const double seconds = stopwatch.seconds();
     Points points;
     if (surface.has_points())

@@ -78,7 +78,7 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     IT::Delta_complex complex;
     std::vector<double> lengths;
     {
-      Progress progress(options.input);
+      Progress progress(options.input, "reading");
       read_gluing_file(options.input, complex, lengths, [&progress](double fraction) {
         progress.show("reading", fraction);
         return !is_interrupted();
@@ -86,7 +86,7 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     }
     result.number_of_faces = complex.number_of_faces();
     result.read_seconds = stopwatch.restart();
-    Progress progress(options.input);
+    Progress progress(options.input, "building matrices");
     result.Laplacian = IT::tufted_Laplacian(complex, lengths, wanted, CGAL::parameters::visitor(Flip_watch{progress}));
   } else {
     const Triangle_soup soup = read_triangle_soup(options.input);
@@ -94,7 +94,7 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     result.triangulated_faces = soup.triangulated_faces;
     result.small_faces = soup.small_faces;
     result.read_seconds = stopwatch.restart();
-    Progress progress(options.input);
+    Progress progress(options.input, "building matrices");
     result.Laplacian =
       IT::tufted_Laplacian(soup.points, soup.triangles, wanted, CGAL::parameters::visitor(Flip_watch{progress}));
   }
@@ -175,9 +175,11 @@ Exit_status run_Laplacian(const Laplacian_options& options)
   return for_each_input({options.input}, [&](const std::string&) {
     Laplacian_result result;
     find_operator(options, result);
-    if (options.number_of_eigenvalues > 0)
+    if (options.number_of_eigenvalues > 0) {
+      const Progress progress(options.input, "factoring, and finding eigenvalues");
       result.eigenvalues =
         IT::smallest_eigenvalues(result.Laplacian.stiffness, result.Laplacian.mass, options.number_of_eigenvalues);
+    }
     write_file(options.stiffness_path, [&](std::ostream& os) {
       write_symmetric_matrix(os, "Laplace-Beltrami operator: -(cot + cot)/2 off the diagonal, row sums zero",
                              result.Laplacian.stiffness);

@@ -256,7 +256,7 @@ Exit_status run_parameterize(Parameterize_options options)
     const Outcome& outcome = result.triangulation.outcome;
     const Stopwatch stopwatch;
     try {
-      Progress progress(path);
+      Progress progress(path, "solving");
       find_map(options, result, [&progress](double fraction) {
         progress.show("solving", fraction);
         return !is_interrupted();

@@ -8,6 +8,7 @@
 #include "output/finite_weights.h"
 #include "commands/paper_table.h"
 #include "input/repair.h"
+#include "system/Progress.h"
 #include "system/text.h"
 #include "commands/triangulate.h"
 
@@ -183,6 +184,7 @@ void find_condition(const Triangulation_result& result, Row& row)
 {
   const Outcome& outcome = result.outcome;
   try {
+    const Progress progress(result.surface.path, "factoring, and finding eigenvalues");
     row.before = summarize(result.surface.connectivity, outcome.input_numbers.weights,
                            *outcome.weights_before, result.surface.path);
     row.after = summarize(outcome.connectivity, outcome.numbers.weights, *outcome.weights_after,

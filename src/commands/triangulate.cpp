@@ -108,6 +108,8 @@ Exit_status run_in_subprocess(const std::string& path, const Kernel_options& ker
     }
     return static_cast<int>(status) + (is_first ? 0 : has_report);
   });
+  if (!end && is_interrupted())
+    throw CGAL::Intrinsic_triangulations::Cancelled_error(path + ": cancelled");
   if (!end)
     throw CGAL::Intrinsic_triangulations::Undecided_error(
       path + ": as " + name(kernel.number_type) + ": the number type cannot go on with these numbers; " +
@@ -153,7 +155,7 @@ Triangulation_result triangulate(Surface surface, const Kernel_options& options)
   result.options = options;
   result.surface = std::move(surface);
   {
-    Progress progress(result.surface.path);
+    Progress progress(result.surface.path, "triangulating");
     const auto show_flips = [&](std::uint64_t tests, std::uint64_t flips) {
       progress.show_flips(tests, flips);
       return !is_interrupted();
@@ -187,8 +189,8 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
   command.footer(number_type_help() +
                  "\nSeveral inputs are worked on one after the other; the status is that of the\n"
                  "first that failed. An output file appears when it is complete. Ctrl-C ends the\n"
-                 "flips within a second and writes what there is; a second one, which ends\n"
-                 "everything, may be needed where a single decision of core takes long.\n");
+                 "flips and writes what there is, and everything within a second; a second one\n"
+                 "ends everything at once.\n");
   command
     .add_option("INPUT", options->inputs,
                 "meshes of triangles (OFF, OBJ, PLY, STL, TS), or .gluing files of triangles "

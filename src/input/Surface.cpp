@@ -32,7 +32,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 Surface_input read(const std::string& path)
 {
-  Progress progress(path);
+  Progress progress(path, "reading");
   return read_surface(path, [&progress](double fraction) {
     progress.show("reading", fraction);
     return !is_interrupted();
@@ -96,7 +96,7 @@ void load_mesh(Surface& surface, bool is_repaired)
 void load_gluing(Surface& surface)
 {
   const Stopwatch stopwatch;
-  Progress progress(surface.path);
+  Progress progress(surface.path, "reading");
   IT::Exact_gluing gluing = read_exact_gluing_file(surface.path, [&progress](double fraction) {
     progress.show("reading", fraction);
     return !is_interrupted();

@@ -39,7 +39,7 @@ void add_polygon(const Surface_input& input, std::size_t face, Triangle_soup& so
 
 Triangle_soup read_triangle_soup(const std::string& path)
 {
-  Progress progress(path);
+  Progress progress(path, "reading");
   Surface_input input = read_surface(path, [&progress](double fraction) {
     progress.show("reading", fraction);
     return !is_interrupted();

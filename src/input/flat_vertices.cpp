@@ -21,7 +21,7 @@ void remove_flat_vertices(Surface& surface)
 {
   if (!surface.has_points())
     throw Usage_error(surface.path + ": --remove-flat-vertices needs a surface in space, and this one has edge lengths alone");
-  Progress progress(surface.path);
+  Progress progress(surface.path, "removing flat vertices");
   const std::size_t number_before = surface.points.size();
   std::vector<IT::Vertex_index> origins;
   try {

@@ -20,7 +20,7 @@ Repair_report repair(Surface_input& input)
 {
   IT::Repaired_polygons repaired;
   try {
-    Progress progress(input.path);
+    Progress progress(input.path, "repairing");
     repaired = IT::repair_polygons(input.points, input.polygons(), [&progress](double fraction) {
       progress.show("repairing", fraction);
       return !is_interrupted();

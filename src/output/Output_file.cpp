@@ -68,7 +68,9 @@ Output_file::Output_file(const std::string& path) : path_(path), target_(path)
     target_ = behind_links(path, error);
     if (error)
       fail(error.value());
-    if (const int error_number = create_beside(target_, temporary_))
+    int error_number = 0;
+    unfinished_.emplace([&] { error_number = create_beside(target_, temporary_); }, [this] { remove_temporary(); });
+    if (error_number != 0)
       fail(error_number);
   }
   // To open a pipe that nobody reads from would wait for ever. What is open until the stream is, keeps the
@@ -85,8 +87,7 @@ Output_file::Output_file(const std::string& path) : path_(path), target_(path)
   if (pipe >= 0)
     ::close(pipe);
   if (!stream_) {
-    if (!temporary_.empty())
-      ::unlink(temporary_.c_str());
+    remove_temporary();
     fail(error_number);
   }
 }
@@ -94,7 +95,13 @@ Output_file::Output_file(const std::string& path) : path_(path), target_(path)
 Output_file::~Output_file()
 {
   stream_.close();
-  if (!is_committed_ && !temporary_.empty())
+  if (!is_committed_)
+    remove_temporary();
+}
+
+void Output_file::remove_temporary() const
+{
+  if (!temporary_.empty())
     ::unlink(temporary_.c_str());
 }
 

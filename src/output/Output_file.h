@@ -7,8 +7,10 @@
 #define IDT_OUTPUT_FILE_H
 
 #include "system/Exit_status.h"
+#include "system/Interruption.h"
 
 #include <fstream>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -16,7 +18,7 @@
 namespace idt {
 
 // Writes to a temporary name in the same folder and renames it in commit(); without a
-// commit() the destructor removes it. A target that is there and is no regular file,
+// commit() the destructor removes it, and so does an interruption that ends the process. A target that is there and is no regular file,
 // such as a device or a pipe, is written to directly.
 class Output_file
 {
@@ -35,12 +37,14 @@ public:
 
 private:
   [[noreturn]] void fail(int error_number) const;
+  void remove_temporary() const;
 
   std::string path_;
   std::string target_;    // path_ behind symbolic links
   std::string temporary_; // empty if the target is written directly
   std::ofstream stream_;
   bool is_committed_ = false;
+  std::optional<Unfinished> unfinished_;
 };
 
 // Calls write(stream) for a file, unless its name is empty.

@@ -1,16 +1,28 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Signals that ask the command to end, and descriptors that a shell may have closed.
+// Ctrl-C and its like: an orderly end if there is time for one, else a quick end that leaves nothing half done.
 
 #ifndef IDT_INTERRUPTION_H
 #define IDT_INTERRUPTION_H
 
+#include "system/Exit_status.h"
+
+#include <functional>
+#include <list>
+
 namespace idt {
 
-// Lets SIGINT, SIGTERM and SIGHUP ask for an orderly end; a second one of the same
-// kind ends the process at once. Broken pipes and file size limits become write errors.
+// Lets SIGINT, SIGTERM and SIGHUP ask for an orderly end. If it has not come after six tenths of a second, the
+// process ends without it, with the status NOT_FINISHED; a second signal of the same kind ends it at once. Either
+// way, what is Unfinished is undone. Broken pipes and file size limits become write errors.
 void install_signal_handlers();
+
+// The same in a copy of this process, which has no thread but one, and does not own what is unfinished here. It ends silently.
+void install_signal_handlers_in_copy();
+
+// The process is about to end by itself: nothing ends it sooner any more, unless its end takes long.
+void end_in_good_order();
 
 // Occupies the standard descriptors that are closed, lest a file that is opened later is
 // taken for one of them; writing to them fails as it should.
@@ -19,9 +31,24 @@ void occupy_standard_descriptors();
 // Whether an end was asked for.
 bool is_interrupted();
 
-// Whether decisions that take long may still be made: until a quarter of a second after the first call that
-// finds that an end was asked for. What they are for is then left out.
+// Whether decisions that take long may still be made: until a quarter of a second after an end was asked for.
+// What they are for is then left out.
 bool has_time_to_decide();
+
+// What must not outlive the process as it is: half a file, another process.
+class Unfinished
+{
+public:
+  // \param begin is called at once, and never while the process is being ended
+  // \param undo is called if the process is ended in the lifetime of this object, by another thread; throws nothing
+  Unfinished(const std::function<void()>& begin, std::function<void()> undo);
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+  ~Unfinished();
+
+private:
+  std::list<std::function<void()>>::iterator undo_;
+};
 
 } // namespace idt
 

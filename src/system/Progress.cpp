@@ -6,10 +6,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <iostream>
+#include <system_error>
 
 namespace idt {
 namespace {
+
+std::atomic<bool> is_line_shown{false};
+const char* const erasure = "\r\x1b[K";
 
 // The end of a path, in a line of its own length and without what a terminal would obey.
 std::string short_name(const std::string& path)
@@ -25,14 +31,47 @@ std::string short_name(const std::string& path)
 
 } // namespace
 
-Progress::Progress(const std::string& path)
-  : name_(short_name(path)), is_shown_(::isatty(STDERR_FILENO) == 1)
-{}
+Progress::Progress(const std::string& path, const char* phase)
+  : name_(short_name(path)), is_shown_(::isatty(STDERR_FILENO) == 1), phase_(phase)
+{
+  if (is_shown_)
+    try {
+      thread_ = std::thread([this] { show_phases(); });
+    } catch (const std::system_error&) {
+      is_shown_ = false;
+    }
+}
 
 Progress::~Progress()
 {
-  if (has_written_)
-    std::cerr << "\r\x1b[K" << std::flush;
+  if (!is_shown_)
+    return;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    has_ended_ = true;
+  }
+  end_.notify_one();
+  thread_.join();
+  std::cerr << erased_progress() << std::flush;
+}
+
+void Progress::begin(const char* phase)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  phase_ = phase;
+  phase_begin_ = stopwatch_.seconds();
+}
+
+void Progress::show_phases()
+{
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!end_.wait_for(lock, std::chrono::milliseconds(500), [this] { return has_ended_; })) {
+    const double now = stopwatch_.seconds();
+    if (now - last_write_ < 0.5)
+      continue;
+    last_write_ = now;
+    write(std::string(phase_) + ", " + std::to_string(static_cast<int>(now - phase_begin_)) + " s");
+  }
 }
 
 void Progress::show_points(std::uint64_t points)
@@ -67,6 +106,7 @@ void Progress::look(std::uint64_t tests, std::uint64_t flips)
 
 bool Progress::is_due(double now)
 {
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (now - last_write_ < 0.2)
     return false;
   last_write_ = now;
@@ -75,8 +115,13 @@ bool Progress::is_due(double now)
 
 void Progress::write(const std::string& text)
 {
-  has_written_ = true;
-  std::cerr << "\r\x1b[K" << name_ << ": " << text << std::flush;
+  is_line_shown = true;
+  std::cerr << (erasure + (name_ + ": " + text)) << std::flush;
+}
+
+std::string erased_progress()
+{
+  return is_line_shown.exchange(false) ? erasure : "";
 }
 
 } // namespace idt

@@ -8,8 +8,11 @@
 
 #include "system/Stopwatch.h"
 
+#include <condition_variable>
 #include <cstdint>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace idt {
 
@@ -18,11 +21,14 @@ namespace idt {
 class Progress
 {
 public:
-  explicit Progress(const std::string& path);
+  // \param phase what is shown, with the time, while nobody knows how much of it is done
+  Progress(const std::string& path, const char* phase);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
+  // Another phase begins.
+  void begin(const char* phase);
   // Nobody knows how many flips there will be.
   void show_flips(std::uint64_t tests, std::uint64_t flips)
   {
@@ -36,21 +42,32 @@ public:
 
 private:
   void look(std::uint64_t tests, std::uint64_t flips);
+  // Writes the phase whenever nothing else was written for a while, until the end.
+  void show_phases();
   // Whether it is time for another line.
   bool is_due(double now);
   void write(const std::string& text);
 
   std::string name_;
   bool is_shown_;
-  bool has_written_ = false;
   // A test takes between nanoseconds and seconds: the clock is read so often that it
   // does not matter, and seldom enough.
   std::uint64_t next_look_ = 0;
   std::uint64_t stride_ = 1;
   double last_look_ = 0;
-  double last_write_ = 0;
   Stopwatch stopwatch_;
+
+  std::mutex mutex_; // of what follows
+  const char* phase_;
+  double last_write_ = 0;
+  double phase_begin_ = 0;
+  bool has_ended_ = false;
+  std::condition_variable end_;
+  std::thread thread_;
 };
+
+// What erases the line from the terminal; empty if there is none. Any thread may call it.
+std::string erased_progress();
 
 } // namespace idt
 

@@ -15,6 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -40,27 +41,10 @@ void write_all(int descriptor, const char* data, std::size_t size)
 class Child
 {
 public:
-  explicit Child(const std::function<void(int out)>& function) : folder_(make_temporary_folder())
-  {
-    // Lest both write what waits there.
-    std::cout.flush();
-    std::cerr.flush();
-    int ends[2];
-    if (::pipe2(ends, O_CLOEXEC) != 0)
-      fail(errno);
-    process_ = ::fork();
-    if (process_ == 0) {
-      ::close(ends[0]);
-      be_the_child(function, ends[1]);
-    }
-    const int error_number = errno;
-    ::close(ends[1]);
-    in_ = ends[0];
-    if (process_ < 0) {
-      ::close(in_);
-      fail(error_number);
-    }
-  }
+  // \param writes_files whether it may have to put files in order before it ends
+  Child(const std::function<void(int out)>& function, bool writes_files)
+    : writes_files_(writes_files), unfinished_([&] { start(function); }, [this] { end(); })
+  {}
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   ~Child()
@@ -119,9 +103,54 @@ public:
   }
 
 private:
+  void start(const std::function<void(int out)>& function)
+  {
+    folder_ = make_temporary_folder();
+    // Lest both write what waits there.
+    std::cout.flush();
+    std::cerr.flush();
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0)
+      fail(errno);
+    process_ = ::fork();
+    if (process_ == 0) {
+      ::close(ends[0]);
+      be_the_child(function, ends[1]);
+    }
+    const int error_number = errno;
+    ::close(ends[1]);
+    in_ = ends[0];
+    if (process_ < 0) {
+      ::close(in_);
+      fail(error_number);
+    }
+  }
+
+  // Called while this process is being ended.
+  void end() const
+  {
+    // The first signal asks for an orderly end, the second one does not wait for that. One that arrives before the
+    // other was taken is lost.
+    bool is_awaited = is_awaited_;
+    for (int attempt = 0; writes_files_ && !is_awaited && attempt < 20; ++attempt) {
+      ::kill(process_, SIGTERM);
+      ::usleep(5000);
+      is_awaited = ::waitpid(process_, nullptr, WNOHANG) != 0;
+    }
+    // The system may need a while to take back its memory, for which nobody has to wait.
+    if (!is_awaited)
+      ::kill(process_, SIGKILL);
+    remove_folder();
+  }
+
   [[noreturn]] void be_the_child(const std::function<void(int out)>& function, int out) const
   {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL); // not to outlive the parent
+    // Not to outlive the parent.
+    ::prctl(PR_SET_PDEATHSIG, writes_files_ ? SIGTERM : SIGKILL);
+    install_signal_handlers_in_copy();
+    if (!writes_files_)
+      for (int signal_number : {SIGINT, SIGTERM, SIGHUP})
+        ::signal(signal_number, SIG_IGN); // the parent sees to it
     if (!folder_.empty())
       ::setenv("TMPDIR", folder_.c_str(), 1);
     try {
@@ -146,12 +175,13 @@ private:
   }
 
   // Returns whether it ended well.
-  bool wait() const
+  bool wait()
   {
     int status = 0;
     while (::waitpid(process_, &status, 0) < 0)
       if (errno != EINTR)
         return false;
+    is_awaited_ = true; // its number may be that of another process now
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
 
@@ -162,9 +192,12 @@ private:
       std::filesystem::remove_all(folder_, error);
   }
 
+  bool writes_files_;
   std::string folder_; // what it leaves when it is killed goes with this folder
   pid_t process_ = -1;
+  std::atomic<bool> is_awaited_{false};
   int in_ = -1;
+  Unfinished unfinished_;
 };
 
 } // namespace
@@ -178,7 +211,8 @@ Child_result run_in_child_process(const std::function<void(const Say_function&)>
     ::dup2(nothing, STDOUT_FILENO);
     ::dup2(nothing, STDERR_FILENO);
     function([out](const std::string& line) { write_all(out, (line + '\n').data(), line.size() + 1); });
-  });
+  },
+              false);
   return child.listen(seconds);
 }
 
@@ -188,7 +222,8 @@ std::optional<int> run_in_expendable_process(const std::function<int()>& functio
     const int result = function();
     std::cout.flush();
     write_all(out, reinterpret_cast<const char*>(&result), sizeof result);
-  });
+  },
+              true);
   return child.take_number();
 }
 

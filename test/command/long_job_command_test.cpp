@@ -100,6 +100,29 @@ protected:
     }
   }
 
+  // What a run writes to a terminal that is its standard error. \param until ends the run as soon as it is there
+  std::string on_terminal(const std::string& arguments, const std::string& until = std::string()) const
+  {
+    int terminal = -1;
+    const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+    EXPECT_GE(child, 0);
+    if (child == 0) {
+      const std::string line = "cd '" + folder_.string() + "' && exec '" + command_path() + "' " + arguments + " > .out";
+      ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+      ::_exit(127);
+    }
+    std::string shown;
+    char buffer[4096];
+    for (ssize_t n; (n = ::read(terminal, buffer, sizeof buffer)) > 0;)
+      if (shown.append(buffer, static_cast<std::size_t>(n)); !until.empty() && contains(shown, until))
+        ::kill(child, SIGKILL);
+    ::close(terminal);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(status == 0 || !until.empty()) << status;
+    return shown;
+  }
+
   // The time for the whole job.
   double time(const std::string& arguments) const
   {
@@ -150,7 +173,11 @@ TEST_F(Command_long_job, can_be_interrupted_at_any_time)
         EXPECT_TRUE(read.status == 0 || contains(read.err, "corners instead of 3")) << read.err;
       }
     } else {
-      EXPECT_FALSE(exists("result.csv") || exists("result.ply"));
+      // What was written until time was up is whole.
+      if (exists("result.csv")) {
+        EXPECT_EQ(lines(content(folder_ / "result.csv")).size(), edges + 1);
+      }
+      EXPECT_TRUE(exists("result.csv") || !exists("result.ply"));
       EXPECT_TRUE(contains(content(folder_ / ".err"), "cancelled")) << content(folder_ / ".err");
     }
   };
@@ -239,32 +266,98 @@ TEST_F(Command_long_job, can_be_interrupted_while_polygons_are_cut)
   EXPECT_EQ(files(), std::vector<std::string>{"crowns.off"});
 }
 
+// Nobody can ask a factorization whether it is finished soon.
+TEST_F(Command_long_job, ends_within_a_second_where_nothing_asks)
+{
+  write_sheet("sheet.ply", 400, 0.5);
+  for (int signal : {SIGINT, SIGTERM}) {
+    int status = 0;
+    double seconds = 10;
+    // A machine that is busy may be still reading, or done, at the first moments.
+    for (double delay = 0.5; delay < 8 && !(status == 4 && contains(content(folder_ / ".err"), "not complete")); delay *= 1.2) {
+      const auto begin = std::chrono::steady_clock::now();
+      status = interrupt({"laplacian", "sheet.ply", "--eigenvalues", "60", "--stats", "result.json"}, delay, signal);
+      seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() - delay;
+    }
+    EXPECT_EQ(status, 4);
+    EXPECT_LT(seconds, 2); // one, on a machine that does nothing else
+    EXPECT_EQ(files(), std::vector<std::string>{"sheet.ply"});
+  }
+}
+
+TEST_F(Command_long_job, ends_at_once_at_a_second_signal_without_half_files)
+{
+  write_sheet("sheet.ply", 300, 1);
+  bool was_writing = false;
+  for (int run = 0; run < 20 && !was_writing; ++run) {
+    remove_results();
+    const pid_t child = ::fork();
+    if (child == 0) {
+      const int out = ::open((folder_ / ".err").c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0666);
+      ::dup2(out, 1);
+      ::dup2(out, 2);
+      if (::chdir(folder_.c_str()) == 0)
+        ::execl(command_path().c_str(), "idt", "triangulate", "sheet.ply", "--overlay", "result.ply", nullptr);
+      ::_exit(127);
+    }
+    const auto is_writing = [&] {
+      for (const std::string& name : files())
+        if (contains(name, ".part-"))
+          return true;
+      return false;
+    };
+    while (!is_writing() && ::waitpid(child, nullptr, WNOHANG) == 0)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ::kill(child, SIGINT);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2)); // one that comes before the first was taken is lost
+    ::kill(child, SIGINT);
+    int status = 0;
+    was_writing = ::waitpid(child, &status, 0) == child && WIFSIGNALED(status) && WTERMSIG(status) == SIGINT;
+    expect_nothing_temporary();
+  }
+  EXPECT_TRUE(was_writing);
+  EXPECT_FALSE(exists("result.ply"));
+  EXPECT_TRUE(contains(content(folder_ / ".err"), "cancelled")) << content(folder_ / ".err");
+}
+
+// What replaces a program in its process is told the memory of that program as its own, by getrusage().
+TEST_F(Command_long_job, reports_its_own_memory)
+{
+  write("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::vector<char> large(std::size_t(500) << 20, 1);
+    ::close(large[random() % large.size()] + 1000); // the compiler does not know that nobody needs it
+    if (::chdir(folder_.c_str()) == 0 && ::freopen(".out", "w", stdout) != nullptr)
+      ::execl(command_path().c_str(), "idt", "triangulate", "triangle.off", "--stats", "result.json", nullptr);
+    ::_exit(127);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_EQ(status, 0);
+  const Json json = Json::parse(content(folder_ / "result.json"));
+  EXPECT_GT(json["peak_memory_bytes"], std::size_t(1) << 20);
+  EXPECT_LT(json["peak_memory_bytes"], std::size_t(400) << 20);
+}
+
 TEST_F(Command_long_job, shows_progress_on_a_terminal_and_nowhere_else)
 {
   write_sheet("sheet.ply", 1000, 1);
   const std::string arguments = "triangulate sheet.ply --overlay result.ply";
   EXPECT_EQ(idt(arguments).err, "");
-
-  int terminal = -1;
-  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
-  ASSERT_GE(child, 0);
-  if (child == 0) {
-    const std::string line = "cd '" + folder_.string() + "' && exec '" + command_path() + "' " + arguments + " > .out";
-    ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
-    ::_exit(127);
-  }
-  std::string shown;
-  char buffer[4096];
-  for (ssize_t n; (n = ::read(terminal, buffer, sizeof buffer)) > 0;)
-    shown.append(buffer, static_cast<std::size_t>(n));
-  ::close(terminal);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  EXPECT_EQ(status, 0);
+  const std::string shown = on_terminal(arguments);
   EXPECT_TRUE(contains(shown, "sheet.ply: ")) << shown;
   EXPECT_TRUE(contains(shown, "reading [") || contains(shown, "flipping, ") || contains(shown, "overlay [")) << shown;
   // The line is erased in the end.
   EXPECT_EQ(shown.substr(shown.size() - 4), "\r\x1b[K") << shown;
+}
+
+TEST_F(Command_long_job, shows_on_a_terminal_what_it_does_where_nobody_knows_how_much_is_done)
+{
+  write_sheet("sheet.ply", 400, 0.5);
+  const std::string shown = on_terminal("laplacian sheet.ply --eigenvalues 60", "eigenvalues, 1 s");
+  EXPECT_TRUE(contains(shown, "sheet.ply: factoring, and finding eigenvalues, 0 s")) << shown;
+  EXPECT_TRUE(contains(shown, "sheet.ply: factoring, and finding eigenvalues, 1 s")) << shown;
 }
 
 } // namespace
