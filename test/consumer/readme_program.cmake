@@ -1,8 +1,8 @@
 # Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# The program in README.md, compiled against the installed package with the flags of pkg-config,
-# prints what README.md says.
+# The program in README.md, compiled against the installed package with the flags of pkg-config, or against a checkout by the command
+# that README.md gives, prints what README.md says.
 
 file(REMOVE_RECURSE ${BINARY_DIR})
 file(MAKE_DIRECTORY ${BINARY_DIR})
@@ -16,11 +16,21 @@ if(NOT text MATCHES "\n\n((    [-0-9.e]+ [-0-9.e]+\n)+)\n")
 endif()
 string(REPLACE "    " "" expected "${CMAKE_MATCH_1}")
 
-set(ENV{PKG_CONFIG_PATH} ${PACKAGE_PREFIX}/${PKGCONFIG_DIR})
-execute_process(COMMAND ${PKG_CONFIG} --cflags --libs ${PACKAGE}
-  OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+if(PACKAGE STREQUAL "README")
+  if(NOT text MATCHES "\n    g\\+\\+ ([^\n]* program.cpp[^\n]*)\n")
+    message(FATAL_ERROR "README.md does not say how to compile with the headers alone")
+  endif()
+  set(flags "${CMAKE_MATCH_1}")
+  get_filename_component(checkout ${README} DIRECTORY)
+  file(CREATE_LINK ${checkout}/include ${BINARY_DIR}/include SYMBOLIC)
+else()
+  set(ENV{PKG_CONFIG_PATH} ${PACKAGE_PREFIX}/${PKGCONFIG_DIR})
+  execute_process(COMMAND ${PKG_CONFIG} --cflags --libs ${PACKAGE}
+    OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  string(PREPEND flags "-O1 program.cpp ")
+endif()
 separate_arguments(flags UNIX_COMMAND "${flags}")
-execute_process(COMMAND ${COMPILER} -O1 program.cpp ${flags} -o program
+execute_process(COMMAND ${COMPILER} ${flags} -o program
   WORKING_DIRECTORY ${BINARY_DIR} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${BINARY_DIR}/program OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
 if(NOT output STREQUAL expected)

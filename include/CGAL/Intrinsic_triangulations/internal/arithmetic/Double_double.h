@@ -8,6 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DOUBLE_DOUBLE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DOUBLE_DOUBLE_H
 
+#include <CGAL/Intrinsic_triangulations/internal/system/unfused.h>
+
 #include <boost/config.hpp>
 
 namespace CGAL {
@@ -15,10 +17,12 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // s + e is exactly a + b (Knuth). A `Number` is double, or several of them. Arguments are taken by value, since results may
-// replace them.
+// replace them, and unfused, since they may be products.
 template <class Number>
 BOOST_FORCEINLINE void two_sum(Number a, Number b, Number& s, Number& e)
 {
+  a = unfused(a);
+  b = unfused(b);
   s = a + b;
   const Number bb = s - a;
   e = (a - (s - bb)) + (b - bb);
@@ -28,18 +32,28 @@ BOOST_FORCEINLINE void two_sum(Number a, Number b, Number& s, Number& e)
 template <class Number>
 BOOST_FORCEINLINE void fast_two_sum(Number a, Number b, Number& s, Number& e)
 {
+  a = unfused(a);
+  b = unfused(b);
   s = a + b;
   e = b - (s - a);
 }
 
-// p + e is exactly a * b (Dekker, Veltkamp), unless something over- or underflows.
+// head + tail is x, and products of such parts are exact, fused with a sum or not (Veltkamp).
+template <class Number>
+BOOST_FORCEINLINE void split(Number x, Number& head, Number& tail)
+{
+  const Number c = unfused(Number(134217729.0) * x); // 2^27 + 1
+  head = c - (c - x);
+  tail = x - head;
+}
+
+// p + e is exactly a * b (Dekker), unless something over- or underflows.
 inline void two_product(double a, double b, double& p, double& e)
 {
-  constexpr double splitter = 134217729.0; // 2^27 + 1
-  const double ca = splitter * a, cb = splitter * b;
-  const double ah = ca - (ca - a), al = a - ah;
-  const double bh = cb - (cb - b), bl = b - bh;
-  p = a * b;
+  double ah, al, bh, bl;
+  split(unfused(a), ah, al);
+  split(unfused(b), bh, bl);
+  p = unfused(a * b);
   e = ((ah * bh - p) + ah * bl + al * bh) + al * bl;
 }
 

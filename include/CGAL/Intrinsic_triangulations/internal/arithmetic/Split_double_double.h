@@ -19,7 +19,7 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // An unevaluated sum hi + lo, of doubles or of `Two_doubles`. The parts head + tail == hi are so short
-// that their products are exact (Veltkamp); a number that is a factor several times is split once.
+// that their products are exact; a number that is a factor several times is split once.
 //
 // A sum of up to three products is good to 2^-102 of the sum of their absolute values, a
 // quotient and a root to 2^-102 of themselves. Without over- and underflow, that is.
@@ -29,11 +29,9 @@ struct Split_double_double
   Number hi, lo, head, tail;
 
   Split_double_double() = default;
-  BOOST_FORCEINLINE Split_double_double(const Number& high, const Number& low) : hi(high), lo(low)
+  BOOST_FORCEINLINE Split_double_double(const Number& high, const Number& low) : hi(unfused(high)), lo(low)
   {
-    const Number c = Number(134217729.0) * hi; // 2^27 + 1
-    head = c - (c - hi);
-    tail = hi - head;
+    split(hi, head, tail);
   }
 
   BOOST_FORCEINLINE static Split_double_double difference(const Number& a, const Number& b)
@@ -52,7 +50,7 @@ struct Split_double_double
   BOOST_FORCEINLINE friend Product operator*(const Split_double_double& a,
                                              const Split_double_double& b)
   {
-    const Number p = a.hi * b.hi;
+    const Number p = unfused(a.hi * b.hi);
     const Number e = ((a.head * b.head - p) + a.head * b.tail + a.tail * b.head) + a.tail * b.tail;
     return {p, e + (a.hi * b.lo + a.lo * b.hi)};
   }

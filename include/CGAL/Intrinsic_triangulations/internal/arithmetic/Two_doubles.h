@@ -8,6 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_TWO_DOUBLES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_TWO_DOUBLES_H
 
+#include <CGAL/Intrinsic_triangulations/internal/system/unfused.h>
+
 #include <CGAL/FPU.h>
 
 #include <boost/config.hpp>
@@ -16,12 +18,18 @@
 #include <cmath>
 #include <type_traits>
 
+#ifdef CGAL_HAS_SSE2
+CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(CGAL_HAS_SSE2, 1)
+#else
+CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(CGAL_HAS_SSE2, 0)
+#endif
+
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
 // Each operation is done on both numbers, and rounded as it is on one: formulas that are written for
-// a number type give, bit for bit, what they give for `double` twice.
+// a number type give what they give for `double` twice. Bit for bit, unless the compiler fuses products and sums.
 class Two_doubles
 {
 public:
@@ -46,6 +54,7 @@ public:
   friend Two_doubles operator/(Two_doubles a, Two_doubles b) { return _mm_div_pd(a.v_, b.v_); }
   friend Two_doubles operator-(Two_doubles a) { return _mm_xor_pd(_mm_set1_pd(-0.), a.v_); }
   friend Two_doubles sqrt(Two_doubles a) { return _mm_sqrt_pd(a.v_); }
+  friend Two_doubles unfused(Two_doubles a) { return internal::unfused(a.v_); }
   friend Two_doubles abs(Two_doubles a) { return _mm_andnot_pd(_mm_set1_pd(-0.), a.v_); }
   // the larger, or smaller, of each two; b where one of them is no number
   friend Two_doubles max_of(Two_doubles a, Two_doubles b) { return _mm_max_pd(a.v_, b.v_); }
@@ -79,6 +88,7 @@ private:
   friend Two_doubles operator/(Two_doubles a, Two_doubles b) { return {a.v_[0] / b.v_[0], a.v_[1] / b.v_[1]}; }
   friend Two_doubles operator-(Two_doubles a) { return {-a.v_[0], -a.v_[1]}; }
   friend Two_doubles sqrt(Two_doubles a) { return {std::sqrt(a.v_[0]), std::sqrt(a.v_[1])}; }
+  friend Two_doubles unfused(Two_doubles a) { return {internal::unfused(a.v_[0]), internal::unfused(a.v_[1])}; }
   friend Two_doubles abs(Two_doubles a) { return {std::abs(a.v_[0]), std::abs(a.v_[1])}; }
   friend Two_doubles max_of(Two_doubles a, Two_doubles b) { return if_greater(a, b, a, b); }
   friend Two_doubles min_of(Two_doubles a, Two_doubles b) { return if_greater(b, a, a, b); }

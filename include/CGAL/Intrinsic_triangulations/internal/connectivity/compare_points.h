@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/unfused.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
@@ -31,7 +32,7 @@ inline Sign compare_products(double a, double b, double c, double d)
       int of_x = 0, of_y = 0;
       x = std::frexp(x, &of_x);
       y = std::frexp(y, &of_y);
-      high = x * y;
+      high = unfused(x * y);
       low = std::fma(x, y, -high);
       exponent = of_x + of_y;
     }

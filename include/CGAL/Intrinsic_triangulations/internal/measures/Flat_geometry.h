@@ -30,6 +30,7 @@ namespace internal {
 // Exact sums and products of doubles; no division. The fastest type that CGAL has, by its name: the header that would select it
 // has 50,000 lines.
 #ifdef CGAL_HAS_MPZF
+CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(CGAL_HAS_MPZF, 1)
 using Exact_ring = Mpzf;
 inline Rational rational(const Exact_ring& x)
 {
@@ -38,6 +39,7 @@ inline Rational rational(const Exact_ring& x)
   return result;
 }
 #else
+CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(CGAL_HAS_MPZF, 0)
 using Exact_ring = Rational;
 inline Rational rational(const Exact_ring& x) { return x; }
 #endif
