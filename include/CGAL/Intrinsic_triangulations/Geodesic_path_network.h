@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Linked_paths.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Wedge.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Uncertain.h>
@@ -119,6 +120,7 @@ public:
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
+    const internal::Standard_arithmetic arithmetic;
     auto given = choose_parameter(get_parameter(np, internal_np::visitor), Default_flip_visitor());
     auto& visitor = internal::unwrapped(given);
     budget_ = choose_parameter(get_parameter(np, internal_np::maximum_number), (std::numeric_limits<std::uint64_t>::max)());

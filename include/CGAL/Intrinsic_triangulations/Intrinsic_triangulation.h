@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
@@ -29,6 +30,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -114,6 +116,8 @@ public:
                           Copier&& copier)
     : Intrinsic_triangulation(std::move(connectivity), traits)
   {
+    const Arithmetic arithmetic;
+    arithmetic.check();
     exponent_ = internal::normalize_points<ConcurrencyTag>(points, internal::Is_used_vertex{connectivity_});
     internal::construct_metric_from_points<ConcurrencyTag>(connectivity_, copier, traits_, points, edges_, faces_, bounds_);
     if constexpr (uses_exact_geometry)
@@ -131,6 +135,8 @@ public:
   static Intrinsic_triangulation from_lengths(Delta_complex connectivity, std::vector<FT> lengths,
                                               const Traits& traits = Traits())
   {
+    const Arithmetic arithmetic;
+    arithmetic.check();
     Intrinsic_triangulation t(std::move(connectivity), traits);
     t.exponent_ = internal::normalize_lengths(lengths);
     internal::construct_metric_from_lengths(t.connectivity_, t.traits_, lengths, t.edges_,
@@ -152,6 +158,8 @@ public:
               const Traits& traits = Traits())
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Arithmetic arithmetic;
+    arithmetic.check();
     Intrinsic_triangulation t(std::move(connectivity), traits);
     metric.check(t.connectivity_);
     t.exponent_ = metric.unit_exponent();
@@ -279,6 +287,7 @@ public:
   {
     if (!connectivity_.is_flippable(e))
       return true;
+    const Arithmetic arithmetic;
     const Boolean answer = traits_.is_locally_Delaunay_object()(hinge(e));
     if constexpr (uses_exact_geometry)
       if (!is_certain(answer))
@@ -294,6 +303,7 @@ public:
   /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
   Sign sign_of_cotangent_weight(Edge_index e) const
   {
+    const Arithmetic arithmetic;
     if constexpr (uses_exact_geometry) {
       const Boolean answer = traits_.is_locally_Delaunay_object()(hinge(e));
       if (is_certain(answer)) // the filter decides no tie
@@ -321,6 +331,7 @@ public:
   /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
   Flip_outcome flip(Edge_index e)
   {
+    const Arithmetic arithmetic;
     if constexpr (uses_exact_geometry)
       if (!is_convex(e))
         return Flip_outcome::NOT_CONVEX;
@@ -339,6 +350,7 @@ public:
   Flip_outcome flip_not_Delaunay(Edge_index e)
   {
     CGAL_precondition(connectivity_.is_flippable(e));
+    const Arithmetic arithmetic;
     return flip_not_Delaunay(connectivity_.hinge(e));
   }
   /// as above, for the halfedges around the edge.
@@ -374,6 +386,7 @@ public:
   Vertex_index split_face(const Triangle_piece& piece, const Surface_point& location)
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Arithmetic arithmetic;
     geometry_->split_face(connectivity_, piece, location);
     const Vertex_index v = connectivity_.split_face(piece.side);
     measure_star(v);
@@ -387,6 +400,7 @@ public:
   Vertex_index split_edge(Halfedge_index h, const Surface_point& location)
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Arithmetic arithmetic;
     geometry_->split_edge(connectivity_, h, location);
     const Vertex_index v = connectivity_.split_edge(h);
     measure_star(v);
@@ -397,6 +411,7 @@ public:
   Removed_elements unsplit_face(Vertex_index v)
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Arithmetic arithmetic;
     const Halfedge_index side = connectivity_.prev(connectivity_.halfedge(v));
     geometry_->unsplit_face(connectivity_, v);
     const Removed_elements removed = connectivity_.unsplit_face(v);
@@ -410,6 +425,7 @@ public:
   Removed_elements unsplit_edge(Halfedge_index h)
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Arithmetic arithmetic;
     geometry_->unsplit_edge(connectivity_, h);
     const Removed_elements removed = connectivity_.unsplit_edge(h);
     remove(removed, {h, connectivity_.opposite(h)});
@@ -424,6 +440,7 @@ public:
   void refine(Face_index f)
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Arithmetic arithmetic;
     const Halfedge_index h = connectivity_.halfedge(f);
     refine(h, exact_geometry().corner(connectivity_, h));
   }
@@ -435,6 +452,7 @@ public:
   void refine(Vertex_index v)
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Arithmetic arithmetic;
     measure(exact_geometry().corners_at(connectivity_, v));
   }
 
@@ -452,6 +470,14 @@ private:
   template <class>
   friend class internal::Triangulation_block;
   /// \endcond
+
+  // What error bounds assume; interval types set the rounding mode themselves.
+  struct Any_arithmetic
+  {
+    Any_arithmetic() {}
+    void check() const {}
+  };
+  using Arithmetic = std::conditional_t<uses_exact_geometry, internal::Standard_arithmetic, Any_arithmetic>;
 
   static constexpr bool keeps_bounds = internal::Has_cotangent_bounds<Traits>::value;
 

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <CGAL/assertions.h>
@@ -67,6 +68,7 @@ public:
       on_intrinsic_edge_(overlay.number_of_crossings(), internal::default_init),
       on_input_edge_(overlay.number_of_crossings(), internal::default_init)
   {
+    const internal::Standard_arithmetic arithmetic;
     static constexpr const char* what = "the search for the places of the crossings";
     const Delta_complex& input = geometry.correspondence().input();
     for (size_type v = input.number_of_vertices(); v < intrinsic.number_of_vertices(); ++v)

@@ -17,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_with_bound.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/prefetch.h>
@@ -98,6 +99,7 @@ template <class ConcurrencyTag, class Element, class Number>
 std::vector<double> numbers_of_elements(std::size_t n, const Number& number)
 {
   using size_type = typename Element::size_type;
+  const Standard_arithmetic arithmetic;
   std::vector<double> result;
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value && Number::has_threads) {
     result.resize(n);

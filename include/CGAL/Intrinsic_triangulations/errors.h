@@ -121,6 +121,17 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
+/// \brief says that the program's arithmetic on doubles does not follow IEEE 754, so that no answer can be trusted.
+///
+/// The causes are options of the compiler that no macro reveals, a processor that flushes subnormal numbers to zero and cannot be set, or
+/// a fault that the library notices because more digits do not settle what they must.
+class Arithmetic_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief says that a computation ended early because its `Progress_function` asked for that.
 class Cancelled_error : public Error
 {

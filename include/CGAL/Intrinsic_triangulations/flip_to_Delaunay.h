@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/flips/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Parallel_Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -114,6 +115,9 @@ Flip_report flip_all(Triangulation triangulation, const ConstraintMap& is_constr
     std::memset(marks.data(), int(Edge_mark::CANDIDATE), n);
   Delaunay_flipper<Triangulation, ConstraintMap, Visitor> flipper(triangulation, is_constrained,
                                                                   visitor, budget, marks);
+  std::optional<Standard_arithmetic> arithmetic;
+  if constexpr (Triangulation::Traits::Uses_exact_geometry::value)
+    arithmetic.emplace();
   std::optional<Interruption_scope<Triangulation>> scope;
   if constexpr (Triangulation::Traits::Uses_exact_geometry::value && !Is_silent<Visitor>::value)
     scope.emplace(triangulation, [&flipper] { return flipper.goes_further(); });

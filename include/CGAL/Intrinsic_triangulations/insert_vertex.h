@@ -18,6 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/faces_without_area.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -153,6 +154,7 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
 {
   const auto is_constrained = parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
                                                            Static_boolean_property_map<Edge_index, false>());
+  const internal::Standard_arithmetic arithmetic;
   const Delta_complex& complex = triangulation.connectivity();
   const Exact_geometry& geometry = triangulation.exact_geometry();
   const Correspondence& correspondence = geometry.correspondence();

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/cover/Cover_builder.h>
 #include <CGAL/Intrinsic_triangulations/internal/cover/Cover_of_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/polygon_texts.h>
 
 #include <CGAL/number_utils.h>
@@ -102,6 +103,7 @@ template <class PointRange, class TriangleRange>
 Tufted_cover make_tufted_cover(const PointRange& points, const TriangleRange& triangles,
                                const Tufted_cover_options& options = Tufted_cover_options())
 {
+  const internal::Standard_arithmetic arithmetic;
   const internal::Points copied = internal::copy_points(points);
   return internal::build_cover(copied, internal::copy_triangles(triangles, copied.size()), options);
 }
@@ -115,6 +117,7 @@ Tufted_cover make_tufted_cover(const PointRange& points, const TriangleRange& tr
 inline Tufted_cover make_tufted_cover(const Delta_complex& complex, const std::vector<double>& lengths,
                                       const Tufted_cover_options& options = Tufted_cover_options())
 {
+  const internal::Standard_arithmetic arithmetic;
   return internal::build_cover_of_complex(complex, lengths, options);
 }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Refinement_report.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Delaunay_refiner.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
@@ -109,6 +110,7 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   std::vector<bool> is_segment(complex.number_of_edges());
   for (Edge_index e : complex.edges())
     is_segment[e.idx()] = complex.is_border(e) || get(is_constrained, e);
+  const internal::Standard_arithmetic arithmetic;
   auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_refinement_visitor());
   auto& unwrapped = internal::unwrapped(visitor);
   using Visitor = std::decay_t<decltype(unwrapped)>;

@@ -8,6 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_MPFR_INTERVAL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_MPFR_INTERVAL_H
 
+#include <CGAL/Intrinsic_triangulations/errors.h>
+
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
@@ -20,6 +22,15 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+// The precision of the next attempt, where this one did not settle a question that enough digits settle. No input is known that
+// needs a thousandth of the largest.
+inline long doubled(long precision)
+{
+  if (precision >= (1l << 22))
+    throw Arithmetic_error("four million bits do not settle what they must: please report the surface, and how the program was compiled");
+  return 2 * precision;
+}
 
 // A real number known to lie in [lower, upper]. A result has the larger precision of its
 // operands. A division by an interval that contains zero gives the whole line.

@@ -18,6 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/exact/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 
 #include <algorithm>
 #include <atomic>
@@ -401,6 +402,7 @@ Exact_geometry::Corner Exact_geometry::developed_corner(const Delta_complex& com
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_geometry::Corner Exact_geometry::corner(const Delta_complex& complex, Halfedge_index h) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   find_straight_faces(complex);
   return corner(complex, h, *input_surface());
@@ -409,6 +411,7 @@ Exact_geometry::Corner Exact_geometry::corner(const Delta_complex& complex, Half
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::vector<std::pair<Halfedge_index, Exact_geometry::Corner>> Exact_geometry::corners_at(const Delta_complex& complex, Vertex_index v) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   const Surface_lease surface = input_surface();
   internal::Double_double_metric metric(*surface);

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Double_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_geometry_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
@@ -75,7 +76,7 @@ std::array<std::complex<double>, N> Exact_geometry::rounded_vectors(internal::In
     if (is_good)
       return result;
   }
-  for (long precision = 256;; precision *= 2) {
+  for (long precision = 256;; precision = internal::doubled(precision)) {
     internal::Mpfr_metric metric(surface, {precision});
     const auto vectors = evaluate(metric);
     std::array<double, N> width{};
@@ -97,6 +98,7 @@ std::array<std::complex<double>, N> Exact_geometry::rounded_vectors(internal::In
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_geometry::Edge_beginning Exact_geometry::edge_beginning(const Delta_complex& complex, Halfedge_index h) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   Halfedge_index reference;
   const auto vectors = rounded_vectors<2>(*input_surface(), [&](auto& metric) {
@@ -110,6 +112,7 @@ Exact_geometry::Edge_beginning Exact_geometry::edge_beginning(const Delta_comple
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_geometry::input_angle(Halfedge_index h) const
 {
+  const internal::Standard_arithmetic arithmetic;
   const auto side = rounded_vectors<1>(*input_surface(), [&](auto& metric) {
     return std::array{internal::Metric_frame<std::decay_t<decltype(metric)>>(correspondence_.input(), metric).ratios(h).at_source};
   });
@@ -119,6 +122,7 @@ double Exact_geometry::input_angle(Halfedge_index h) const
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_geometry::length(const Delta_complex& complex, Edge_index e) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   const Surface_lease surface = input_surface();
   const internal::Bounded_double_double s = squared_length(complex, e, *surface);
@@ -130,6 +134,7 @@ double Exact_geometry::length(const Delta_complex& complex, Edge_index e) const
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Interval_nt<> Exact_geometry::length_interval(const Delta_complex& complex, Edge_index e) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   const Surface_lease surface = input_surface();
   const internal::Bounded_double_double l = sqrt(squared_length(complex, e, *surface));
@@ -156,6 +161,7 @@ Interval_nt<> Exact_geometry::length_interval(const Delta_complex& complex, Edge
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_geometry::cotangent(const Delta_complex& complex, Halfedge_index h) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   find_straight_faces(complex);
   const Surface_lease surface = input_surface();
@@ -186,6 +192,7 @@ double Exact_geometry::signed_cotangent(const Delta_complex& complex, Halfedge_i
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_geometry::angle(const Delta_complex& complex, Halfedge_index h) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   find_straight_faces(complex);
   const Surface_lease surface = input_surface();
@@ -207,6 +214,7 @@ double Exact_geometry::angle(const Delta_complex& complex, Halfedge_index h) con
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_geometry::cotangent_weight(const Delta_complex& complex, Edge_index e) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   find_straight_faces(complex);
   const Surface_lease surface = input_surface();
@@ -230,6 +238,7 @@ double Exact_geometry::cotangent_weight(const Delta_complex& complex, Edge_index
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_geometry::area(const Delta_complex& complex, Face_index f) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   find_straight_faces(complex);
   const Surface_lease surface = input_surface();
@@ -312,6 +321,7 @@ Exact_geometry::quickest_corner(const Delta_complex& complex, Face_index f, cons
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_geometry::find_cotangents(const Delta_complex& complex, Face_index f, Face_cotangents& result) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   find_straight_faces(complex);
   const Surface_lease surface = input_surface();
@@ -325,6 +335,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::optional<Exact_geometry::Side_and_corner<internal::Double_with_bound>>
 Exact_geometry::rounded_corner(const Delta_complex& complex, Face_index f) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   interruption().check();
   internal::Double_metric metric(correspondence_.input(), metric_, interruption());

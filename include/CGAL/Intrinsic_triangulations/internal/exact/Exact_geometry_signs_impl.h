@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Coplanar_hinge.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_geometry_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
@@ -112,6 +113,7 @@ std::optional<Exact_geometry::Test> Exact_geometry::test_by_corners(const Delta_
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::optional<Exact_geometry::Test> Exact_geometry::test_by_short_strips(const Delta_complex& complex, Edge_index e) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   find_straight_faces(complex);
   const Halfedge_index h = complex.halfedge(e);
@@ -147,6 +149,7 @@ double Exact_geometry::number_of_quantities(const Delta_complex& complex, Halfed
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Sign Exact_geometry::sign_of_cotangents(const Delta_complex& complex, Edge_index e) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   find_straight_faces(complex);
   return sign_of_cotangents(complex, e, *input_surface());
@@ -171,6 +174,7 @@ Sign Exact_geometry::sign_of_cotangents(const Delta_complex& complex, Edge_index
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Sign Exact_geometry::sign_by_unfolding(const Delta_complex& complex, Edge_index e) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   const Surface_lease surface = input_surface();
   internal::Double_double_metric metric(*surface);
@@ -210,6 +214,7 @@ std::optional<Sign> Exact_geometry::sign_by_images(const Delta_complex& complex,
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 bool Exact_geometry::is_convex(const Delta_complex& complex, Edge_index e) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   find_straight_faces(complex);
   const Surface_lease surface = input_surface();
@@ -230,6 +235,7 @@ bool Exact_geometry::is_convex(const Delta_complex& complex, Edge_index e) const
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Sign Exact_geometry::sign_of_area(const Delta_complex& complex, Face_index f) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   return sign_of_area(complex, f, *input_surface());
 }
@@ -237,6 +243,7 @@ Sign Exact_geometry::sign_of_area(const Delta_complex& complex, Face_index f) co
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 bool Exact_geometry::has_input_face_area(Face_index f) const
 {
+  const internal::Standard_arithmetic arithmetic;
   const Delta_complex& input = correspondence_.input();
   const Uncertain<Sign> sign = metric_.four_areas_double_double(input, f).sign();
   return is_certain(sign) ? get_certain(sign) != ZERO : squared_four_areas(metric_, input, f) != 0;
@@ -253,6 +260,7 @@ Sign Exact_geometry::sign_of_area(const Delta_complex& complex, Face_index f, in
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 bool Exact_geometry::has_length_zero(const Delta_complex& complex, Edge_index e) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   const auto& developed_faces = memory_->developed_faces;
   for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
@@ -267,6 +275,7 @@ bool Exact_geometry::has_length_zero(const Delta_complex& complex, Edge_index e)
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Sign Exact_geometry::side_of(const Delta_complex& complex, Halfedge_index h, std::int64_t position, const Surface_point& point) const
 {
+  const internal::Standard_arithmetic arithmetic;
   prepare(complex);
   const auto area_beside = [&](auto& metric) {
     return Unfolding<std::decay_t<decltype(metric)>>(complex, correspondence_, metric).area_beside(h, position, point);

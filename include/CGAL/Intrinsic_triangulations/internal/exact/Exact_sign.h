@@ -125,7 +125,7 @@ private:
 
   Sign sign_of_nonzero() const
   {
-    for (long precision = 256;; precision *= 2)
+    for (long precision = 256;; precision = doubled(precision))
       if (const auto sign = approximate_sign(precision); is_certain(sign))
         return get_certain(sign);
   }

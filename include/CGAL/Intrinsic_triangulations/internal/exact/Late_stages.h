@@ -115,7 +115,7 @@ public:
   // in its last place wide, however high the precision: then the middle is taken.
   double length(Edge_index e)
   {
-    for (long precision = 128;; precision *= 2) {
+    for (long precision = 128;; precision = doubled(precision)) {
       const Mpfr_interval l = sqrt(squared_length(e, precision));
       const double low = l.lower_double(), high = l.upper_double();
       const double next = std::nextafter(low, high);
@@ -133,7 +133,7 @@ public:
   template <class Evaluate, class IsNarrow>
   double number_of_corner(Halfedge_index h, const Evaluate& evaluate, const IsNarrow& is_narrow)
   {
-    for (long precision = 128;; precision *= 2) {
+    for (long precision = 128;; precision = doubled(precision)) {
       const Mpfr_interval x = evaluate(corner(h, precision));
       const double low = x.lower_double(), high = x.upper_double();
       const double magnitude = (std::max)(std::abs(low), std::abs(high));
@@ -159,7 +159,7 @@ public:
   // \pre the face of h has positive area
   long scale_of_corner(Halfedge_index h)
   {
-    for (long precision = 128;; precision *= 2) {
+    for (long precision = 128;; precision = doubled(precision)) {
       const auto c = corner(h, precision);
       if (!is_certain(c.four_areas.sign()))
         continue;
@@ -175,7 +175,7 @@ public:
   // \pre both faces have positive area, and the sum is not zero
   double sum_of_cotangents(const Two_corners& corners)
   {
-    for (long precision = 256;; precision *= 2) {
+    for (long precision = 256;; precision = doubled(precision)) {
       Mpfr_metric metric(surface_, {precision});
       const auto c = unfolded_corners(unfolding(metric), corners);
       const Mpfr_interval sum = c.k.p / c.k.four_areas + c.l.p / c.l.four_areas;

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_layout.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <algorithm>
@@ -339,6 +340,7 @@ inline void check_line(const Delta_complex& input, const Surface_direction& star
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Traced_geodesic trace(const Exact_geometry& geometry, const Surface_direction& start, double length, std::size_t maximum_number)
 {
+  const Standard_arithmetic arithmetic;
   const Delta_complex& input = geometry.correspondence().input();
   check_line(input, start, length);
   const Input_faces faces(input, start);
@@ -349,6 +351,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Traced_geodesic trace(const Delta_complex& complex, const Exact_geometry& geometry, const Surface_direction& start, double length,
                       std::size_t maximum_number)
 {
+  const Standard_arithmetic arithmetic;
   check_line(geometry.correspondence().input(), start, length);
   const Current_faces faces(complex, geometry, start);
   return Geodesic_tracer<Current_faces>(faces, geometry, start, length, maximum_number)();

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/property_map.h>
@@ -32,6 +33,7 @@ std::uint64_t settle(Intrinsic_triangulation<Traits>& triangulation, const Const
                      std::vector<Edge_index>& stack, const AfterFlip& after_flip)
 {
   using Flip_outcome = typename Intrinsic_triangulation<Traits>::Flip_outcome;
+  const Standard_arithmetic arithmetic;
   Whole_triangulation<Traits> whole(triangulation);
   const Delta_complex& complex = triangulation.connectivity();
   std::uint64_t flips = 0, steps = 0;

@@ -8,6 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_FOR_EACH_BLOCK_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_FOR_EACH_BLOCK_H
 
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -53,7 +55,10 @@ void for_each_block(std::size_t n, std::size_t size, const Function& f)
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
     tbb::parallel_for(
       std::size_t(0), (n + size - 1) / size,
-      [&](std::size_t i) { f(i * size, (std::min)((i + 1) * size, n)); },
+      [&](std::size_t i) {
+        const Standard_arithmetic arithmetic; // the modes of a thread are its own
+        f(i * size, (std::min)((i + 1) * size, n));
+      },
       tbb::simple_partitioner());
     return;
   }

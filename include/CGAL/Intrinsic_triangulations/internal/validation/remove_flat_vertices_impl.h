@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REMOVE_FLAT_VERTICES_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/Removed_elements.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/remove_flat_vertices.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -210,6 +211,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::vector<Vertex_index> remove_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points,
                                                const Progress_function& progress)
 {
+  const internal::Standard_arithmetic arithmetic;
   std::vector<Vertex_index> result(complex.vertices().begin(), complex.vertices().end());
   const internal::Loop_progress loop(progress, "removing flat vertices", 0, 1, result.size());
   internal::Flat_star star(complex, points);

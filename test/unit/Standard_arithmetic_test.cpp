@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Results do not depend on how the program has set the processor, and leave that as it was.
+
+#include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/insert_vertex.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <limits>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+double half_of_smallest_normal()
+{
+  volatile double x = (std::numeric_limits<double>::min)();
+  return x / 2;
+}
+
+// fegetround() tells that of the x87 unit.
+bool rounds_to_nearest()
+{
+  volatile double one = 1, small = 1e-30;
+  return one + small == one && one - small == one;
+}
+
+// A mode of the processor, until the end of its scope.
+class Mode
+{
+public:
+  explicit Mode(int rounding, bool flushes = false)
+  {
+#ifdef CGAL_HAS_SSE2
+    before_ = _mm_getcsr();
+    if (flushes)
+      _mm_setcsr(before_ | 0x8040);
+#endif
+    (void)flushes;
+    std::fesetround(rounding);
+  }
+  ~Mode()
+  {
+    std::fesetround(FE_TONEAREST);
+#ifdef CGAL_HAS_SSE2
+    _mm_setcsr(before_);
+#endif
+  }
+
+private:
+  unsigned int before_ = 0;
+};
+
+// All kinds of numbers and decisions of a surface, in one row.
+std::vector<double> results(const IT::Indexed_triangles& surface)
+{
+  auto [t, report] = IT::intrinsic_Delaunay_triangulation(surface.points, surface.triangles);
+  std::vector<double> row{double(report.flips), double(IT::verify_Delaunay(t).ties)};
+  const auto add_numbers = [&row, &t = t] {
+    for (IT::Halfedge_index h : t.connectivity().halfedges())
+      row.push_back(double(t.connectivity().target(h).idx()));
+    for (IT::Edge_index e : t.connectivity().edges()) {
+      row.push_back(t.length(e));
+      row.push_back(t.is_locally_Delaunay(e) == true);
+    }
+    for (IT::Face_index f : t.connectivity().faces())
+      row.push_back(t.area(f));
+    for (double weight : IT::cotangent_weights(t))
+      row.push_back(weight);
+  };
+  add_numbers();
+  const IT::Common_subdivision subdivision(t);
+  for (IT::Overlay::Vertex x : subdivision.overlay().crossings())
+    row.push_back(subdivision.positions().on_input_edge(x));
+  IT::refine_Delaunay(t, IT::Refinement_criteria(), CGAL::parameters::maximum_number(20));
+  row.push_back(double(IT::verify_Delaunay(t).not_Delaunay.size()));
+  add_numbers();
+  return row;
+}
+
+TEST(Standard_arithmetic, is_set_and_the_old_mode_returns)
+{
+  for (int rounding : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    const Mode mode(rounding);
+    {
+      const IT::internal::Standard_arithmetic arithmetic;
+      arithmetic.check();
+      EXPECT_TRUE(rounds_to_nearest());
+    }
+    EXPECT_EQ(rounds_to_nearest(), rounding == FE_TONEAREST);
+  }
+}
+
+#ifdef CGAL_HAS_SSE2
+TEST(Standard_arithmetic, keeps_subnormal_numbers)
+{
+  const Mode mode(FE_TONEAREST, true);
+  {
+    const IT::internal::Standard_arithmetic arithmetic;
+    EXPECT_GT(half_of_smallest_normal(), 0);
+  }
+  EXPECT_EQ(half_of_smallest_normal(), 0);
+}
+#endif
+
+TEST(Standard_arithmetic, results_do_not_depend_on_the_mode)
+{
+  const std::vector<IT::Indexed_triangles> surfaces{IT::prism(20, 7), IT::latitude_longitude_sphere(12, 6), IT::cap(1e-150)};
+  for (const IT::Indexed_triangles& surface : surfaces) {
+    const std::vector<double> expected = results(surface);
+    for (int rounding : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+      for (bool flushes : {false, true}) {
+        const Mode mode(rounding, flushes);
+        const std::vector<double> found = results(surface);
+        EXPECT_EQ(rounds_to_nearest(), rounding == FE_TONEAREST);
+        EXPECT_TRUE(found == expected) << "rounding " << rounding << ", subnormal numbers " << (flushes ? "flushed" : "kept");
+      }
+  }
+}
+
+} // namespace
