@@ -30,6 +30,7 @@
 #include <complex>
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -89,6 +90,7 @@ public:
   const Stage_counts& stage_counts() const;
 
   /// \name Changes
+  /// An exception leaves everything as it was, as far as answers can tell.
   /// @{
 
   /// \brief follows a flip, before that of the connectivity.
@@ -104,6 +106,13 @@ public:
     correspondence_.flip(complex, around);
     return false;
   }
+  /// \cond SKIP_IN_MANUAL
+  // Undoes a flip, the last one that was not undone, before that is done in the connectivity. Never throws.
+  // \param around the halfedges around the edge before the flip
+  void flip_back(const Delta_complex& complex, Hinge_halfedges around);
+  // So many calls of append() do not throw then.
+  void make_room_for_journals(std::size_t number) { correspondence_.make_room_for_journals(number); }
+  /// \endcond
   /// returns whether flips may be appended: as long as no query was made.
   bool can_append() const { return !is_asked_; }
   /// as `append()` of `Correspondence`. \pre `can_append()`
@@ -118,9 +127,9 @@ public:
 
   /// \brief follows the join of two edges, before that of the connectivity; as the function of `Correspondence`.
   void unsplit_edge(const Delta_complex& complex, Halfedge_index h);
-  /// \brief follows the join of three faces, before that of the connectivity.
+  /// \brief follows the join of three faces, before that of the connectivity. Never throws.
   void unsplit_face(const Delta_complex& complex, Vertex_index v);
-  /// \brief follows the removal of an inserted vertex, after that of the connectivity.
+  /// \brief follows the removal of an inserted vertex, after that of the connectivity. Never throws.
   /// \param complex the connectivity after the removal
   /// \param removed what was removed
   void remove(const Delta_complex& complex, const Removed_elements& removed);
@@ -318,9 +327,10 @@ private:
   bool follow(const Delta_complex& complex, Edge_index e);
   void find_straight_faces(const Delta_complex& complex) const;
   void recognize_straight_face(const Delta_complex& complex, Halfedge_index h);
+  template <class SplitIntegers>
   void split_faces(const Delta_complex& complex, const std::vector<Face_index>& faces, std::size_t number_of_new_edges, std::size_t number_of_parts,
-                   const Surface_point& location);
-  void join_faces(Face_index f, const std::vector<Face_index>& faces);
+                   const Surface_point& location, const SplitIntegers& split_integers);
+  void join_faces(Face_index f, std::initializer_list<Face_index> faces);
   internal::Vertex_positions positions() const;
   template <class Straight_faces>
   std::optional<Test> test_in_plane(const Delta_complex& complex, Halfedge_index h, Straight_faces& straight_faces) const;

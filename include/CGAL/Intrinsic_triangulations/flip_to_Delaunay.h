@@ -90,10 +90,10 @@ class Interruption_scope
 {
 public:
   Interruption_scope(Triangulation& triangulation, const std::function<bool()>& go_further)
-    : triangulation_(triangulation), before_(triangulation.set_interruption({}))
+    : triangulation_(triangulation)
   {
-    triangulation.set_interruption(
-      [this, go_further] { return (!before_ || before_()) && go_further(); });
+    std::function<bool()> both = [this, go_further] { return (!before_ || before_()) && go_further(); };
+    before_ = triangulation.set_interruption(std::move(both));
   }
   Interruption_scope(const Interruption_scope&) = delete;
   Interruption_scope& operator=(const Interruption_scope&) = delete;
@@ -204,7 +204,8 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 /// \cgalNamedParamsEnd
 ///
 /// \return what happened. The triangulation is valid whatever the status.
-/// \exception Undecided_error if proofs of ties are demanded (`tie_proof`), and one takes too long
+/// \exception Undecided_error if proofs of ties are demanded (`tie_proof`), and one takes too long. After any exception, that of a
+///   visitor or `std::bad_alloc` as well, the triangulation is valid, and another call goes on
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.2.
 template <class ConcurrencyTag = Sequential_tag, class Traits,

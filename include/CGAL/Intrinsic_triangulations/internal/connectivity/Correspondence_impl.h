@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_CORRESPONDENCE_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Normal_coordinates_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
@@ -20,6 +21,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -68,6 +70,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::pre
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location)
 {
   CGAL_precondition(is_prepared_ && location.dimension() == 2);
+  internal::make_room(locations_, 1);
   coordinates_.split_face(complex, piece);
   locations_.push_back(location);
   Halfedge_index from_corner(2 * complex.number_of_edges() + 1);
@@ -80,6 +83,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_face(const Delta
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_edge(const Delta_complex& complex, Halfedge_index h, const Surface_point& location)
 {
   CGAL_precondition(is_prepared_ && location.dimension() == 1);
+  internal::make_room(locations_, 1);
   coordinates_.split_edge(complex, h, input_halfedge(h));
   locations_.push_back(location);
   Halfedge_index from_corner(2 * complex.number_of_edges() + 1);
@@ -127,8 +131,13 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::shorten_walk(Halfedge_
   const Roundabout r = coordinates_.roundabout(h);
   if (r.steps <= longest_walk)
     return;
-  if (!around_)
-    around_.emplace(input_);
+  if (!around_) {
+    try {
+      around_.emplace(input_);
+    } catch (const std::bad_alloc&) {
+      return;
+    }
+  }
   coordinates_.set_roundabout(h, around_->advanced(input_, r.base, r.steps));
 }
 

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_GEOMETRY_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <initializer_list>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -221,13 +223,35 @@ bool Exact_geometry::flip_and_follow(const Delta_complex& complex, const Hinge_h
     find_straight_faces(complex);
     prepare(complex);
   }
-  correspondence_.flip(complex, around);
+  // What may throw comes first, as long as it stays true without the flip; the integers come last.
+  Memory& memory = *memory_;
   const Edge_index e = complex.edge(around.ij);
-  if (memory_->straight_faces)
-    return follow(complex, e);
-  if (correspondence_.is_prepared())
-    memory_->journal.push_back(e);
-  return false;
+  const bool is_straight = memory.straight_faces && follow(complex, e), is_journaled = !memory.straight_faces && correspondence_.is_prepared();
+  if (is_journaled)
+    memory.journal.push_back(e);
+  try {
+    correspondence_.flip(complex, around);
+  } catch (...) {
+    if (is_journaled)
+      memory.journal.pop_back();
+    for (Halfedge_index h : {around.ij, around.ji})
+      memory.developed_faces.forget(complex.face(h));
+    throw;
+  }
+  return is_straight;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::flip_back(const Delta_complex& complex, Hinge_halfedges around)
+{
+  Memory& memory = *memory_;
+  for (Halfedge_index h : {around.ij, around.ji})
+    memory.developed_faces.forget(complex.face(h));
+  if (memory.straight_faces)
+    memory.straight_faces->flip_back(complex.face(around.ij), complex.face(around.ji));
+  else if (correspondence_.is_prepared())
+    memory.journal.pop_back();
+  correspondence_.flip_back(complex, around);
 }
 
 // Keeps up what is known of the faces, before the flip of the connectivity. Returns whether
@@ -268,8 +292,7 @@ void Exact_geometry::split_face(const Delta_complex& complex, const Triangle_pie
 {
   find_straight_faces(complex);
   prepare(complex);
-  correspondence_.split_face(complex, piece, location);
-  split_faces(complex, {complex.face(piece.side)}, 3, 3, location);
+  split_faces(complex, {complex.face(piece.side)}, 3, 3, location, [&] { correspondence_.split_face(complex, piece, location); });
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -277,27 +300,36 @@ void Exact_geometry::split_edge(const Delta_complex& complex, Halfedge_index h, 
 {
   find_straight_faces(complex);
   prepare(complex);
-  correspondence_.split_edge(complex, h, location);
   std::vector<Face_index> faces;
   for (Halfedge_index side : {h, complex.opposite(h)})
     if (!complex.is_border(side))
       faces.push_back(complex.face(side));
-  split_faces(complex, faces, 1 + faces.size(), 2, location);
+  split_faces(complex, faces, 1 + faces.size(), 2, location, [&] { correspondence_.split_edge(complex, h, location); });
 }
 
 // What is kept of faces that are split into parts; those beyond the first are appended, face by face.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+// \param split_integers splits the faces in the correspondence. An exception leaves everything as it was
+template <class SplitIntegers>
 void Exact_geometry::split_faces(const Delta_complex& complex, const std::vector<Face_index>& faces, std::size_t number_of_new_edges,
-                                 std::size_t number_of_parts, const Surface_point& location)
+                                 std::size_t number_of_parts, const Surface_point& location, const SplitIntegers& split_integers)
 {
   Memory& memory = *memory_;
+  const bool has_points = !metric_.points().empty();
+  const auto position = has_points ? std::make_optional(positions().rounded(location)) : std::nullopt;
+  const std::size_t number_of_new_faces = faces.size() * (number_of_parts - 1);
+  for (Face_index f : faces)
+    memory.straight_faces->prepare_split(positions(), f, number_of_new_faces);
+  memory.developed_faces.make_room(number_of_new_faces);
+  internal::make_room(memory.inserted_positions, 1);
+  internal::make_room(memory.is_close_call, number_of_new_edges);
+  split_integers();
   for (Face_index f : faces) {
-    memory.straight_faces->split(positions(), f, number_of_parts - 1);
+    memory.straight_faces->split(f, number_of_parts - 1);
     memory.developed_faces.forget(f);
     memory.developed_faces.append(number_of_parts - 1);
   }
-  if (!metric_.points().empty())
-    memory.inserted_positions.push_back(positions().rounded(location));
+  if (has_points)
+    memory.inserted_positions.push_back(*position);
   if (!memory.is_close_call.empty())
     memory.is_close_call.resize(complex.number_of_edges() + number_of_new_edges);
 }
@@ -317,14 +349,14 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_geometry::unsplit_face(const Delta_complex& complex, Vertex_index v)
 {
   const Halfedge_index a = complex.halfedge(v), b = complex.next_around_target(a), c = complex.next_around_target(b);
-  const std::vector<Face_index> faces{complex.face(a), complex.face(b), complex.face(c)};
+  const std::initializer_list<Face_index> faces{complex.face(a), complex.face(b), complex.face(c)};
   // As in Delta_complex::unsplit_face(), the least one stays.
-  join_faces(*std::min_element(faces.begin(), faces.end()), faces);
+  join_faces((std::min)(faces), faces);
 }
 
 // A vertex was inserted, so that all faces are known.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::join_faces(Face_index f, const std::vector<Face_index>& faces)
+void Exact_geometry::join_faces(Face_index f, std::initializer_list<Face_index> faces)
 {
   memory_->straight_faces->join(f, faces);
   memory_->developed_faces.forget(f);
