@@ -36,21 +36,24 @@ namespace Intrinsic_triangulations {
 ///
 /// How a flip changes the integers depends only on the halfedges around the edge. So flips are logged
 /// in a journal. When the integers are needed, they are computed from it, and the input connectivity
-/// is recovered. From then on each flip updates the integers at once.
+/// is recovered. From then on each flip updates the integers at once, until `begin_journal()` is called.
 class Correspondence
 {
 public:
-  /// returns whether `input()` and `input_halfedge()` are available.
+  /// returns whether the integers are up to date, so that `coordinates()`, `input()` and `input_halfedge()` are available.
   bool is_prepared() const { return is_prepared_; }
 
-  /// returns the number of flips that were made before `prepare()`.
+  /// returns the number of flips in the journal: those that were made before `prepare()`, or since `begin_journal()`.
   std::size_t number_of_journaled_flips() const { return journal_.size(); }
+
+  /// \brief logs flips again from now on, until the next `prepare()`. O(1).
+  void begin_journal() { is_prepared_ = false; }
 
   /// returns the edges of these flips, in order.
   std::vector<Edge_index> journaled_flips(const Delta_complex& complex) const;
 
-  /// \brief computes the integers and recovers the input. O(size + number of flips) the first time,
-  /// and O(1) afterwards.
+  /// \brief computes the integers and recovers the input. O(size + number of flips) if there is a journal,
+  /// and O(1) otherwise.
   /// \param complex the current connectivity
   /// \return the edges that were flipped before, in order; the journal is then cleared
   /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`. Nothing is changed then, but
@@ -189,7 +192,7 @@ private:
   // Around a vertex on an input edge, there are two directions only.
   void turn_around(Halfedge_index h, Vertex_index source);
 
-  bool is_prepared_ = false;
+  bool is_prepared_ = false, knows_input_ = false;
   internal::Flip_journal journal_;
   Delta_complex input_;
   Normal_coordinates coordinates_;

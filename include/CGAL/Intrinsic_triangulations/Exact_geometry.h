@@ -82,7 +82,8 @@ public:
   ~Exact_geometry();
   /// @}
 
-  /// returns where the input lies in the current triangulation. \pre `prepare()` was called
+  /// returns where the input lies in the current triangulation.
+  /// \pre `prepare()` was called, and not `flip_to_Delaunay()` since
   const Correspondence& correspondence() const { return correspondence_; }
   /// returns the metric of the input.
   const Input_metric& metric() const { return metric_; }
@@ -113,9 +114,12 @@ public:
   // So many calls of append() do not throw then.
   void make_room_for_journals(std::size_t number) { correspondence_.make_room_for_journals(number); }
   /// \endcond
-  /// returns whether flips may be appended: as long as no query was made.
-  bool can_append() const { return !is_asked_; }
-  /// as `append()` of `Correspondence`. \pre `can_append()`
+  /// \brief logs flips from now on until the next query, so that each takes the least time.
+  ///
+  /// `flip_to_Delaunay()` begins with this. For the flips of other functions, which are few and between queries, the integers are kept up
+  /// to date once they were asked for. O(1).
+  void begin_journal();
+  /// as `append()` of `Correspondence`. \pre no query was made since `begin_journal()`
   void append(std::vector<Hinge_halfedges> flips) { correspondence_.append(std::move(flips)); }
 
   /// \brief follows the insertion of a vertex, before that of the connectivity; as the functions of `Correspondence`
@@ -161,8 +165,8 @@ public:
   /// Each begins with `prepare()`.
   /// @{
 
-  /// \brief computes the integers and recovers the input, the first time; all queries do so themselves.
-  /// O(size + number of flips), and O(1) afterwards.
+  /// \brief computes the integers and recovers the input, where that was not done yet; all queries do so themselves.
+  /// O(size + number of flips) if there is a journal of flips, and O(1) otherwise.
   /// \exception Integer_overflow_error as `prepare()` of `Correspondence`
   void prepare(const Delta_complex& complex) const;
   /// \brief as above: with threads, the integers are computed while the input is recovered.
@@ -315,6 +319,8 @@ public:
   /// \endcond
 
 private:
+  std::unique_ptr<internal::Input_surface> new_surface() const;
+
   struct Memory;
   using Image_corner = Triangle_corner<internal::Residues>;
 
@@ -367,7 +373,7 @@ private:
   Corner straight_corner(const Delta_complex& complex, Halfedge_index h) const;
 
   mutable Correspondence correspondence_;     // prepared by the first query that needs it
-  mutable std::atomic<bool> is_asked_{false}; // whether flips have to be followed, as something was found out from them
+  mutable std::atomic<bool> is_asked_{false}; // whether flips have to be followed, as a query was made since begin_journal()
   Input_metric metric_;
   std::unique_ptr<Memory> memory_;
 };

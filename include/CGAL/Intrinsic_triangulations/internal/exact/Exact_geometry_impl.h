@@ -22,6 +22,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <initializer_list>
@@ -37,7 +38,11 @@ namespace Intrinsic_triangulations {
 // What follows the flips, and what speeds up decisions.
 //
 // Const queries read it, and change it in three ways only, all of them safe: the pool of surfaces is made for that; the integers
-// and the straight faces are found once, under the mutex, and an atomic flag tells the others that they are complete.
+// and the straight faces are brought up to date under the mutex, and an atomic flag tells the others that they are.
+//
+// Straight faces do not know of the flips in `journal`, nor of those in the journal of the correspondence but for the first
+// `number_of_known_flips`. Flips that are not followed at once make what was developed of their faces wrong; it is forgotten at the latest when
+// they leave one of these journals.
 struct Exact_geometry::Memory
 {
   using Developed_faces =
@@ -73,7 +78,16 @@ struct Exact_geometry::Memory
 
   internal::Decision_settings settings;
   Stage_counts counts;
-  std::vector<Edge_index> journal; // the flips until it was asked which faces are straight
+  template <class Edges>
+  void forget_developed_faces(const Delta_complex& complex, const Edges& flips)
+  {
+    for (Edge_index e : flips) // faces that a flip has changed have an edge that was flipped
+      for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
+        developed_faces.forget(complex.face(h));
+  }
+
+  std::vector<Edge_index> journal;
+  std::size_t number_of_known_flips = 0;
   std::optional<internal::Straight_faces> straight_faces;
   internal::Vertex_positions::Inserted inserted_positions; // kept if the input has points
   Developed_faces developed_faces;
@@ -82,6 +96,7 @@ struct Exact_geometry::Memory
   std::unique_ptr<internal::Input_surface> surface_of_images;
   std::unique_ptr<Carried_images> images; // of the developed faces, from the first tie on
 
+  std::unique_ptr<internal::Input_properties> input_properties; // made by the first thread that takes a surface
   std::mutex mutex;
   std::atomic<bool> is_prepared{false}, knows_straight_faces{false};
   internal::Scratch_pool<internal::Input_surface> surfaces;
@@ -102,6 +117,7 @@ Exact_geometry::Exact_geometry(const Exact_geometry& other)
   memory_->settings.tie_proof = other.memory_->settings.tie_proof;
   memory_->counts = other.memory_->counts;
   memory_->journal = other.memory_->journal;
+  memory_->number_of_known_flips = other.memory_->number_of_known_flips;
   memory_->straight_faces = other.memory_->straight_faces;
   memory_->inserted_positions = other.memory_->inserted_positions;
   memory_->is_prepared = other.memory_->is_prepared.load();
@@ -119,6 +135,7 @@ Exact_geometry::Exact_geometry(Exact_geometry&& other) noexcept
   memory_->surfaces.clear();
   memory_->images.reset();
   memory_->surface_of_images.reset();
+  memory_->input_properties.reset();
   memory_->developed_faces = {};
   memory_->is_close_call.clear();
   memory_->settings.interruption.exchange({});
@@ -158,11 +175,31 @@ const internal::Interruption& Exact_geometry::interruption() const { return memo
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_geometry::Surface_lease Exact_geometry::input_surface() const
 {
-  return memory_->surfaces.take(
-    [this] { return new internal::Input_surface(correspondence_.input(), metric_, memory_->settings); });
+  return memory_->surfaces.take([this] { return new_surface().release(); });
 }
 
-// ---------------------------------------------------------------- once, when it is asked for
+// \pre `prepare()` was called
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::unique_ptr<internal::Input_surface> Exact_geometry::new_surface() const
+{
+  {
+    const std::lock_guard<std::mutex> lock(memory_->mutex);
+    if (!memory_->input_properties)
+      memory_->input_properties = std::make_unique<internal::Input_properties>(correspondence_.input(), metric_);
+  }
+  return std::make_unique<internal::Input_surface>(correspondence_.input(), metric_, memory_->settings, *memory_->input_properties);
+}
+
+// ---------------------------------------------------------------- when it is asked for
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::begin_journal()
+{
+  correspondence_.begin_journal();
+  is_asked_ = false;
+  memory_->is_prepared = false;
+  memory_->knows_straight_faces = false;
+}
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_geometry::prepare(const Delta_complex& complex) const
@@ -179,14 +216,17 @@ void Exact_geometry::prepare(const Delta_complex& complex, const internal::Block
   const std::lock_guard<std::mutex> lock(memory_->mutex);
   if (memory_->is_prepared.load(std::memory_order_relaxed))
     return;
-  std::vector<Edge_index> journal = correspondence_.prepare(complex, run);
-  if (!memory_->straight_faces)
-    memory_->journal = std::move(journal);
+  Memory& memory = *memory_;
+  memory.journal.reserve(memory.journal.size() + correspondence_.number_of_journaled_flips() - memory.number_of_known_flips);
+  const std::vector<Edge_index> flips = correspondence_.prepare(complex, run);
+  memory.forget_developed_faces(complex, flips);
+  memory.journal.insert(memory.journal.end(), flips.begin() + std::ptrdiff_t(memory.number_of_known_flips), flips.end());
+  memory.number_of_known_flips = 0;
   is_asked_ = true;
-  memory_->is_prepared.store(true, std::memory_order_release);
+  memory.is_prepared.store(true, std::memory_order_release);
 }
 
-// Finds out which faces are straight, by repeating the flips; flip() keeps it up from then on.
+// Finds out which faces are straight, by repeating the flips that were not followed; flip() keeps it up from then on.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_geometry::find_straight_faces(const Delta_complex& complex) const
 {
@@ -195,22 +235,29 @@ void Exact_geometry::find_straight_faces(const Delta_complex& complex) const
   const std::lock_guard<std::mutex> lock(memory_->mutex);
   if (memory_->knows_straight_faces.load(std::memory_order_relaxed))
     return;
-  internal::Straight_faces straight_faces(complex.number_of_faces(), metric_.points().size());
-  std::vector<Edge_index> flips = correspondence_.journaled_flips(complex);
-  flips.insert(flips.end(), memory_->journal.begin(), memory_->journal.end());
-  if (!metric_.points().empty() && !flips.empty()) {
-    Delta_complex copy = complex;
-    for (std::size_t i = flips.size(); i-- > 0;)
-      copy.flip_back(flips[i]);
-    for (Edge_index e : flips) {
-      straight_faces.flip(copy, positions(), e);
-      copy.flip(e);
+  Memory& memory = *memory_;
+  std::vector<Edge_index> flips = memory.journal;
+  const std::vector<Edge_index> later_flips = correspondence_.journaled_flips(complex);
+  flips.insert(flips.end(), later_flips.begin() + std::ptrdiff_t(memory.number_of_known_flips), later_flips.end());
+  if (!flips.empty() || !memory.straight_faces) {
+    internal::Straight_faces straight_faces =
+      memory.straight_faces ? *memory.straight_faces : internal::Straight_faces(complex.number_of_faces(), metric_.points().size());
+    if (!metric_.points().empty() && !flips.empty()) {
+      Delta_complex copy = complex;
+      for (std::size_t i = flips.size(); i-- > 0;)
+        copy.flip_back(flips[i]);
+      for (Edge_index e : flips) {
+        straight_faces.flip(copy, positions(), e);
+        copy.flip(e);
+      }
     }
+    memory.forget_developed_faces(complex, flips);
+    memory.straight_faces = std::move(straight_faces);
+    std::vector<Edge_index>().swap(memory.journal);
+    memory.number_of_known_flips = later_flips.size();
   }
-  memory_->straight_faces = std::move(straight_faces);
-  std::vector<Edge_index>().swap(memory_->journal);
   is_asked_ = true;
-  memory_->knows_straight_faces.store(true, std::memory_order_release);
+  memory.knows_straight_faces.store(true, std::memory_order_release);
 }
 
 // ---------------------------------------------------------------- following the flips
@@ -226,18 +273,22 @@ bool Exact_geometry::flip_and_follow(const Delta_complex& complex, const Hinge_h
   // What may throw comes first, as long as it stays true without the flip; the integers come last.
   Memory& memory = *memory_;
   const Edge_index e = complex.edge(around.ij);
-  const bool is_straight = memory.straight_faces && follow(complex, e), is_journaled = !memory.straight_faces && correspondence_.is_prepared();
+  const bool is_followed = memory.knows_straight_faces, is_straight = is_followed && follow(complex, e),
+             is_journaled = !is_followed && correspondence_.is_prepared();
   if (is_journaled)
     memory.journal.push_back(e);
+  if (!is_followed)
+    memory.forget_developed_faces(complex, std::array{e});
   try {
     correspondence_.flip(complex, around);
   } catch (...) {
     if (is_journaled)
       memory.journal.pop_back();
-    for (Halfedge_index h : {around.ij, around.ji})
-      memory.developed_faces.forget(complex.face(h));
+    memory.forget_developed_faces(complex, std::array{e});
     throw;
   }
+  if (is_followed && !correspondence_.is_prepared())
+    ++memory.number_of_known_flips;
   return is_straight;
 }
 
@@ -245,11 +296,12 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_geometry::flip_back(const Delta_complex& complex, Hinge_halfedges around)
 {
   Memory& memory = *memory_;
-  for (Halfedge_index h : {around.ij, around.ji})
-    memory.developed_faces.forget(complex.face(h));
-  if (memory.straight_faces)
+  memory.forget_developed_faces(complex, std::array{complex.edge(around.ij)});
+  if (memory.knows_straight_faces) {
     memory.straight_faces->flip_back(complex.face(around.ij), complex.face(around.ji));
-  else if (correspondence_.is_prepared())
+    if (!correspondence_.is_prepared())
+      --memory.number_of_known_flips;
+  } else if (correspondence_.is_prepared())
     memory.journal.pop_back();
   correspondence_.flip_back(complex, around);
 }
@@ -401,8 +453,7 @@ std::optional<Exact_geometry::Image_corner> Exact_geometry::image_of_developed_c
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_geometry::carry_images()
 {
-  memory_->surface_of_images =
-    std::make_unique<internal::Input_surface>(correspondence_.input(), metric_, memory_->settings);
+  memory_->surface_of_images = new_surface();
   memory_->images = std::make_unique<Memory::Carried_images>(*memory_->surface_of_images);
   memory_->developed_faces = {};
 }
@@ -445,6 +496,7 @@ std::vector<std::pair<Halfedge_index, Exact_geometry::Corner>> Exact_geometry::c
 {
   const internal::Standard_arithmetic arithmetic;
   prepare(complex);
+  find_straight_faces(complex); // which is needed for a removal, too
   const Surface_lease surface = input_surface();
   internal::Double_double_metric metric(*surface);
   std::vector<std::pair<Halfedge_index, Corner>> result;

@@ -126,7 +126,7 @@ public:
   // Otherwise it would do what a Delaunay_flipper does.
   static bool is_useful(const Triangulation& triangulation)
   {
-    return triangulation.connectivity().number_of_edges() > size && Block::are_possible(triangulation);
+    return triangulation.connectivity().number_of_edges() > size && Block::are_possible;
   }
 
   // Leads to a Delaunay triangulation; `flipper` makes the last flips, and has the report.

@@ -48,13 +48,8 @@ public:
     POSTPONED
   };
 
-  // Whether there may be blocks: numbers are of a type that threads need not share, and what is
-  // kept of the input was not asked for yet.
-  static bool are_possible(const Triangulation& triangulation)
-  {
-    return is_for_threads<typename Triangulation::Edge_data> &&
-           (!triangulation.geometry_ || triangulation.geometry_->can_append());
-  }
+  // Whether there may be blocks: numbers are of a type that threads need not share.
+  static constexpr bool are_possible = is_for_threads<typename Triangulation::Edge_data>;
   // The flips in all blocks, each block with a journal of its own. At the end, when no block is in use, the geometry takes them over.
   class Journals
   {
