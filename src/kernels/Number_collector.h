@@ -180,16 +180,15 @@ inline double input_weight(const IT::Delta_complex& input, const IT::Input_metri
 
 // Where the stored numbers have error bounds, the exact geometry is only asked for the few
 // weights that can be the smallest.
-// \param ask returns the triangulation, or a copy that can be asked for what the stored numbers do not tell
 // \param known a weight that is known, or NaN
-template <class Triangulation, class Ask, class Known>
-Weight_summary summarize_weights(const Triangulation& triangulation, const Ask& ask, const Known& known)
+template <class Triangulation, class Known>
+Weight_summary summarize_weights(const Triangulation& triangulation, const Known& known)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
   std::optional<Weight_evaluator<Triangulation>> evaluator;
   const auto weight = [&]() -> Weight_evaluator<Triangulation>& {
     if (!evaluator)
-      evaluator.emplace(ask());
+      evaluator.emplace(triangulation);
     return *evaluator;
   };
   Weight_summary summary;
@@ -221,7 +220,7 @@ Weight_summary summarize_weights(const Triangulation& triangulation, const Ask& 
       return {c.value - c.error, c.value + c.error};
     };
     const auto is_Delaunay = [&](IT::Edge_index e) {
-      return unless_cancelled([&] { return CGAL::certainly(ask().is_locally_Delaunay(e)); }, [&] { return weight()(e) >= 0; });
+      return unless_cancelled([&] { return CGAL::certainly(triangulation.is_locally_Delaunay(e)); }, [&] { return weight()(e) >= 0; });
     };
     std::vector<double> from_below(complex.number_of_edges(), infinity);
     double smallest_from_above = infinity;

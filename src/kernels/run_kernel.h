@@ -303,28 +303,14 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
     triangulation.keep_input(input_metric(job.surface));
   if (triangulation.keeps_input())
     triangulation.set_interruption(job.go_on_deciding);
-  {
-    // Questions to the exact geometry change how it follows the flips, so a copy is asked.
-    std::optional<Triangulation> copy;
-    const auto ask = [&]() -> const Triangulation& {
-      if constexpr (Triangulation::uses_exact_geometry) {
-        if (!copy) {
-          copy.emplace(triangulation);
-          copy->set_interruption(job.go_on_deciding);
-        }
-        return *copy;
-      }
-      return triangulation;
-    };
-    if (wanted.weights)
-      outcome.weights_before = summarize_weights(triangulation, ask, [&]([[maybe_unused]] IT::Edge_index e) {
-        if constexpr (Triangulation::uses_exact_geometry)
-          return input_weight(triangulation.connectivity(), triangulation.exact_geometry().metric(), e);
-        return std::numeric_limits<double>::quiet_NaN();
-      });
-    if (wanted.input_numbers)
-      collect_numbers(ask(), true, true, outcome.input_numbers);
-  }
+  if (wanted.weights)
+    outcome.weights_before = summarize_weights(triangulation, [&]([[maybe_unused]] IT::Edge_index e) {
+      if constexpr (Triangulation::uses_exact_geometry)
+        return input_weight(triangulation.connectivity(), triangulation.exact_geometry().metric(), e);
+      return std::numeric_limits<double>::quiet_NaN();
+    });
+  if (wanted.input_numbers)
+    collect_numbers(triangulation, true, true, outcome.input_numbers);
 
   outcome.summary_seconds = stopwatch.restart();
 
@@ -347,9 +333,8 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
     triangulation.set_tie_proof(IT::Tie_proof::PROBABLE_IF_COSTLY);
   stopwatch.restart();
   if (wanted.weights)
-    outcome.weights_after = summarize_weights(
-      triangulation, [&]() -> const Triangulation& { return triangulation; },
-      [](IT::Edge_index) { return std::numeric_limits<double>::quiet_NaN(); });
+    outcome.weights_after =
+      summarize_weights(triangulation, [](IT::Edge_index) { return std::numeric_limits<double>::quiet_NaN(); });
   outcome.summary_seconds += stopwatch.restart();
   if (wanted.lengths || wanted.numbers)
     collect_numbers(triangulation, wanted.lengths, wanted.numbers, outcome.numbers);

@@ -3,6 +3,7 @@
 //
 // Eight threads ask one const triangulation at once, and hear what one thread hears.
 
+#include "insert_random_vertices.h"
 #include "samples/sample_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
@@ -11,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Scratch_pool.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/point_location.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
@@ -21,7 +23,9 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <random>
 #include <string>
 #include <thread>
 #include <utility>
@@ -129,14 +133,14 @@ std::vector<double> positions(const Triangulation& t)
 
 // Lets all threads begin at once.
 template <class Work>
-void run(const Work& work)
+void run(const Work& work, std::size_t number = number_of_threads)
 {
   std::atomic<std::size_t> number_of_ready{0};
   std::vector<std::thread> threads;
-  for (std::size_t i = 0; i < number_of_threads; ++i)
+  for (std::size_t i = 0; i < number; ++i)
     threads.emplace_back([&, i] {
       ++number_of_ready;
-      while (number_of_ready < number_of_threads)
+      while (number_of_ready < number)
         std::this_thread::yield();
       work(i);
     });
@@ -173,6 +177,97 @@ TEST(Const_queries, eight_threads_hear_what_one_hears)
       EXPECT_EQ(ties[i], IT::verify_Delaunay(asked_by_one).ties);
     }
   }
+}
+
+TEST(Const_queries, sixty_four_threads_and_ten_thousand_short_ones)
+{
+  const Triangulation t = make(IT::prism(20, 3), true);
+  const std::vector<double> expected = answers(Triangulation(t), nullptr, 0);
+  std::array<std::vector<double>, 64> found;
+  run([&](std::size_t i) { found[i] = answers(t, nullptr, i % number_of_threads); }, found.size());
+  for (const std::vector<double>& answer : found)
+    EXPECT_EQ(answer, expected);
+  for (std::size_t i = 0; i < 10000; ++i) {
+    const IT::Edge_index e(IT::Edge_index::size_type(i % t.connectivity().number_of_edges()));
+    double length = 0;
+    std::thread([&] { length = t.length(e); }).join();
+    ASSERT_EQ(length, t.length(e));
+  }
+}
+
+// Objects are made for those that are in use at once, however many threads there are.
+TEST(Scratch_pool, no_more_objects_than_in_use_at_once)
+{
+  IT::internal::Scratch_pool<int> pool;
+  std::atomic<std::size_t> number_made{0};
+  const auto take = [&] { return pool.take([&] { return new int(int(++number_made)); }); };
+  for (int i = 0; i < 10000; ++i)
+    std::thread([&] { ++*take(); }).join();
+  EXPECT_EQ(number_made, 1u);
+  EXPECT_EQ(*take(), 10001);
+  for (int round = 0; round < 20; ++round)
+    run([&](std::size_t) {
+      for (int i = 0; i < 100; ++i)
+        ++*take();
+    },
+        64);
+  EXPECT_LE(number_made, 64u);
+  EXPECT_EQ(number_made, pool.size());
+  std::vector<IT::internal::Scratch_pool<int>::Lease> leases;
+  for (int i = 0; i < 200; ++i)
+    leases.push_back(take());
+  EXPECT_EQ(number_made, 200u);
+  std::vector<const int*> objects;
+  for (const auto& lease : leases)
+    objects.push_back(&*lease);
+  std::sort(objects.begin(), objects.end());
+  EXPECT_EQ(std::unique(objects.begin(), objects.end()), objects.end());
+  leases.clear();
+  for (int i = 0; i < 200; ++i)
+    leases.push_back(take());
+  EXPECT_EQ(number_made, 200u);
+}
+
+// The same flips, logged in journals that queries fold in now and then, and followed one by one.
+TEST(Const_queries, journals_and_flips_one_by_one_lead_to_the_same)
+{
+  using Whole = IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>;
+  for (const Named_triangulation& named : triangulations())
+    for (bool has_inserted_vertices : {false, true}) {
+      SCOPED_TRACE(named.name);
+      Triangulation journaled = named.triangulation;
+      std::mt19937 random(3);
+      if (has_inserted_vertices)
+        IT::insert_random_vertices(journaled, 10, 5, random);
+      Triangulation followed = journaled;
+      const IT::Delta_complex& complex = journaled.connectivity();
+      for (int round = 0; round < 6; ++round) {
+        Whole(journaled).begin_journal();
+        for (int i = 0; i < 40 * round; ++i) {
+          const IT::Edge_index e(std::uint32_t(random() % complex.number_of_edges()));
+          if (!complex.is_flippable(e))
+            continue;
+          followed.exact_geometry().sign_of_cotangents(followed.connectivity(), e);
+          const auto outcome = followed.flip(e);
+          if (outcome == Triangulation::Flip_outcome::FLIPPED) {
+            if (journaled.flip_not_Delaunay(e) != outcome)
+              ADD_FAILURE();
+          }
+        }
+        ASSERT_TRUE(complex == followed.connectivity());
+        if (round % 2 == 0)
+          journaled.length(IT::Edge_index(0));
+        if (round % 3 == 2)
+          IT::flip_to_Delaunay(journaled), IT::flip_to_Delaunay(followed);
+        for (Triangulation* t : {&journaled, &followed}) // stored numbers depend on the flips
+          for (IT::Face_index f : complex.faces())
+            t->refine(f);
+        ASSERT_EQ(answers(journaled, nullptr, 0), answers(followed, nullptr, 0));
+        const IT::Correspondence &a = journaled.exact_geometry().correspondence(), &b = followed.exact_geometry().correspondence();
+        for (IT::Halfedge_index h : complex.halfedges())
+          ASSERT_EQ(a.input_halfedge(h), b.input_halfedge(h));
+      }
+    }
 }
 
 // A loop of the caller's own threads, one for each block.

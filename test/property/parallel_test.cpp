@@ -11,7 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -155,6 +157,38 @@ TEST(Parallel, boundary_and_many_flips)
 TEST(Parallel, ties)
 {
   expect_same_with_any_number_of_threads(IT::random_diagonal_grid(200, 150, 1, 7));
+}
+
+// Queries before, and flips and insertions before these: as many tests and flips in blocks, and none of them followed one by one.
+TEST(Parallel, after_queries_as_without)
+{
+  const IT::Indexed_triangles surface = IT::bad_torus(200, 150);
+  Filtered start(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
+  Filtered asked = start;
+  asked.length(IT::Edge_index(0));
+  asked.cotangent_weight(IT::Edge_index(1));
+  for (int round = 0; round < 2; ++round) {
+    Filtered one = start, other = asked;
+    const auto expect_same = [&](const Flip_report& a, const Flip_report& b) {
+      EXPECT_EQ(a.flips, b.flips);
+      EXPECT_EQ(a.tests, b.tests);
+      EXPECT_EQ(one.stage_counts().decided, other.stage_counts().decided);
+      EXPECT_TRUE(one.connectivity() == other.connectivity());
+    };
+    expect_same(IT::flip_to_Delaunay<Parallel_tag>(one), IT::flip_to_Delaunay<Parallel_tag>(other));
+    using Whole = IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>;
+    EXPECT_EQ(Whole(one).geometry().correspondence().number_of_journaled_flips(),
+              Whole(other).geometry().correspondence().number_of_journaled_flips());
+    EXPECT_EQ(Whole(one).geometry().correspondence().is_prepared(), Whole(other).geometry().correspondence().is_prepared());
+    expect_same_numbers(other, one);
+    EXPECT_TRUE(IT::verify_Delaunay(other).is_Delaunay());
+    // Now flips that are followed.
+    for (std::uint32_t i = 0; i < 60000; i += 7)
+      if (other.connectivity().is_flippable(IT::Edge_index(i)))
+        other.flip(IT::Edge_index(i));
+    start = asked = std::move(other);
+    asked.cotangent_weight(IT::Edge_index(1));
+  }
 }
 
 // Stairs of unit squares, with a diagonal each that is a tie: nothing is flipped, and the stages after the filter decide all.

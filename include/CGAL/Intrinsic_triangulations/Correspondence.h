@@ -36,21 +36,24 @@ namespace Intrinsic_triangulations {
 ///
 /// How a flip changes the integers depends only on the halfedges around the edge. So flips are logged
 /// in a journal. When the integers are needed, they are computed from it, and the input connectivity
-/// is recovered. From then on each flip updates the integers at once.
+/// is recovered. From then on each flip updates the integers at once, until `begin_journal()` is called.
 class Correspondence
 {
 public:
-  /// returns whether `input()` and `input_halfedge()` are available.
+  /// returns whether the integers are up to date, so that `coordinates()`, `input()` and `input_halfedge()` are available.
   bool is_prepared() const { return is_prepared_; }
 
-  /// returns the number of flips that were made before `prepare()`.
+  /// returns the number of flips in the journal: those that were made before `prepare()`, or since `begin_journal()`.
   std::size_t number_of_journaled_flips() const { return journal_.size(); }
+
+  /// \brief logs flips again from now on, until the next `prepare()`. O(1).
+  void begin_journal() { is_prepared_ = false; }
 
   /// returns the edges of these flips, in order.
   std::vector<Edge_index> journaled_flips(const Delta_complex& complex) const;
 
-  /// \brief computes the integers and recovers the input. O(size + number of flips) the first time,
-  /// and O(1) afterwards.
+  /// \brief computes the integers and recovers the input. O(size + number of flips) if there is a journal,
+  /// and O(1) otherwise.
   /// \param complex the current connectivity
   /// \return the edges that were flipped before, in order; the journal is then cleared
   /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`. Nothing is changed then, but
@@ -61,7 +64,8 @@ public:
   std::vector<Edge_index> prepare(const Delta_complex& complex, const internal::Block_runner& run);
   /// \endcond
 
-  /// \brief records the flip of `e`; to be called before the connectivity is flipped. O(1).
+  /// \brief records the flip of `e`; to be called before the connectivity is flipped. O(1). An exception leaves everything as
+  /// it was.
   /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`, if `is_prepared()`
   void flip(const Delta_complex& complex, Edge_index e)
   {
@@ -83,6 +87,21 @@ public:
     turn_around(around.ij, complex.target(around.il));
     turn_around(around.ji, complex.target(around.jk));
   }
+  /// \cond SKIP_IN_MANUAL
+  // Undoes a flip, the last one that was not undone, before that is done in the connectivity. Never throws.
+  // \param around the halfedges around the edge before the flip
+  void flip_back(const Delta_complex& complex, Hinge_halfedges around)
+  {
+    if (!is_prepared_)
+      return journal_.pop_back();
+    for (int i = 0; i < 3; ++i) { // as four flips are the identity
+      around = {around.ij, around.ki, around.il, around.ji, around.lj, around.jk};
+      flip(complex, around);
+    }
+  }
+  // So many calls of append() do not throw then.
+  void make_room_for_journals(std::size_t number) { journal_.make_room(number); }
+  /// \endcond
   /// \brief records flips from other journals, each given by the halfedges around the edge before it.
   /// \pre not `is_prepared()`
   void append(std::vector<Hinge_halfedges> flips)
@@ -92,6 +111,7 @@ public:
   }
 
   /// \name New vertices
+  /// An exception leaves everything as it was.
   /// @{
 
   /// \brief follows the insertion of a vertex into a face; to be called before `split_face(piece.side)` of the
@@ -115,7 +135,7 @@ public:
   /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   /// \pre `is_inserted()` of the target of `h`
   void unsplit_edge(const Delta_complex& complex, Halfedge_index h);
-  /// \brief follows the removal of an inserted vertex, after that of the connectivity. O(1).
+  /// \brief follows the removal of an inserted vertex, after that of the connectivity. O(1). Never throws.
   void remove(const Removed_elements& removed);
 
   /// returns whether `v` is no vertex of the input. \pre `is_prepared()`
@@ -160,7 +180,7 @@ private:
   // More steps than this are replaced: around most vertices, there are never as many.
   static constexpr std::uint64_t longest_walk = 16;
 
-  // Few are long, so that one thread replaces what all have found: there is one table for that.
+  // Walks that stay long, as where memory is short, are right as well. Few are long, so that one thread replaces what all have found: there is one table for that.
   void shorten_walks(const std::vector<Edge_index>& edges, const internal::Block_runner& run);
   BOOST_NOINLINE void shorten_walks(Halfedge_index h)
   {
@@ -172,7 +192,7 @@ private:
   // Around a vertex on an input edge, there are two directions only.
   void turn_around(Halfedge_index h, Vertex_index source);
 
-  bool is_prepared_ = false;
+  bool is_prepared_ = false, knows_input_ = false;
   internal::Flip_journal journal_;
   Delta_complex input_;
   Normal_coordinates coordinates_;

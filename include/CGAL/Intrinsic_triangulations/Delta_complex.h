@@ -257,6 +257,11 @@ public:
     result.face_halfedges_ = face_halfedges_;
     return result;
   }
+  // Makes room for the elements of one split, which does not throw then.
+  // \exception Integer_overflow_error as `split_face()`
+  void make_room_for_vertex();
+  // Chooses `halfedge(f)`. \pre `face(h) == f`
+  void set_halfedge(Face_index f, Halfedge_index h) { face_halfedges_[f.idx()] = h; }
   // Has what `flip(around)` changes fetched to the cache.
   void prefetch(const Hinge_halfedges& around) const
   {
@@ -293,10 +298,10 @@ public:
   ///
   /// With i, j, k the corners of the face and `h` from i to j, the face of `h` becomes (i, j, v), and the faces
   /// (j, k, v) and (k, i, v) are appended in this order. The edges vi, vj, vk are appended in this order; `halfedge(e)`
-  /// of each leaves v. No descriptor changes. O(1) amortized.
+  /// of each leaves v. No descriptor changes. O(1) amortized. An exception leaves everything as it was.
   ///
   /// \return the new vertex
-  /// \exception Integer_overflow_error if there would be 2^31 edges; then nothing is changed
+  /// \exception Integer_overflow_error if there would be 2^31 edges
   /// \pre `h` is not a border halfedge
   Vertex_index split_face(Halfedge_index h);
 
@@ -314,14 +319,14 @@ public:
 
   /// \brief undoes a split of a face: removes a vertex in the middle of three faces, which become one.
   ///
-  /// The last elements take the descriptors of those that are removed. O(degree of the last vertex).
+  /// The last elements take the descriptors of those that are removed. O(degree of the last vertex). Never throws.
   /// \pre `v` has three different faces, of three edges to other vertices
   Removed_elements unsplit_face(Vertex_index v);
 
   /// \brief undoes a split of an edge: removes the vertex that `h` points to, and joins `h` with the edge that continues
   /// it, and the faces on either side.
   ///
-  /// Descriptors move as in `unsplit_face()`; those of `h` and of the faces beside it are not removed.
+  /// Descriptors move as in `unsplit_face()`; those of `h` and of the faces beside it are not removed. Never throws.
   /// \pre the vertex has one edge on each side of `h` that has a face; its edges lead to other vertices, its faces are different
   Removed_elements unsplit_edge(Halfedge_index h);
 
@@ -376,7 +381,8 @@ private:
     record(b).prev = a.idx();
   }
 
-  Removed_elements removed_elements(Vertex_index v, std::vector<Edge_index> edges, std::vector<Face_index> faces) const;
+  // Sorts and counts.
+  void complete(Removed_elements& removed) const;
   // Nothing that stays refers to what is removed. The last elements move into the holes.
   void erase(const Removed_elements& removed);
 

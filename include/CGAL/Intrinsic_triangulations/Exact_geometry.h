@@ -30,6 +30,7 @@
 #include <complex>
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -81,7 +82,8 @@ public:
   ~Exact_geometry();
   /// @}
 
-  /// returns where the input lies in the current triangulation. \pre `prepare()` was called
+  /// returns where the input lies in the current triangulation.
+  /// \pre `prepare()` was called, and not `flip_to_Delaunay()` since
   const Correspondence& correspondence() const { return correspondence_; }
   /// returns the metric of the input.
   const Input_metric& metric() const { return metric_; }
@@ -89,6 +91,7 @@ public:
   const Stage_counts& stage_counts() const;
 
   /// \name Changes
+  /// An exception leaves everything as it was, as far as answers can tell.
   /// @{
 
   /// \brief follows a flip, before that of the connectivity.
@@ -104,9 +107,19 @@ public:
     correspondence_.flip(complex, around);
     return false;
   }
-  /// returns whether flips may be appended: as long as no query was made.
-  bool can_append() const { return !is_asked_; }
-  /// as `append()` of `Correspondence`. \pre `can_append()`
+  /// \cond SKIP_IN_MANUAL
+  // Undoes a flip, the last one that was not undone, before that is done in the connectivity. Never throws.
+  // \param around the halfedges around the edge before the flip
+  void flip_back(const Delta_complex& complex, Hinge_halfedges around);
+  // So many calls of append() do not throw then.
+  void make_room_for_journals(std::size_t number) { correspondence_.make_room_for_journals(number); }
+  /// \endcond
+  /// \brief logs flips from now on until the next query, so that each takes the least time.
+  ///
+  /// `flip_to_Delaunay()` begins with this. For the flips of other functions, which are few and between queries, the integers are kept up
+  /// to date once they were asked for. O(1).
+  void begin_journal();
+  /// as `append()` of `Correspondence`. \pre no query was made since `begin_journal()`
   void append(std::vector<Hinge_halfedges> flips) { correspondence_.append(std::move(flips)); }
 
   /// \brief follows the insertion of a vertex, before that of the connectivity; as the functions of `Correspondence`
@@ -118,9 +131,9 @@ public:
 
   /// \brief follows the join of two edges, before that of the connectivity; as the function of `Correspondence`.
   void unsplit_edge(const Delta_complex& complex, Halfedge_index h);
-  /// \brief follows the join of three faces, before that of the connectivity.
+  /// \brief follows the join of three faces, before that of the connectivity. Never throws.
   void unsplit_face(const Delta_complex& complex, Vertex_index v);
-  /// \brief follows the removal of an inserted vertex, after that of the connectivity.
+  /// \brief follows the removal of an inserted vertex, after that of the connectivity. Never throws.
   /// \param complex the connectivity after the removal
   /// \param removed what was removed
   void remove(const Delta_complex& complex, const Removed_elements& removed);
@@ -152,8 +165,8 @@ public:
   /// Each begins with `prepare()`.
   /// @{
 
-  /// \brief computes the integers and recovers the input, the first time; all queries do so themselves.
-  /// O(size + number of flips), and O(1) afterwards.
+  /// \brief computes the integers and recovers the input, where that was not done yet; all queries do so themselves.
+  /// O(size + number of flips) if there is a journal of flips, and O(1) otherwise.
   /// \exception Integer_overflow_error as `prepare()` of `Correspondence`
   void prepare(const Delta_complex& complex) const;
   /// \brief as above: with threads, the integers are computed while the input is recovered.
@@ -306,6 +319,8 @@ public:
   /// \endcond
 
 private:
+  std::unique_ptr<internal::Input_surface> new_surface() const;
+
   struct Memory;
   using Image_corner = Triangle_corner<internal::Residues>;
 
@@ -318,9 +333,10 @@ private:
   bool follow(const Delta_complex& complex, Edge_index e);
   void find_straight_faces(const Delta_complex& complex) const;
   void recognize_straight_face(const Delta_complex& complex, Halfedge_index h);
+  template <class SplitIntegers>
   void split_faces(const Delta_complex& complex, const std::vector<Face_index>& faces, std::size_t number_of_new_edges, std::size_t number_of_parts,
-                   const Surface_point& location);
-  void join_faces(Face_index f, const std::vector<Face_index>& faces);
+                   const Surface_point& location, const SplitIntegers& split_integers);
+  void join_faces(Face_index f, std::initializer_list<Face_index> faces);
   internal::Vertex_positions positions() const;
   template <class Straight_faces>
   std::optional<Test> test_in_plane(const Delta_complex& complex, Halfedge_index h, Straight_faces& straight_faces) const;
@@ -357,7 +373,7 @@ private:
   Corner straight_corner(const Delta_complex& complex, Halfedge_index h) const;
 
   mutable Correspondence correspondence_;     // prepared by the first query that needs it
-  mutable std::atomic<bool> is_asked_{false}; // whether flips have to be followed, as something was found out from them
+  mutable std::atomic<bool> is_asked_{false}; // whether flips have to be followed, as a query was made since begin_journal()
   Input_metric metric_;
   std::unique_ptr<Memory> memory_;
 };

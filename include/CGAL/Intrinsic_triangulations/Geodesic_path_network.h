@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Geodesic_report.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
@@ -112,9 +113,10 @@ public:
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   ///
-  /// \return what happened. Triangulation and paths are valid whatever the status, and no path is longer than before.
+  /// \return what happened. Triangulation and paths are valid whatever the status, and no path is longer than before. All this is so after
+  /// an exception, too; the paths are unfinished then
   /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
-  /// \exception Cancelled_error if the visitor cancels within an exact decision; paths are valid then as well
+  /// \exception Cancelled_error if the visitor cancels within an exact decision
   template <class NamedParameters = parameters::Default_named_parameters>
   Geodesic_report shorten(const NamedParameters& np = parameters::default_values())
   {
@@ -132,16 +134,17 @@ public:
     for (Outcome& outcome : outcomes_)
       if (outcome.status != Geodesic_status::CONTRACTIBLE)
         outcome.status = Geodesic_status::GEODESIC;
-    Queue queue;
-    for (std::size_t p = 0; p < paths_.size(); ++p)
-      push_path(p, queue);
-    settle(queue);
-    for (Outcome& outcome : outcomes_) {
-      if (is_stopped_ && outcome.status != Geodesic_status::CONTRACTIBLE)
-        outcome.status = Geodesic_status::UNFINISHED;
-      if (outcome.status != Geodesic_status::CONTRACTIBLE)
-        report_.status = (std::max)(report_.status, outcome.status);
+    try {
+      Queue queue;
+      for (std::size_t p = 0; p < paths_.size(); ++p)
+        push_path(p, queue);
+      settle(queue);
+    } catch (...) {
+      is_stopped_ = true;
+      sum_up();
+      throw;
     }
+    sum_up();
     return report_;
   }
 
@@ -237,8 +240,19 @@ private:
     return false;
   }
 
+  void sum_up()
+  {
+    for (Outcome& outcome : outcomes_) {
+      if (is_stopped_ && outcome.status != Geodesic_status::CONTRACTIBLE)
+        outcome.status = Geodesic_status::UNFINISHED;
+      if (outcome.status != Geodesic_status::CONTRACTIBLE)
+        report_.status = (std::max)(report_.status, outcome.status);
+    }
+  }
+
   std::size_t add(const std::vector<Halfedge_index>& halfedges, bool is_closed)
   {
+    internal::make_room(outcomes_, 1);
     const std::size_t p = paths_.add(halfedges, is_closed);
     outcomes_.emplace_back();
     return p;
@@ -306,7 +320,12 @@ private:
   internal::Wedge_outcome shorten_wedge(const internal::Wedge& wedge)
   {
     return geometry_.shorten(
-      wedge, [&](Edge_index e) { return !paths_.is_used(e) && !is_constrained(e); },
+      wedge,
+      [&](Edge_index e) {
+        if (journal_)
+          internal::make_room(*journal_, 1);
+        return !paths_.is_used(e) && !is_constrained(e);
+      },
       [&] { return goes_on(); },
       [&](Edge_index e) {
         ++report_.flips;
@@ -438,19 +457,13 @@ private:
     return !is_stopped_;
   }
 
-  // Makes of a path the loop again that it was before these flips.
+  // Makes of a path the loop again that it was before these flips. Never throws.
   void undo(Segment_index s, Halfedge_index loop, const std::vector<Edge_index>& flips)
   {
     journal_ = nullptr;
-    // A flip and one back turn an edge round.
-    auto go_further = triangulation_.set_interruption({});
-    bool is_turned = false;
-    for (std::size_t i = flips.size(); i-- > 0;) {
-      triangulation_.flip(flips[i]);
-      is_turned = is_turned != (flips[i] == complex().edge(loop));
-    }
-    triangulation_.set_interruption(std::move(go_further));
-    paths_.restore_loop(s, is_turned ? complex().opposite(loop) : loop);
+    for (std::size_t i = flips.size(); i-- > 0;)
+      triangulation_.flip_back(flips[i]);
+    paths_.restore_loop(s, loop);
   }
 
   // In double-doubles: loops beside a band that is nearly a cylinder have nearly the same length. In the unit of the metric.

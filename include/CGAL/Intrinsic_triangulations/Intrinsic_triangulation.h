@@ -24,6 +24,8 @@
 
 #include <boost/config.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -53,6 +55,10 @@ class Triangulation_block;
 /// count. Internally all lengths are multiplied by a power of two if the input is so
 /// large or so small that products of squared lengths would over- or underflow; every
 /// number that is returned is in the unit of the input.
+///
+/// \b Exceptions. Every function that changes the triangulation leaves it as it was if it throws, whatever the exception is:
+/// an `Error`, `std::bad_alloc`, or one that the function of `set_interruption()` throws. Only stored numbers may have been
+/// replaced by better ones.
 ///
 /// \tparam Traits_ a model of `IntrinsicTriangulationTraits`
 template <class Traits_>
@@ -176,7 +182,7 @@ public:
   /// \param metric the exact metric of the current, as yet unflipped triangulation
   void keep_input(Input_metric metric)
   {
-    geometry_.emplace(std::move(metric));
+    geometry_ = Exact_geometry(std::move(metric));
   }
 
   /// \brief sets what exact decisions accept as a tie from now on. \pre `keeps_input()`
@@ -328,7 +334,7 @@ public:
   /// the quadrilateral is convex is decided exactly: where the error bounds do not suffice, in time proportional to the
   /// number of input edges that its sides cross.
   /// \pre `connectivity().is_flippable(e)`
-  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`, and others as `flip_not_Delaunay()`
   Flip_outcome flip(Edge_index e)
   {
     const Arithmetic arithmetic;
@@ -345,8 +351,9 @@ public:
   /// Numbers are computed from the old hinge first, then the connectivity is changed and
   /// they are stored.
   /// \pre `connectivity().is_flippable(e)` and not `is_locally_Delaunay(e)`
-  /// \exception Cancelled_error as `set_interruption()` says: the flip is made then, and it is not known whether
-  ///   the new edge has a positive length
+  /// \exception Invalid_surface_error if the new edge has length zero, so that two vertices of the input coincide
+  /// \exception Cancelled_error as `set_interruption()` says
+  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   Flip_outcome flip_not_Delaunay(Edge_index e)
   {
     CGAL_precondition(connectivity_.is_flippable(e));
@@ -357,24 +364,41 @@ public:
   Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around)
   {
     const Hinge_data old = hinge(around);
-    bool is_straight = false, has_length = false;
+    bool is_straight = false;
+    std::optional<Replaced_numbers> replaced;
     const Flip_outcome outcome = flip_hinge(around, old, [&] {
       // Asked here: `old` refers to the numbers that the flip replaces.
-      has_length = is_new_edge_known_to_have_length(old);
+      if (!is_new_edge_known_to_have_length(old))
+        replaced = replaced_numbers(around);
       is_straight = geometry_ && geometry_->flip(connectivity_, around);
     });
     if (outcome != Flip_outcome::FLIPPED)
       return outcome;
-    if constexpr (uses_exact_geometry)
+    if constexpr (uses_exact_geometry) {
+      if (replaced)
+        check_length(around, *replaced);
       if (is_straight)
         measure_straight_faces(around);
-    if (!has_length)
-      check_length(edge(around.ij));
+    }
     return outcome;
   }
 
+  /// \cond SKIP_IN_MANUAL
+  // Undoes the flip of an edge, the last one that was not undone. Never throws.
+  void flip_back(Edge_index e)
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    typename Traits::Flipped_hinge_data flipped{};
+    traits_.construct_flipped_hinge_object()(hinge(e), flipped);
+    const Hinge_halfedges now = connectivity_.hinge(e);
+    flip_back({now.ij, now.lj, now.jk, now.ji, now.ki, now.il},
+              {flipped.kl, flipped.jkl, flipped.ilk, connectivity_.halfedge(connectivity_.face(now.ij)), connectivity_.halfedge(connectivity_.face(now.ji))});
+  }
+  /// \endcond
+
   /// \name New vertices
-  /// For traits with exact geometry only. Nothing is flipped. See `insert_vertex()`.
+  /// For traits with exact geometry only. Nothing is flipped. See `insert_vertex()`. An exception leaves everything as it was:
+  /// beside those that are named, `Undecided_error` and `Cancelled_error` as `sign_of_cotangents()` of `Exact_geometry`.
   /// @{
 
   /// \brief splits a face into three by a new vertex.
@@ -382,14 +406,21 @@ public:
   /// \param location where the vertex lies: strictly inside a face of the input, and inside of the piece. The metric is not
   ///   changed: its coordinates are taken as exact once they are divided by their sum
   /// \return the new vertex, as `split_face(piece.side)` of `Delta_complex`
-  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`; then nothing is changed
+  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   Vertex_index split_face(const Triangle_piece& piece, const Surface_point& location)
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
+    const Face_index f = connectivity_.face(piece.side);
+    const Halfedge_index first = connectivity_.halfedge(f);
+    make_room_for_vertex();
     geometry_->split_face(connectivity_, piece, location);
     const Vertex_index v = connectivity_.split_face(piece.side);
-    measure_star(v);
+    measure_star(v, [&] {
+      geometry_->unsplit_face(connectivity_, v);
+      remove(connectivity_.unsplit_face(v));
+      connectivity_.set_halfedge(f, first);
+    });
     return v;
   }
   /// \brief splits an edge that coincides with an input edge, and the faces beside it, by a new vertex.
@@ -401,9 +432,21 @@ public:
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
+    const Face_index faces[] = {connectivity_.face(h), connectivity_.face(connectivity_.opposite(h))};
+    Halfedge_index first[2];
+    for (int i : {0, 1})
+      if (faces[i].is_valid())
+        first[i] = connectivity_.halfedge(faces[i]);
+    make_room_for_vertex();
     geometry_->split_edge(connectivity_, h, location);
     const Vertex_index v = connectivity_.split_edge(h);
-    measure_star(v);
+    measure_star(v, [&] {
+      geometry_->unsplit_edge(connectivity_, h);
+      remove(connectivity_.unsplit_edge(h));
+      for (int i : {0, 1})
+        if (faces[i].is_valid())
+          connectivity_.set_halfedge(faces[i], first[i]);
+    });
     return v;
   }
   /// \brief removes an inserted vertex in the middle of three faces, which become one. See `remove_vertex()`.
@@ -412,10 +455,15 @@ public:
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
-    const Halfedge_index side = connectivity_.prev(connectivity_.halfedge(v));
+    const Corners parts = exact_geometry().corners_at(connectivity_, v);
+    CGAL_precondition(parts.size() == 3);
+    const auto& [side, a] = parts[0];
+    const Exact_geometry::Corner &b = parts[1].second, &c = parts[2].second;
+    const auto whole = triangle(a.four_areas + b.four_areas + c.four_areas, c.s_opposite, b.s_opposite, a.s_opposite);
     geometry_->unsplit_face(connectivity_, v);
     const Removed_elements removed = connectivity_.unsplit_face(v);
-    remove(removed, {side});
+    remove(removed);
+    replace(after(removed, side), whole);
     return removed;
   }
   /// \brief removes an inserted vertex on a straight line of two edges.
@@ -426,9 +474,15 @@ public:
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
+    const Halfedge_index g = connectivity_.opposite(h), behind = connectivity_.continuation(h);
+    const Corners parts = exact_geometry().corners_at(connectivity_, connectivity_.target(h));
+    const Corners whole = joined(parts, {{{h, h, behind}, {g, connectivity_.opposite(behind), g}}});
     geometry_->unsplit_edge(connectivity_, h);
     const Removed_elements removed = connectivity_.unsplit_edge(h);
-    remove(removed, {h, connectivity_.opposite(h)});
+    remove(removed);
+    edges_[edge(after(removed, h)).idx()] = traits_.construct_refined_data_object()(whole.front().second.s_opposite);
+    for (const auto& [side, corner] : whole)
+      replace(after(removed, side), corner);
     return removed;
   }
   /// @}
@@ -587,50 +641,102 @@ private:
 
   void refine(Halfedge_index h, const Exact_geometry::Corner& c)
   {
+    const Face_data face =
+      traits_.construct_refined_data_object()(c.four_areas, c.s_first, c.s_second, c.s_opposite);
+    if (face.error < std::numeric_limits<double>::infinity())
+      replace(h, c);
+  }
+
+  // Numbers that cannot be relied on are not stored for the sides, which other faces share.
+  void replace(Halfedge_index h, const Exact_geometry::Corner& c)
+  {
     const auto refined = traits_.construct_refined_data_object();
     const Face_data face = refined(c.four_areas, c.s_first, c.s_second, c.s_opposite);
-    if (!(face.error < std::numeric_limits<double>::infinity()))
-      return;
-    edges_[edge(connectivity_.prev(h)).idx()] = refined(c.s_first);
-    edges_[edge(connectivity_.next(h)).idx()] = refined(c.s_second);
-    edges_[edge(h).idx()] = refined(c.s_opposite);
+    if (face.error < std::numeric_limits<double>::infinity()) {
+      edges_[edge(connectivity_.prev(h)).idx()] = refined(c.s_first);
+      edges_[edge(connectivity_.next(h)).idx()] = refined(c.s_second);
+      edges_[edge(h).idx()] = refined(c.s_opposite);
+    }
     faces_[connectivity_.face(h).idx()] = face;
     bound_corners(h);
   }
 
-  // Computes the numbers of all faces around a vertex that was inserted.
-  void measure_star(Vertex_index v)
+  // Corners, each after the side opposite to it.
+  using Corners = std::vector<std::pair<Halfedge_index, Exact_geometry::Corner>>;
+
+  // Afterwards a split does not throw.
+  void make_room_for_vertex()
+  {
+    connectivity_.make_room_for_vertex();
+    internal::make_room(edges_, 3);
+    internal::make_room(faces_, 2);
+    if (keeps_bounds)
+      bounds_.make_room(3);
+  }
+
+  // Computes the numbers of all faces around a vertex that was just inserted.
+  // \param undo removes it again
+  template <class Undo>
+  void measure_star(Vertex_index v, const Undo& undo)
   {
     const std::size_t number_of_new_edges = connectivity_.number_of_edges() - edges_.size();
     edges_.resize(connectivity_.number_of_edges(), internal::default_init);
     faces_.resize(connectivity_.number_of_faces(), internal::default_init);
     if (keeps_bounds)
       bounds_.append(number_of_new_edges);
-    measure(geometry_->corners_at(connectivity_, v));
+    try {
+      measure(geometry_->corners_at(connectivity_, v));
+    } catch (...) {
+      undo();
+      throw;
+    }
   }
 
-  // Drops what was kept for removed elements, and computes the numbers of the faces of `sides`, halfedges before the removal.
-  void remove(const Removed_elements& removed, const std::vector<Halfedge_index>& sides)
+  // Drops what was kept for removed elements. Never throws.
+  void remove(const Removed_elements& removed)
   {
-    std::vector<Halfedge_index> moved;
-    for (Halfedge_index old : sides) {
-      const Halfedge_index h(2 * removed.edge_after(edge(old)).idx() + (old.idx() & 1));
-      if (!connectivity_.is_border(h))
-        moved.push_back(h);
-    }
     geometry_->remove(connectivity_, removed);
     remove_entries(edges_, removed.edges);
     remove_entries(faces_, removed.faces);
     if (keeps_bounds)
       bounds_.remove(removed.edges);
-    std::vector<std::pair<Halfedge_index, Exact_geometry::Corner>> corners;
-    for (Halfedge_index h : moved)
-      corners.emplace_back(h, geometry_->corner(connectivity_, h));
-    measure(corners);
+  }
+  static Halfedge_index after(const Removed_elements& removed, Halfedge_index h)
+  {
+    return Halfedge_index(2 * removed.edge_after(Edge_index(h.idx() / 2)).idx() + (h.idx() & 1));
+  }
+
+  // The corner of a triangle with these sides.
+  template <class Number>
+  static Exact_geometry::Corner triangle(const Number& four_areas, const Number& s_first, const Number& s_second, const Number& s_opposite)
+  {
+    return {s_first + s_second - s_opposite, four_areas, s_first, s_second, s_opposite};
+  }
+
+  // Two halfedges, one behind the other, that become one, and what that is called.
+  struct Straight_line
+  {
+    Halfedge_index result, first, second;
+  };
+  // The triangles on both sides of a straight line, from the corners at the vertex in its middle: opposite to the line.
+  Corners joined(const Corners& parts, const std::array<Straight_line, 2>& sides) const
+  {
+    const auto at = [&](Halfedge_index side) -> const Exact_geometry::Corner& {
+      return std::find_if(parts.begin(), parts.end(), [&](const auto& part) { return part.first == side; })->second;
+    };
+    Corners result;
+    for (const Straight_line& line : sides) {
+      if (connectivity_.is_border(line.first))
+        continue;
+      const Exact_geometry::Corner &a = at(connectivity_.prev(line.first)), &b = at(connectivity_.next(line.second));
+      const auto length = sqrt(a.s_second) + sqrt(b.s_first);
+      result.emplace_back(line.result, triangle(a.four_areas + b.four_areas, a.s_opposite, b.s_opposite, length * length));
+    }
+    return result;
   }
 
   // Computes the numbers of faces, each given by a corner and the side opposite to it.
-  void measure(const std::vector<std::pair<Halfedge_index, Exact_geometry::Corner>>& corners)
+  void measure(const Corners& corners)
   {
     const auto refined = traits_.construct_refined_data_object();
     for (const auto& [side, c] : corners) {
@@ -664,10 +770,44 @@ private:
     return true;
   }
 
-  void check_length(Edge_index e)
+  // What a flip replaces.
+  struct Replaced_numbers
   {
-    if (exact_geometry().has_length_zero(connectivity_, e))
-      internal::throw_no_length(connectivity_, e);
+    Edge_data ij;
+    Face_data ijk, jil;
+    Halfedge_index first_of_ijk, first_of_jil;
+  };
+  BOOST_NOINLINE Replaced_numbers replaced_numbers(const Hinge_halfedges& around) const
+  {
+    const Face_index f = connectivity_.face(around.ij), g = connectivity_.face(around.ji);
+    return {edge_data(edge(around.ij)), face_data(f), face_data(g), connectivity_.halfedge(f), connectivity_.halfedge(g)};
+  }
+
+  // Of the edge that a flip has made. An exception undoes it.
+  BOOST_NOINLINE void check_length(const Hinge_halfedges& around, const Replaced_numbers& replaced)
+  {
+    try {
+      if (exact_geometry().has_length_zero(connectivity_, edge(around.ij)))
+        internal::throw_no_length(connectivity_, edge(around.ij));
+    } catch (...) {
+      flip_back(around, replaced);
+      throw;
+    }
+  }
+
+  // \param around the halfedges around the edge before the flip
+  void flip_back(const Hinge_halfedges& around, const Replaced_numbers& replaced)
+  {
+    geometry_->flip_back(connectivity_, around);
+    connectivity_.flip_back(around);
+    const Face_index f = connectivity_.face(around.ij), g = connectivity_.face(around.ji);
+    connectivity_.set_halfedge(f, replaced.first_of_ijk);
+    connectivity_.set_halfedge(g, replaced.first_of_jil);
+    edges_[edge(around.ij).idx()] = replaced.ij;
+    faces_[f.idx()] = replaced.ijk;
+    faces_[g.idx()] = replaced.jil;
+    bound_corners(around.ij);
+    bound_corners(around.ji);
   }
 
   FT in_input_unit(FT x, int dimension) const

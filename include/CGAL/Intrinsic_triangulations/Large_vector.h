@@ -12,6 +12,8 @@
 
 #include <boost/container/vector.hpp>
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
@@ -26,7 +28,15 @@ using Large_vector = boost::container::vector<T, internal::Huge_page_allocator<T
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 using boost::container::default_init;
+
+// Makes room for n elements more, so that to append them does not throw. Amortized as `push_back()`.
+template <class Vector>
+void make_room(Vector& vector, std::size_t n)
+{
+  if (vector.capacity() - vector.size() < n)
+    vector.reserve(vector.size() + vector.size() / 2 + n);
 }
+} // namespace internal
 /// \endcond
 
 } // namespace Intrinsic_triangulations

@@ -23,7 +23,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -155,14 +154,15 @@ public:
   /// \brief updates the integers for a new vertex v in a piece of a triangle; to be called before
   /// `split_face(piece.side)` of the connectivity. O(1).
   ///
-  /// No input edge ends in the new vertex: the halfedges that leave it have no roundabouts.
+  /// No input edge ends in the new vertex: the halfedges that leave it have no roundabouts. An exception leaves everything as it was.
   /// \exception Integer_overflow_error as `flip()`
   void split_face(const Delta_complex& complex, const Triangle_piece& piece);
 
   /// \brief updates the integers for a new vertex v on the edge of `h`, which coincides with an input edge; to be called before
   /// `split_edge(h)` of the connectivity. O(1).
   ///
-  /// The two parts coincide with that input edge. The roundabouts of what leaves v are its halfedges.
+  /// The two parts coincide with that input edge. The roundabouts of what leaves v are its halfedges. An exception leaves everything
+  /// as it was.
   /// \param complex the current connectivity
   /// \param h a halfedge whose edge `is_original()`
   /// \param along the input halfedge along h
@@ -177,7 +177,7 @@ public:
   /// \param is_on_input_edge whether an input edge runs through that vertex
   /// \exception Integer_overflow_error as `flip()`; then nothing is changed
   void unsplit_edge(const Delta_complex& complex, Halfedge_index h, bool is_on_input_edge);
-  /// \brief follows the removal of a vertex, after that of the connectivity. Nothing but descriptors changes. O(1).
+  /// \brief follows the removal of a vertex, after that of the connectivity. Nothing but descriptors changes. O(1). Never throws.
   void remove(const Removed_elements& removed);
 
   /// \brief updates the integers for the flip of `e`; to be called before the flip of the
@@ -256,6 +256,12 @@ private:
     records_[i] = record;
   }
 
+  // So many edges and records can be appended then without an exception.
+  void make_room(std::size_t number)
+  {
+    internal::make_room(record_of_, number);
+    internal::make_room(records_, number);
+  }
   void append(const Record& record)
   {
     record_of_.resize(record_of_.size() + 1, internal::default_init);
@@ -265,9 +271,9 @@ private:
 
   std::uint32_t new_record()
   {
-    if (!free_records_.empty()) {
-      const std::uint32_t i = free_records_.back();
-      free_records_.pop_back();
+    if (first_free_record_ != 0) {
+      const std::uint32_t i = first_free_record_;
+      first_free_record_ = std::uint32_t(records_[i].crossings);
       return i;
     }
     records_.resize(records_.size() + 1, internal::default_init);
@@ -287,7 +293,7 @@ private:
 
   Large_vector<Record> records_; // the first is that of all edges never flipped
   Large_vector<std::uint32_t> record_of_;
-  std::vector<std::uint32_t> free_records_; // of edges that were removed
+  std::uint32_t first_free_record_ = 0; // of edges that were removed: each has the next one as `crossings`, the last one 0
 };
 
 } // namespace Intrinsic_triangulations

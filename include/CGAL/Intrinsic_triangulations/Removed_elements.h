@@ -10,10 +10,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Index.h>
 
+#include <boost/container/static_vector.hpp>
+
 #include <cstddef>
 #include <cstdint>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -24,13 +24,14 @@ namespace Intrinsic_triangulations {
 ///
 /// Descriptors have no holes: for each element of a list in turn, the last element takes its place. The lists
 /// are in descending order, so that an element that is removed never moves. `remove_entries()` does the same with an
-/// array. Halfedges move with their edges: `2e + i` becomes `2f + i`.
+/// array. Halfedges move with their edges: `2e + i` becomes `2f + i`. The lists need no memory of their own, so that
+/// to copy them, and to remove entries, never throws.
 struct Removed_elements
 {
-  std::vector<Vertex_index> vertices; ///< one vertex
-  std::vector<Edge_index> edges;      ///< two to four edges
-  std::vector<Face_index> faces;      ///< one or two faces
-  std::uint32_t number_of_edges = 0;  ///< that of edges before the removal
+  boost::container::static_vector<Vertex_index, 1> vertices; ///< one vertex
+  boost::container::static_vector<Edge_index, 3> edges;      ///< two or three edges
+  boost::container::static_vector<Face_index, 2> faces;      ///< one or two faces
+  std::uint32_t number_of_edges = 0;                         ///< that of edges before the removal
 
   /// returns the descriptor after the removal of an edge that was not removed.
   Edge_index edge_after(Edge_index e) const
@@ -56,10 +57,10 @@ struct Removed_elements
 /// \param array the array
 /// \param holes what was removed, not before `first`
 /// \param first the number of the element that the first entry belongs to
-template <class Array, class Descriptor>
-void remove_entries(Array& array, const std::vector<Descriptor>& holes, std::size_t first = 0)
+template <class Array, class Descriptors>
+void remove_entries(Array& array, const Descriptors& holes, std::size_t first = 0)
 {
-  for (Descriptor hole : holes) {
+  for (auto hole : holes) {
     const std::size_t n = hole.idx() - first;
     if (n + 1 != array.size())
       array[n] = array[array.size() - 1];

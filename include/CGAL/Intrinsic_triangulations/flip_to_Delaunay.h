@@ -90,10 +90,10 @@ class Interruption_scope
 {
 public:
   Interruption_scope(Triangulation& triangulation, const std::function<bool()>& go_further)
-    : triangulation_(triangulation), before_(triangulation.set_interruption({}))
+    : triangulation_(triangulation)
   {
-    triangulation.set_interruption(
-      [this, go_further] { return (!before_ || before_()) && go_further(); });
+    std::function<bool()> both = [this, go_further] { return (!before_ || before_()) && go_further(); };
+    before_ = triangulation.set_interruption(std::move(both));
   }
   Interruption_scope(const Interruption_scope&) = delete;
   Interruption_scope& operator=(const Interruption_scope&) = delete;
@@ -110,6 +110,7 @@ Flip_report flip_all(Triangulation triangulation, const ConstraintMap& is_constr
                      Visitor& visitor, std::uint64_t budget)
 {
   const Edge_index::size_type n = triangulation.connectivity().number_of_edges();
+  triangulation.begin_journal();
   Edge_marks marks(n, default_init);
   if (n != 0)
     std::memset(marks.data(), int(Edge_mark::CANDIDATE), n);
@@ -173,8 +174,7 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 /// is the same for any number of threads, and the same as with `Sequential_tag` but for the choice
 /// among the Delaunay triangulations where there are ties. So are the numbers of tests and of what each stage decided, but they may
 /// differ from those with `Sequential_tag`. It pays where edges with near numbers lie
-/// near to each other. With another number type than `double` and `float`, and if the input was asked
-/// for before, it is as `Sequential_tag`.
+/// near to each other. With another number type than `double` and `float` it is as `Sequential_tag`.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
 /// \tparam NamedParameters a sequence of named parameters
@@ -204,7 +204,8 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 /// \cgalNamedParamsEnd
 ///
 /// \return what happened. The triangulation is valid whatever the status.
-/// \exception Undecided_error if proofs of ties are demanded (`tie_proof`), and one takes too long
+/// \exception Undecided_error if proofs of ties are demanded (`tie_proof`), and one takes too long. After any exception, that of a
+///   visitor or `std::bad_alloc` as well, the triangulation is valid, and another call goes on
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.2.
 template <class ConcurrencyTag = Sequential_tag, class Traits,

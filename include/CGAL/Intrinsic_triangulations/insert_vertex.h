@@ -143,8 +143,11 @@ inline void check_area(const Exact_geometry& geometry, const Surface_point& poin
 /// \exception Invalid_point_error if the point is no such point, or a vertex of the triangulation lies there. The message names
 ///   the face of the input or the vertex
 /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
-/// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+/// \exception Undecided_error, Cancelled_error as `sign_of_cotangents()` of `Exact_geometry`
 /// \pre `triangulation.keeps_input()`, with traits that use exact geometry
+///
+/// After any exception the triangulation is valid. If the vertex was inserted, which the number of vertices tells, it is the last one, and edges
+/// near to it may not be Delaunay; otherwise nothing is changed.
 ///
 /// Complexity: proportional to the number of edges around a corner of the input face, to the number of edges that
 /// cross this face between that corner and the point, and to the number of flips.

@@ -33,7 +33,7 @@ struct Default_refinement_visitor
   /// is called before each step and within long ones, with the numbers of new vertices and of flips so far; the algorithm stops
   /// if it returns `false`. As long as there is no new vertex, edges are flipped until the triangulation is Delaunay.
   bool go_further(std::uint64_t /* points */, std::uint64_t /* flips */) { return true; }
-  /// is called after each new vertex, when the triangulation is Delaunay again.
+  /// is called after each new vertex, when the triangulation is Delaunay again; not for the last one if that is interrupted.
   void after_insertion(Vertex_index) {}
 };
 
@@ -91,7 +91,7 @@ struct Flips_before_refinement
 /// \cgalNamedParamsEnd
 ///
 /// \return what happened. The triangulation is valid whatever the status, and Delaunay unless it was cancelled within a step
-/// \exception Integer_overflow_error, Undecided_error, Cancelled_error as `insert_vertex()`
+/// \exception Integer_overflow_error, Undecided_error, Cancelled_error as `insert_vertex()`. The triangulation is valid after any exception, too
 /// \pre `criteria.minimum_angle <= 30`
 ///
 /// Source: J. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh generation" (1995); A. Ungor, "Off-centers: a new

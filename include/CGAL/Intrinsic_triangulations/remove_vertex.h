@@ -50,10 +50,11 @@ namespace Intrinsic_triangulations {
 ///   input edge, or if flips leave other edges at it than three, as can happen where edges lead from `v` around a handle
 ///   back to `v`. The triangulation has the same vertices then, and is Delaunay
 /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
-/// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+/// \exception Undecided_error, Cancelled_error as `sign_of_cotangents()` of `Exact_geometry`
 /// \pre `triangulation.keeps_input()`, with traits that use exact geometry
 ///
-/// After one of the last two, the triangulation is valid, but may not be Delaunay near `v`.
+/// After any exception but the first, the triangulation is valid, but may not be Delaunay near `v`, nor near the edges opposite to it. If `v` was removed
+/// already, which the number of vertices tells, descriptors have moved as described.
 ///
 /// Complexity: at most the square of the degree of `v`, that of the vertex that moves, and the number of flips afterwards.
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>

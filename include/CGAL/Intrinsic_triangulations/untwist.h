@@ -78,7 +78,7 @@ std::vector<Rational> squared_lengths(const std::vector<double>& lengths);
 /// \return the twists, and how often the edges cross those of the complex that was given
 /// \exception Invalid_surface_error if there are not as many squared lengths as edges
 ///
-/// O(size), and for each twist O(1) operations with integers of the size of its power and of the lengths. For a torus with one vertex, the number of twists is
+/// An exception, that of a visitor as well, leaves everything as it was. O(size), and for each twist O(1) operations with integers of the size of its power and of the lengths. For a torus with one vertex, the number of twists is
 /// logarithmic in the ratio of lengths.
 ///
 /// Source: the idea of jumping over flips is that of L. Dubois, arXiv 2601.03954 (2026), for tubes of any number of faces.

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_CORRESPONDENCE_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Normal_coordinates_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
@@ -20,6 +21,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -41,33 +43,47 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::pre
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::prepare(const Delta_complex& complex, const internal::Block_runner& run)
 {
-  if (is_prepared_)
+  if (is_prepared_ || (knows_input_ && journal_.size() == 0)) {
+    is_prepared_ = true;
     return {};
+  }
   Normal_coordinates coordinates;
-  Delta_complex input = complex.copied([&](std::size_t n, const auto& f) { run(n, internal::elements_of_block, f); });
+  Delta_complex input;
+  if (!knows_input_)
+    input = complex.copied([&](std::size_t n, const auto& f) { run(n, internal::elements_of_block, f); });
   std::vector<Edge_index> flipped_edges;
   const std::function<void()> tasks[] = {
     [&] {
-      coordinates = Normal_coordinates(complex); // as many elements as the input
+      coordinates = knows_input_ ? coordinates_ : Normal_coordinates(complex); // as many elements as the input
       journal_.for_each([&](const Hinge_halfedges& around) { coordinates.flip(around); });
       flipped_edges = journaled_flips(complex);
     },
-    [&] { journal_.for_each_backwards([&](const Hinge_halfedges& around) { input.flip_back(around); }); }};
+    [&] {
+      if (!knows_input_)
+        journal_.for_each_backwards([&](const Hinge_halfedges& around) { input.flip_back(around); });
+    }};
   run(2, 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
       tasks[i]();
   });
   coordinates_ = std::move(coordinates);
-  input_ = std::move(input);
-  shorten_walks(flipped_edges, run);
-  is_prepared_ = true;
+  if (!knows_input_)
+    input_ = std::move(input);
+  is_prepared_ = knows_input_ = true;
   journal_ = {};
+  if (!locations_.empty())
+    for (Edge_index e : flipped_edges)
+      for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
+        turn_around(h, complex.source(h));
+  else
+    shorten_walks(flipped_edges, run);
   return flipped_edges;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location)
 {
   CGAL_precondition(is_prepared_ && location.dimension() == 2);
+  internal::make_room(locations_, 1);
   coordinates_.split_face(complex, piece);
   locations_.push_back(location);
   Halfedge_index from_corner(2 * complex.number_of_edges() + 1);
@@ -80,6 +96,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_face(const Delta
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_edge(const Delta_complex& complex, Halfedge_index h, const Surface_point& location)
 {
   CGAL_precondition(is_prepared_ && location.dimension() == 1);
+  internal::make_room(locations_, 1);
   coordinates_.split_edge(complex, h, input_halfedge(h));
   locations_.push_back(location);
   Halfedge_index from_corner(2 * complex.number_of_edges() + 1);
@@ -105,21 +122,24 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::remove(const Removed_e
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::shorten_walks(const std::vector<Edge_index>& edges, const internal::Block_runner& run)
 {
-  std::vector<Halfedge_index> long_walks;
-  std::mutex mutex;
-  run(edges.size(), internal::elements_of_block, [&](std::size_t first, std::size_t last) {
-    std::vector<Halfedge_index> found;
-    for (std::size_t i = first; i < last; ++i)
-      for (std::uint32_t side : {0u, 1u}) {
-        const Halfedge_index h(2 * edges[i].idx() + side);
-        if (coordinates_.roundabout(h).steps > longest_walk)
-          found.push_back(h);
-      }
-    const std::lock_guard<std::mutex> lock(mutex);
-    long_walks.insert(long_walks.end(), found.begin(), found.end());
-  });
-  for (Halfedge_index h : long_walks)
-    shorten_walk(h);
+  try {
+    std::vector<Halfedge_index> long_walks;
+    std::mutex mutex;
+    run(edges.size(), internal::elements_of_block, [&](std::size_t first, std::size_t last) {
+      std::vector<Halfedge_index> found;
+      for (std::size_t i = first; i < last; ++i)
+        for (std::uint32_t side : {0u, 1u}) {
+          const Halfedge_index h(2 * edges[i].idx() + side);
+          if (coordinates_.roundabout(h).steps > longest_walk)
+            found.push_back(h);
+        }
+      const std::lock_guard<std::mutex> lock(mutex);
+      long_walks.insert(long_walks.end(), found.begin(), found.end());
+    });
+    for (Halfedge_index h : long_walks)
+      shorten_walk(h);
+  } catch (const std::bad_alloc&) {
+  }
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::shorten_walk(Halfedge_index h)
@@ -127,8 +147,13 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::shorten_walk(Halfedge_
   const Roundabout r = coordinates_.roundabout(h);
   if (r.steps <= longest_walk)
     return;
-  if (!around_)
-    around_.emplace(input_);
+  if (!around_) {
+    try {
+      around_.emplace(input_);
+    } catch (const std::bad_alloc&) {
+      return;
+    }
+  }
   coordinates_.set_roundabout(h, around_->advanced(input_, r.base, r.steps));
 }
 

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_SPLITS_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -18,8 +19,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -27,6 +26,7 @@ namespace Intrinsic_triangulations {
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Vertex_index Delta_complex::split_face(Halfedge_index h)
 {
   CGAL_precondition(!is_border(h));
+  make_room_for_vertex();
   const Halfedge_index sides[] = {h, next(h), prev(h)};
   const Vertex_index corners[] = {source(h), target(h), source(prev(h))};
   const Halfedge_index spokes = append_edges(3); // from the new vertex to i, j, k
@@ -46,6 +46,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Vertex_index Delta_complex::split_face(Half
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Vertex_index Delta_complex::split_edge(Halfedge_index h)
 {
   CGAL_precondition(!is_self_glued(edge(h)));
+  make_room_for_vertex();
   const Halfedge_index g = opposite(h);
   const bool has_left = !is_border(h), has_right = !is_border(g);
   const Halfedge_index jk = next(h), ki = prev(h), il = next(g), lj = prev(g);
@@ -90,9 +91,12 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Removed_elements Delta_complex::unsplit_fac
   const Halfedge_index a = halfedge(v), b = next_around_target(a), c = next_around_target(b);
   CGAL_precondition(next_around_target(c) == a);
   const Halfedge_index sides[] = {prev(a), prev(c), prev(b)};
-  const Face_index f = (std::min)((std::min)(face(a), face(b)), face(c));
-  Removed_elements removed = removed_elements(v, {edge(a), edge(b), edge(c)}, {face(a), face(b), face(c)});
-  removed.faces.pop_back(); // the least one stays
+  const Face_index f = (std::min)((std::min)(face(a), face(b)), face(c)); // stays
+  Removed_elements removed{{v}, {edge(a), edge(b), edge(c)}, {}};
+  for (Halfedge_index h : {a, b, c})
+    if (face(h) != f)
+      removed.faces.push_back(face(h));
+  complete(removed);
   for (Halfedge_index h : {a, b, c})
     replace_vertex_halfedge(source(h), opposite(h), prev(h));
   set_face_cycle(f, sides[0], sides[1], sides[2]);
@@ -105,19 +109,18 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Removed_elements Delta_complex::unsplit_edg
   const Halfedge_index g = opposite(h), vj = continuation(h), jv = opposite(vj);
   const Vertex_index v = target(h), j = target(vj);
   const Halfedge_index jk = next(vj), ki = prev(h), il = next(g), lj = prev(jv);
-  std::vector<Edge_index> edges{edge(vj)};
-  std::vector<Face_index> faces;
+  Removed_elements removed{{v}, {edge(vj)}, {}};
   if (!is_border(h)) {
-    edges.push_back(edge(next(h)));
-    faces.push_back(face(vj));
+    removed.edges.push_back(edge(next(h)));
+    removed.faces.push_back(face(vj));
     replace_vertex_halfedge(target(next(h)), next(h), jk);
   }
   if (!is_border(g)) {
-    edges.push_back(edge(prev(g)));
-    faces.push_back(face(jv));
+    removed.edges.push_back(edge(prev(g)));
+    removed.faces.push_back(face(jv));
     replace_vertex_halfedge(source(prev(g)), opposite(prev(g)), il);
   }
-  Removed_elements removed = removed_elements(v, std::move(edges), std::move(faces));
+  complete(removed);
   replace_vertex_halfedge(j, vj, h);
   record(h).target = j.idx();
   if (!is_border(h))
@@ -132,11 +135,19 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Removed_elements Delta_complex::unsplit_edg
   return removed;
 }
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Delta_complex::make_room_for_vertex()
+{
+  constexpr std::size_t most_halfedges = 6;
+  if (halfedges_.size() + most_halfedges >= Halfedge_index::null_index())
+    throw Integer_overflow_error("a triangulation has 2^31 edges or more");
+  internal::make_room(halfedges_, most_halfedges);
+  internal::make_room(face_halfedges_, 2);
+  internal::make_room(vertex_halfedges_, 1);
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Halfedge_index Delta_complex::append_edges(int n)
 {
   const Halfedge_index first(number_of_halfedges());
-  if (halfedges_.size() + 2 * std::size_t(n) >= Halfedge_index::null_index())
-    throw Integer_overflow_error("a triangulation has 2^31 edges or more");
   halfedges_.resize(halfedges_.size() + 2 * std::size_t(n));
   return first;
 }
@@ -148,11 +159,11 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Face_index Delta_complex::append_faces(int 
   return first;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Removed_elements Delta_complex::removed_elements(Vertex_index v, std::vector<Edge_index> edges, std::vector<Face_index> faces) const
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Delta_complex::complete(Removed_elements& removed) const
 {
-  std::sort(edges.rbegin(), edges.rend());
-  std::sort(faces.rbegin(), faces.rend());
-  return {{v}, std::move(edges), std::move(faces), number_of_edges()};
+  std::sort(removed.edges.rbegin(), removed.edges.rend());
+  std::sort(removed.faces.rbegin(), removed.faces.rend());
+  removed.number_of_edges = number_of_edges();
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Delta_complex::erase(const Removed_elements& removed)

@@ -29,6 +29,10 @@ public:
       begin_part();
     parts_.back().push_back(flip);
   }
+  // \pre the last flip was noted by push_back()
+  void pop_back() { parts_.back().pop_back(); }
+  // So many calls of append() do not throw then.
+  void make_room(std::size_t number) { parts_.reserve(parts_.size() + number); }
   void append(std::vector<Hinge_halfedges> flips)
   {
     const std::size_t n = size();

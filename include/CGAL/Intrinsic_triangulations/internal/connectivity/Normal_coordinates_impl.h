@@ -70,6 +70,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Normal_coordinates::split_face(const D
   }
   if ((std::max)((std::max)(n_vi, n_vj), n_vk) > largest_count)
     throw Integer_overflow_error("an edge crosses more than 2^60 input edges");
+  make_room(3);
   append({n_vi, {no_halfedge, r_i.base.idx()}, {0, r_i.steps}});
   append({n_vj, {no_halfedge, r_j.base.idx()}, {0, r_j.steps}});
   append({n_vk, {no_halfedge, r_k.base.idx()}, {0, r_k.steps}});
@@ -78,6 +79,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Normal_coordinates::split_face(const D
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Normal_coordinates::split_edge(const Delta_complex& complex, Halfedge_index h, Halfedge_index along)
 {
   CGAL_precondition(is_original(complex.edge(h)));
+  make_room(4); // of edges at most three, and a record for that which is split
   const Halfedge_index g = complex.opposite(h), back(along.idx() ^ 1);
   const Roundabout at_i = roundabout(h), at_j = roundabout(g);
   const auto append_spoke = [&](Halfedge_index side, Halfedge_index first_from_v) {
@@ -114,8 +116,11 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Normal_coordinates::unsplit_edge(const
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Normal_coordinates::remove(const Removed_elements& removed)
 {
   // What moves was never an input edge: as many edges as the input has stay, and all others have records.
-  for (Edge_index e : removed.edges)
-    free_records_.push_back(record_of_[e.idx()]);
+  for (Edge_index e : removed.edges) {
+    const std::uint32_t i = record_of_[e.idx()];
+    records_[i].crossings = first_free_record_;
+    first_free_record_ = i;
+  }
   remove_entries(record_of_, removed.edges);
 }
 

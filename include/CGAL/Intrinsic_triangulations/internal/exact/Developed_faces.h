@@ -83,7 +83,7 @@ public:
   }
 
   // To be called before the flip of the connectivity. known_corner(h) gives the corner
-  // opposite to h if it costs little.
+  // opposite to h if it costs little. After an exception, nothing is known of the two faces.
   template <class KnownCorner>
   void flip(const Delta_complex& complex, Edge_index e, bool is_close_call,
             const KnownCorner& known_corner)
@@ -92,6 +92,57 @@ public:
     const Face_index ijk = complex.face(ij), jil = complex.face(ji);
     if (!is_close_call && !contains(ijk) && !contains(jil))
       return;
+    try {
+      flip(complex, ij, ji, known_corner);
+    } catch (...) {
+      forget(ijk);
+      forget(jil);
+      throw;
+    }
+  }
+
+  // What is known of a face is no longer true. Never throws.
+  void forget(Face_index f)
+  {
+    if (!contains(f))
+      return;
+    const std::uint32_t position = std::exchange(layout_of_[f.idx()], none);
+    layouts_[position].plane = first_free_;
+    first_free_ = position;
+  }
+  // Makes room for so many faces more, ...
+  void make_room(std::size_t number)
+  {
+    if (!layout_of_.empty())
+      internal::make_room(layout_of_, number);
+  }
+  // ... and appends them.
+  void append(std::size_t number)
+  {
+    if (!layout_of_.empty())
+      layout_of_.resize(layout_of_.size() + number, none);
+  }
+  // Follows the removal of a vertex, after that of the connectivity. Layouts name halfedges, so those at edges that have
+  // moved are no longer true. Never throws.
+  void remove(const Delta_complex& complex, const Removed_elements& removed)
+  {
+    if (layout_of_.empty())
+      return;
+    for (Face_index f : removed.faces)
+      forget(f);
+    remove_entries(layout_of_, removed.faces);
+    for (Edge_index e : removed.edges)
+      if (e.idx() < complex.number_of_edges())
+        for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
+          if (!complex.is_border(h))
+            forget(complex.face(h));
+  }
+
+private:
+  template <class KnownCorner>
+  void flip(const Delta_complex& complex, Halfedge_index ij, Halfedge_index ji, const KnownCorner& known_corner)
+  {
+    const Face_index ijk = complex.face(ij), jil = complex.face(ji);
     const auto find = [&](Halfedge_index h) -> std::optional<Layout> {
       if (contains(complex.face(h)))
         return seen_from(complex, h);
@@ -100,8 +151,8 @@ public:
     };
     std::optional<Layout> above = find(ij), below = find(ji);
     if (!above || !below || !unite(*above, *below)) {
-      erase(ijk);
-      erase(jil);
+      forget(ijk);
+      forget(jil);
       return;
     }
     const auto [i, j, k] = above->corners;
@@ -113,31 +164,6 @@ public:
       compact();
   }
 
-  // What is known of a face is no longer true.
-  void forget(Face_index f) { erase(f); }
-  // Makes room for so many faces more.
-  void append(std::size_t number)
-  {
-    if (!layout_of_.empty())
-      layout_of_.resize(layout_of_.size() + number, none);
-  }
-  // Follows the removal of a vertex, after that of the connectivity. Layouts name halfedges, so those at edges that have
-  // moved are no longer true.
-  void remove(const Delta_complex& complex, const Removed_elements& removed)
-  {
-    if (layout_of_.empty())
-      return;
-    for (Face_index f : removed.faces)
-      erase(f);
-    remove_entries(layout_of_, removed.faces);
-    for (Edge_index e : removed.edges)
-      if (e.idx() < complex.number_of_edges())
-        for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
-          if (!complex.is_border(h))
-            erase(complex.face(h));
-  }
-
-private:
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
   // Beyond, it is better to lay the face out anew. Relative to the edges.
   static constexpr double largest_radius = 0x1p-75;
@@ -248,22 +274,14 @@ private:
     return (new_to - new_from) * Complex(product.x() / norm, product.y() / norm);
   }
 
-  void erase(Face_index f)
-  {
-    if (!contains(f))
-      return;
-    free_.push_back(layout_of_[f.idx()]);
-    layout_of_[f.idx()] = none;
-  }
-
   void keep(const Delta_complex& complex, Face_index f, const Layout& layout)
   {
     if (layout_of_.empty())
       layout_of_.assign(complex.number_of_faces(), none);
     std::uint32_t& position = layout_of_[f.idx()];
-    if (position == none && !free_.empty()) {
-      position = free_.back();
-      free_.pop_back();
+    if (position == none && first_free_ != none) {
+      position = first_free_;
+      first_free_ = layouts_[position].plane;
     } else if (position == none) {
       layouts_.emplace_back();
       position = std::uint32_t(layouts_.size() - 1);
@@ -275,7 +293,7 @@ private:
   void compact()
   {
     std::vector<bool> is_free(layouts_.size(), false);
-    for (std::uint32_t i : free_)
+    for (std::uint32_t i = first_free_; i != none; i = layouts_[i].plane)
       is_free[i] = true;
     std::vector<std::uint32_t> new_point(points_.size(), none), new_plane(planes_.size(), none);
     for (std::size_t i = 0; i < layouts_.size(); ++i)
@@ -311,7 +329,7 @@ private:
 
   Large_vector<std::uint32_t> layout_of_; // for each face its position in layouts_, or none
   std::vector<Layout> layouts_;
-  std::vector<std::uint32_t> free_; // positions in layouts_ that are not in use
+  std::uint32_t first_free_ = none; // positions in layouts_ that are not in use: each has the next one as `plane`
   std::vector<Point> points_;
   std::vector<Plane> planes_;                      // those that are older come first
   std::size_t most_points_ = most_points_at_first; // after the last compaction

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_GEOMETRY_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
@@ -21,8 +22,10 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
+#include <initializer_list>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -35,7 +38,11 @@ namespace Intrinsic_triangulations {
 // What follows the flips, and what speeds up decisions.
 //
 // Const queries read it, and change it in three ways only, all of them safe: the pool of surfaces is made for that; the integers
-// and the straight faces are found once, under the mutex, and an atomic flag tells the others that they are complete.
+// and the straight faces are brought up to date under the mutex, and an atomic flag tells the others that they are.
+//
+// Straight faces do not know of the flips in `journal`, nor of those in the journal of the correspondence but for the first
+// `number_of_known_flips`. Flips that are not followed at once make what was developed of their faces wrong; it is forgotten at the latest when
+// they leave one of these journals.
 struct Exact_geometry::Memory
 {
   using Developed_faces =
@@ -71,7 +78,16 @@ struct Exact_geometry::Memory
 
   internal::Decision_settings settings;
   Stage_counts counts;
-  std::vector<Edge_index> journal; // the flips until it was asked which faces are straight
+  template <class Edges>
+  void forget_developed_faces(const Delta_complex& complex, const Edges& flips)
+  {
+    for (Edge_index e : flips) // faces that a flip has changed have an edge that was flipped
+      for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
+        developed_faces.forget(complex.face(h));
+  }
+
+  std::vector<Edge_index> journal;
+  std::size_t number_of_known_flips = 0;
   std::optional<internal::Straight_faces> straight_faces;
   internal::Vertex_positions::Inserted inserted_positions; // kept if the input has points
   Developed_faces developed_faces;
@@ -80,6 +96,7 @@ struct Exact_geometry::Memory
   std::unique_ptr<internal::Input_surface> surface_of_images;
   std::unique_ptr<Carried_images> images; // of the developed faces, from the first tie on
 
+  std::unique_ptr<internal::Input_properties> input_properties; // made by the first thread that takes a surface
   std::mutex mutex;
   std::atomic<bool> is_prepared{false}, knows_straight_faces{false};
   internal::Scratch_pool<internal::Input_surface> surfaces;
@@ -100,6 +117,7 @@ Exact_geometry::Exact_geometry(const Exact_geometry& other)
   memory_->settings.tie_proof = other.memory_->settings.tie_proof;
   memory_->counts = other.memory_->counts;
   memory_->journal = other.memory_->journal;
+  memory_->number_of_known_flips = other.memory_->number_of_known_flips;
   memory_->straight_faces = other.memory_->straight_faces;
   memory_->inserted_positions = other.memory_->inserted_positions;
   memory_->is_prepared = other.memory_->is_prepared.load();
@@ -117,6 +135,7 @@ Exact_geometry::Exact_geometry(Exact_geometry&& other) noexcept
   memory_->surfaces.clear();
   memory_->images.reset();
   memory_->surface_of_images.reset();
+  memory_->input_properties.reset();
   memory_->developed_faces = {};
   memory_->is_close_call.clear();
   memory_->settings.interruption.exchange({});
@@ -156,11 +175,31 @@ const internal::Interruption& Exact_geometry::interruption() const { return memo
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_geometry::Surface_lease Exact_geometry::input_surface() const
 {
-  return memory_->surfaces.take(
-    [this] { return new internal::Input_surface(correspondence_.input(), metric_, memory_->settings); });
+  return memory_->surfaces.take([this] { return new_surface().release(); });
 }
 
-// ---------------------------------------------------------------- once, when it is asked for
+// \pre `prepare()` was called
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::unique_ptr<internal::Input_surface> Exact_geometry::new_surface() const
+{
+  {
+    const std::lock_guard<std::mutex> lock(memory_->mutex);
+    if (!memory_->input_properties)
+      memory_->input_properties = std::make_unique<internal::Input_properties>(correspondence_.input(), metric_);
+  }
+  return std::make_unique<internal::Input_surface>(correspondence_.input(), metric_, memory_->settings, *memory_->input_properties);
+}
+
+// ---------------------------------------------------------------- when it is asked for
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::begin_journal()
+{
+  correspondence_.begin_journal();
+  is_asked_ = false;
+  memory_->is_prepared = false;
+  memory_->knows_straight_faces = false;
+}
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_geometry::prepare(const Delta_complex& complex) const
@@ -177,14 +216,17 @@ void Exact_geometry::prepare(const Delta_complex& complex, const internal::Block
   const std::lock_guard<std::mutex> lock(memory_->mutex);
   if (memory_->is_prepared.load(std::memory_order_relaxed))
     return;
-  std::vector<Edge_index> journal = correspondence_.prepare(complex, run);
-  if (!memory_->straight_faces)
-    memory_->journal = std::move(journal);
+  Memory& memory = *memory_;
+  memory.journal.reserve(memory.journal.size() + correspondence_.number_of_journaled_flips() - memory.number_of_known_flips);
+  const std::vector<Edge_index> flips = correspondence_.prepare(complex, run);
+  memory.forget_developed_faces(complex, flips);
+  memory.journal.insert(memory.journal.end(), flips.begin() + std::ptrdiff_t(memory.number_of_known_flips), flips.end());
+  memory.number_of_known_flips = 0;
   is_asked_ = true;
-  memory_->is_prepared.store(true, std::memory_order_release);
+  memory.is_prepared.store(true, std::memory_order_release);
 }
 
-// Finds out which faces are straight, by repeating the flips; flip() keeps it up from then on.
+// Finds out which faces are straight, by repeating the flips that were not followed; flip() keeps it up from then on.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_geometry::find_straight_faces(const Delta_complex& complex) const
 {
@@ -193,22 +235,29 @@ void Exact_geometry::find_straight_faces(const Delta_complex& complex) const
   const std::lock_guard<std::mutex> lock(memory_->mutex);
   if (memory_->knows_straight_faces.load(std::memory_order_relaxed))
     return;
-  internal::Straight_faces straight_faces(complex.number_of_faces(), metric_.points().size());
-  std::vector<Edge_index> flips = correspondence_.journaled_flips(complex);
-  flips.insert(flips.end(), memory_->journal.begin(), memory_->journal.end());
-  if (!metric_.points().empty() && !flips.empty()) {
-    Delta_complex copy = complex;
-    for (std::size_t i = flips.size(); i-- > 0;)
-      copy.flip_back(flips[i]);
-    for (Edge_index e : flips) {
-      straight_faces.flip(copy, positions(), e);
-      copy.flip(e);
+  Memory& memory = *memory_;
+  std::vector<Edge_index> flips = memory.journal;
+  const std::vector<Edge_index> later_flips = correspondence_.journaled_flips(complex);
+  flips.insert(flips.end(), later_flips.begin() + std::ptrdiff_t(memory.number_of_known_flips), later_flips.end());
+  if (!flips.empty() || !memory.straight_faces) {
+    internal::Straight_faces straight_faces =
+      memory.straight_faces ? *memory.straight_faces : internal::Straight_faces(complex.number_of_faces(), metric_.points().size());
+    if (!metric_.points().empty() && !flips.empty()) {
+      Delta_complex copy = complex;
+      for (std::size_t i = flips.size(); i-- > 0;)
+        copy.flip_back(flips[i]);
+      for (Edge_index e : flips) {
+        straight_faces.flip(copy, positions(), e);
+        copy.flip(e);
+      }
     }
+    memory.forget_developed_faces(complex, flips);
+    memory.straight_faces = std::move(straight_faces);
+    std::vector<Edge_index>().swap(memory.journal);
+    memory.number_of_known_flips = later_flips.size();
   }
-  memory_->straight_faces = std::move(straight_faces);
-  std::vector<Edge_index>().swap(memory_->journal);
   is_asked_ = true;
-  memory_->knows_straight_faces.store(true, std::memory_order_release);
+  memory.knows_straight_faces.store(true, std::memory_order_release);
 }
 
 // ---------------------------------------------------------------- following the flips
@@ -221,13 +270,40 @@ bool Exact_geometry::flip_and_follow(const Delta_complex& complex, const Hinge_h
     find_straight_faces(complex);
     prepare(complex);
   }
-  correspondence_.flip(complex, around);
+  // What may throw comes first, as long as it stays true without the flip; the integers come last.
+  Memory& memory = *memory_;
   const Edge_index e = complex.edge(around.ij);
-  if (memory_->straight_faces)
-    return follow(complex, e);
-  if (correspondence_.is_prepared())
-    memory_->journal.push_back(e);
-  return false;
+  const bool is_followed = memory.knows_straight_faces, is_straight = is_followed && follow(complex, e),
+             is_journaled = !is_followed && correspondence_.is_prepared();
+  if (is_journaled)
+    memory.journal.push_back(e);
+  if (!is_followed)
+    memory.forget_developed_faces(complex, std::array{e});
+  try {
+    correspondence_.flip(complex, around);
+  } catch (...) {
+    if (is_journaled)
+      memory.journal.pop_back();
+    memory.forget_developed_faces(complex, std::array{e});
+    throw;
+  }
+  if (is_followed && !correspondence_.is_prepared())
+    ++memory.number_of_known_flips;
+  return is_straight;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::flip_back(const Delta_complex& complex, Hinge_halfedges around)
+{
+  Memory& memory = *memory_;
+  memory.forget_developed_faces(complex, std::array{complex.edge(around.ij)});
+  if (memory.knows_straight_faces) {
+    memory.straight_faces->flip_back(complex.face(around.ij), complex.face(around.ji));
+    if (!correspondence_.is_prepared())
+      --memory.number_of_known_flips;
+  } else if (correspondence_.is_prepared())
+    memory.journal.pop_back();
+  correspondence_.flip_back(complex, around);
 }
 
 // Keeps up what is known of the faces, before the flip of the connectivity. Returns whether
@@ -268,8 +344,7 @@ void Exact_geometry::split_face(const Delta_complex& complex, const Triangle_pie
 {
   find_straight_faces(complex);
   prepare(complex);
-  correspondence_.split_face(complex, piece, location);
-  split_faces(complex, {complex.face(piece.side)}, 3, 3, location);
+  split_faces(complex, {complex.face(piece.side)}, 3, 3, location, [&] { correspondence_.split_face(complex, piece, location); });
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -277,27 +352,36 @@ void Exact_geometry::split_edge(const Delta_complex& complex, Halfedge_index h, 
 {
   find_straight_faces(complex);
   prepare(complex);
-  correspondence_.split_edge(complex, h, location);
   std::vector<Face_index> faces;
   for (Halfedge_index side : {h, complex.opposite(h)})
     if (!complex.is_border(side))
       faces.push_back(complex.face(side));
-  split_faces(complex, faces, 1 + faces.size(), 2, location);
+  split_faces(complex, faces, 1 + faces.size(), 2, location, [&] { correspondence_.split_edge(complex, h, location); });
 }
 
 // What is kept of faces that are split into parts; those beyond the first are appended, face by face.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+// \param split_integers splits the faces in the correspondence. An exception leaves everything as it was
+template <class SplitIntegers>
 void Exact_geometry::split_faces(const Delta_complex& complex, const std::vector<Face_index>& faces, std::size_t number_of_new_edges,
-                                 std::size_t number_of_parts, const Surface_point& location)
+                                 std::size_t number_of_parts, const Surface_point& location, const SplitIntegers& split_integers)
 {
   Memory& memory = *memory_;
+  const bool has_points = !metric_.points().empty();
+  const auto position = has_points ? std::make_optional(positions().rounded(location)) : std::nullopt;
+  const std::size_t number_of_new_faces = faces.size() * (number_of_parts - 1);
+  for (Face_index f : faces)
+    memory.straight_faces->prepare_split(positions(), f, number_of_new_faces);
+  memory.developed_faces.make_room(number_of_new_faces);
+  internal::make_room(memory.inserted_positions, 1);
+  internal::make_room(memory.is_close_call, number_of_new_edges);
+  split_integers();
   for (Face_index f : faces) {
-    memory.straight_faces->split(positions(), f, number_of_parts - 1);
+    memory.straight_faces->split(f, number_of_parts - 1);
     memory.developed_faces.forget(f);
     memory.developed_faces.append(number_of_parts - 1);
   }
-  if (!metric_.points().empty())
-    memory.inserted_positions.push_back(positions().rounded(location));
+  if (has_points)
+    memory.inserted_positions.push_back(*position);
   if (!memory.is_close_call.empty())
     memory.is_close_call.resize(complex.number_of_edges() + number_of_new_edges);
 }
@@ -317,14 +401,14 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_geometry::unsplit_face(const Delta_complex& complex, Vertex_index v)
 {
   const Halfedge_index a = complex.halfedge(v), b = complex.next_around_target(a), c = complex.next_around_target(b);
-  const std::vector<Face_index> faces{complex.face(a), complex.face(b), complex.face(c)};
+  const std::initializer_list<Face_index> faces{complex.face(a), complex.face(b), complex.face(c)};
   // As in Delta_complex::unsplit_face(), the least one stays.
-  join_faces(*std::min_element(faces.begin(), faces.end()), faces);
+  join_faces((std::min)(faces), faces);
 }
 
 // A vertex was inserted, so that all faces are known.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::join_faces(Face_index f, const std::vector<Face_index>& faces)
+void Exact_geometry::join_faces(Face_index f, std::initializer_list<Face_index> faces)
 {
   memory_->straight_faces->join(f, faces);
   memory_->developed_faces.forget(f);
@@ -369,8 +453,7 @@ std::optional<Exact_geometry::Image_corner> Exact_geometry::image_of_developed_c
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_geometry::carry_images()
 {
-  memory_->surface_of_images =
-    std::make_unique<internal::Input_surface>(correspondence_.input(), metric_, memory_->settings);
+  memory_->surface_of_images = new_surface();
   memory_->images = std::make_unique<Memory::Carried_images>(*memory_->surface_of_images);
   memory_->developed_faces = {};
 }
@@ -413,6 +496,7 @@ std::vector<std::pair<Halfedge_index, Exact_geometry::Corner>> Exact_geometry::c
 {
   const internal::Standard_arithmetic arithmetic;
   prepare(complex);
+  find_straight_faces(complex); // which is needed for a removal, too
   const Surface_lease surface = input_surface();
   internal::Double_double_metric metric(*surface);
   std::vector<std::pair<Halfedge_index, Corner>> result;

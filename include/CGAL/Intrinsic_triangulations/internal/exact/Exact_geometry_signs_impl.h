@@ -37,6 +37,7 @@ Sign Exact_geometry::decide(const Delta_complex& complex, Edge_index e, std::opt
   const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
   find_straight_faces(complex);
   if (correspondence_.number_of_inserted_vertices() != 0) {
+    prepare(complex);
     recognize_straight_face(complex, h);
     recognize_straight_face(complex, g);
   }

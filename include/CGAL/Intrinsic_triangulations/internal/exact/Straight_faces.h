@@ -17,8 +17,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -36,6 +36,8 @@ namespace internal {
 //
 // The parts of a straight face that a new vertex makes are straight, too. A vertex may lie on an edge, so that a part has no area, as long as
 // that edge is not flipped.
+//
+// All that is known stays true if what a function is called before does not happen.
 class Straight_faces
 {
 public:
@@ -86,18 +88,31 @@ public:
     const Halfedge_index h = complex.halfedge(e);
     if (are_coplanar(complex, positions, h))
       return true;
-    plane_[complex.face(h).idx()] = plane_[complex.face(complex.opposite(h)).idx()] = none;
+    forget(complex.face(h), complex.face(complex.opposite(h)));
     return false;
   }
 
-  // Appends so many parts of a face.
-  void split(const Vertex_positions& positions, Face_index f, std::size_t number)
+  // A flip between these faces is undone: where more would have to be found out, they are not known to be straight. Never throws.
+  void flip_back(Face_index f, Face_index g)
+  {
+    if (!(*this)(f) || !(*this)(g) || united(plane_[f.idx()]) != united(plane_[g.idx()]))
+      forget(f, g);
+  }
+
+  // Before a face is split, and so many parts are appended in all.
+  void prepare_split(const Vertex_positions& positions, Face_index f, std::size_t number)
   {
     if (plane_.empty())
       return;
     if ((*this)(f))
       straighten(positions, f, Face_index(plane_[f.idx()]));
-    plane_.resize(plane_.size() + number, plane_[f.idx()]);
+    make_room(plane_, number);
+  }
+  // Appends so many parts of a face. Never throws.
+  void split(Face_index f, std::size_t number)
+  {
+    if (!plane_.empty())
+      plane_.resize(plane_.size() + number, plane_[f.idx()]);
   }
   // A face turns out to lie in a face of the input, or in its plane. If that has no area, nothing is kept of it.
   void straighten(const Vertex_positions& positions, Face_index f, Face_index input_face)
@@ -106,17 +121,18 @@ public:
     plane_[f.idx()] = has_area ? input_face.idx() : none;
   }
   // To be called before faces are joined and called f: it is straight if all are in one plane.
-  void join(Face_index f, const std::vector<Face_index>& faces)
+  void join(Face_index f, std::initializer_list<Face_index> faces)
   {
     if (plane_.empty())
       return;
-    const std::uint32_t plane = plane_[faces.front().idx()];
+    const std::uint32_t plane = plane_[faces.begin()->idx()];
     bool is_one = plane != none;
     for (Face_index each : faces)
       is_one = is_one && plane_[each.idx()] != none && united(plane_[each.idx()]) == united(plane);
     plane_[f.idx()] = is_one ? plane : none;
   }
-  void remove(const std::vector<Face_index>& faces)
+  template <class Faces>
+  void remove(const Faces& faces)
   {
     if (!plane_.empty())
       remove_entries(plane_, faces);
@@ -124,6 +140,12 @@ public:
 
 private:
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+
+  void forget(Face_index f, Face_index g)
+  {
+    if (!plane_.empty())
+      plane_[f.idx()] = plane_[g.idx()] = none;
+  }
 
   // \param p, q the planes of both faces
   static bool lie_in_one_plane(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index h, std::uint32_t p, std::uint32_t q)

@@ -24,6 +24,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/exact/ratios_in_space.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/relaxed_atomic.h>
 
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
@@ -51,15 +52,58 @@ struct Decision_settings
   Tie_proof tie_proof = Tie_proof::PROBABLE_IF_COSTLY;
 };
 
+// What is found out about the input when it is first asked for. Threads that ask at the same time find the same.
+class Input_properties
+{
+public:
+  Input_properties(const Delta_complex& connectivity, const Input_metric& metric)
+    : connectivity_(connectivity), metric_(metric), flatness_(metric.points().empty() ? 0 : connectivity.number_of_edges(), UNKNOWN)
+  {}
+
+  // Whether the faces of an edge lie in one plane.
+  BOOST_FORCEINLINE bool is_flat(Halfedge_index h)
+  {
+    if (flatness_.empty())
+      return false;
+    std::uint8_t& stored = flatness_[connectivity_.edge(h).idx()];
+    std::uint8_t flatness = relaxed_load(stored);
+    if (flatness == UNKNOWN) {
+      flatness = connectivity_.is_flippable(connectivity_.edge(h)) && internal::is_flat(connectivity_, metric_.points(), h) ? FLAT : BENT;
+      relaxed_store(stored, flatness);
+    }
+    return flatness == FLAT;
+  }
+  // A bound on the sizes of the numbers of the metric (see Input_metric).
+  double largest_size()
+  {
+    double size = relaxed_load(largest_size_);
+    if (size == 0) {
+      size = metric_.largest_size();
+      relaxed_store(largest_size_, size);
+    }
+    return size;
+  }
+
+private:
+  enum Flatness : std::uint8_t {
+    UNKNOWN,
+    FLAT,
+    BENT
+  };
+
+  const Delta_complex& connectivity_;
+  const Input_metric& metric_;
+  Large_vector<std::uint8_t> flatness_;
+  double largest_size_ = 0;
+};
+
 // The input as all images of its metric see it, with what they remember between calls.
 class Input_surface
 {
 public:
-  Input_surface(const Delta_complex& connectivity, const Input_metric& metric,
-                const Decision_settings& settings)
-    : connectivity_(connectivity), metric_(metric), settings_(settings),
-      flatness_(metric.points().empty() ? 0 : connectivity.number_of_edges(), UNKNOWN),
-      ratios_(number_of_ratios(connectivity))
+  Input_surface(const Delta_complex& connectivity, const Input_metric& metric, const Decision_settings& settings,
+                Input_properties& properties)
+    : connectivity_(connectivity), metric_(metric), settings_(settings), properties_(properties), ratios_(number_of_ratios(connectivity))
   {}
 
   const Delta_complex& connectivity() const { return connectivity_; }
@@ -76,29 +120,13 @@ public:
     return prime_fields_[number];
   }
 
-  // A bound on the sizes of the numbers of the metric (see Input_metric), found when first asked for, and, where points on the input
-  // enter, of any double, as they have for coordinates.
+  // A bound on the sizes of the numbers of the metric, and, where points on the input enter, of any double, as they have for coordinates.
   double largest_size(bool has_points)
   {
-    if (largest_size_ == 0)
-      largest_size_ = metric_.largest_size();
-    return has_points ? (std::max)(size_of_double, largest_size_) : largest_size_;
+    return has_points ? (std::max)(size_of_double, properties_.largest_size()) : properties_.largest_size();
   }
 
-  // Whether the faces of an edge lie in one plane; found when first asked for.
-  BOOST_FORCEINLINE bool is_flat(Halfedge_index h)
-  {
-    if (flatness_.empty())
-      return false;
-    std::uint8_t& flatness = flatness_[connectivity_.edge(h).idx()];
-    if (flatness == UNKNOWN)
-      flatness =
-        connectivity_.is_flippable(connectivity_.edge(h)) &&
-            internal::is_flat(connectivity_, metric_.points(), h)
-          ? FLAT
-          : BENT;
-    return flatness == FLAT;
-  }
+  BOOST_FORCEINLINE bool is_flat(Halfedge_index h) { return properties_.is_flat(h); }
 
   // Whether a vector in the plane of the face of h points to the left of h or to the right.
   Sign side(Halfedge_index h, Vertex_index from, Vertex_index to) const
@@ -124,11 +152,6 @@ private:
   // Twice the digits before and behind the point.
   static constexpr double size_of_double = 2 * (1024 + 1074 + 53);
 
-  enum Flatness : std::uint8_t {
-    UNKNOWN,
-    FLAT,
-    BENT
-  };
   // A power of two: one for each halfedge of a small surface.
   static std::size_t number_of_ratios(const Delta_complex& connectivity)
   {
@@ -146,9 +169,8 @@ private:
   const Delta_complex& connectivity_;
   const Input_metric& metric_;
   const Decision_settings& settings_;
+  Input_properties& properties_; // which all threads share
   std::deque<Prime_fields> prime_fields_;
-  double largest_size_ = 0;
-  Large_vector<std::uint8_t> flatness_;
   std::vector<Entry> ratios_;
 };
 

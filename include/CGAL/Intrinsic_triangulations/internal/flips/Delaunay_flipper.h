@@ -296,7 +296,7 @@ private:
       }
       marks_[e.idx()] = Edge_mark::SETTLED;
       const Hinge_halfedges around = triangulation_.connectivity().hinge(e);
-      switch (flip(around)) {
+      switch (triangulation_.flip_not_Delaunay(around)) {
       case Flip_outcome::FLIPPED:
         ++report_.flips;
         if constexpr (!Triangulation::Traits::Has_exact_decisions::value)
@@ -315,17 +315,6 @@ private:
       }
     }
     return true;
-  }
-
-  Flip_outcome flip(const Hinge_halfedges& around)
-  {
-    try {
-      return triangulation_.flip_not_Delaunay(around);
-    } catch (const Cancelled_error&) { // the flip was made, and looked at no further
-      ++report_.flips;
-      visitor_.after_flip(triangulation_.connectivity().edge(around.ij));
-      throw;
-    }
   }
 
   bool contains_hinge(Edge_index e) const

@@ -126,7 +126,7 @@ public:
   // Otherwise it would do what a Delaunay_flipper does.
   static bool is_useful(const Triangulation& triangulation)
   {
-    return triangulation.connectivity().number_of_edges() > size && Block::are_possible(triangulation);
+    return triangulation.connectivity().number_of_edges() > size && Block::are_possible;
   }
 
   // Leads to a Delaunay triangulation; `flipper` makes the last flips, and has the report.
@@ -137,29 +137,7 @@ public:
     // No block may use up what is there for all, nor fill the memory with its journal.
     budget_of_block_ = (std::min)(budget_ / (2 * number_of_blocks + 1), 16 * std::uint64_t(size));
 
-    std::vector<std::vector<Hinge_halfedges>> journals;
-    std::exception_ptr exception;
-    for (std::size_t shift : {std::size_t(0), size / 2}) {
-      std::vector<Task> tasks = make_tasks(n, shift);
-      is_first_round_ = shift == 0;
-      for_each_block<Parallel_tag>(tasks.size(), 1,
-                                   [&](std::size_t i, std::size_t) { settle(tasks[i]); });
-      postponed_.clear();
-      for (Task& task : tasks) {
-        exception = exception ? exception : task.exception;
-        flipper.add(task.report);
-        Whole_triangulation<Traits>(triangulation_).count_as_tested(task.report.tests);
-        journals.push_back(std::move(task.journal));
-        postponed_.insert(postponed_.end(), task.postponed.begin(), task.postponed.end());
-        uncertain_.insert(uncertain_.end(), task.uncertain.begin(), task.uncertain.end());
-      }
-      mark_postponed();
-      if (visitor_.is_stopped())
-        break;
-    }
-    Block::append(triangulation_, std::move(journals));
-    if (exception)
-      std::rethrow_exception(exception);
+    settle_blocks(n, number_of_blocks, flipper);
     postponed_.insert(postponed_.end(), uncertain_.begin(), uncertain_.end());
     mark_postponed();
     return !visitor_.is_stopped() && settle_Delaunay(flipper) &&
@@ -172,15 +150,42 @@ private:
     Edge_index::size_type first, last; // the edges of the block
     std::vector<Edge_index> candidates;
     Flip_report report;
-    std::vector<Hinge_halfedges> journal;
+    std::vector<Hinge_halfedges>* journal;
     std::vector<Edge_index> postponed, uncertain;
     std::exception_ptr exception;
   };
 
-  std::vector<Task> make_tasks(std::size_t n, std::size_t shift) const
+  // Both rounds. Whatever happens, the flips that were made are noted.
+  void settle_blocks(std::size_t n, std::size_t number_of_blocks, Flipper& flipper)
+  {
+    typename Block::Journals journals(triangulation_, 2 * number_of_blocks + 1);
+    std::exception_ptr exception;
+    for (std::size_t shift : {std::size_t(0), size / 2}) {
+      is_first_round_ = shift == 0;
+      std::vector<Task> tasks = make_tasks(n, shift, journals);
+      for_each_block<Parallel_tag>(tasks.size(), 1,
+                                   [&](std::size_t i, std::size_t) { settle(tasks[i]); });
+      postponed_.clear();
+      for (Task& task : tasks) {
+        exception = exception ? exception : task.exception;
+        flipper.add(task.report);
+        Whole_triangulation<Traits>(triangulation_).count_as_tested(task.report.tests);
+        postponed_.insert(postponed_.end(), task.postponed.begin(), task.postponed.end());
+        uncertain_.insert(uncertain_.end(), task.uncertain.begin(), task.uncertain.end());
+      }
+      mark_postponed();
+      if (visitor_.is_stopped())
+        break;
+    }
+    if (exception)
+      std::rethrow_exception(exception);
+  }
+
+  std::vector<Task> make_tasks(std::size_t n, std::size_t shift, typename Block::Journals& journals) const
   {
     std::vector<Task> tasks((n + shift + size - 1) / size);
     for (std::size_t i = 0; i < tasks.size(); ++i) {
+      tasks[i].journal = &journals.next();
       tasks[i].first = Edge_index::size_type((std::max)(i * size, shift) - shift);
       tasks[i].last = Edge_index::size_type((std::min)((i + 1) * size - shift, n));
     }
@@ -194,7 +199,7 @@ private:
     if (visitor_.is_stopped())
       return;
     try {
-      Block block(triangulation_, task.first, task.last, task.journal);
+      Block block(triangulation_, task.first, task.last, *task.journal);
       Block_visitor visitor(visitor_);
       Delaunay_flipper<Block, ConstraintMap, Block_visitor> flipper(block, is_constrained_, visitor,
                                                                     budget_of_block_, marks_);

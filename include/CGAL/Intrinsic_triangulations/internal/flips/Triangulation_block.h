@@ -15,6 +15,7 @@
 
 #include <CGAL/Uncertain.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -47,21 +48,34 @@ public:
     POSTPONED
   };
 
-  // Whether there may be blocks: numbers are of a type that threads need not share, and what is
-  // kept of the input was not asked for yet.
-  static bool are_possible(const Triangulation& triangulation)
+  // Whether there may be blocks: numbers are of a type that threads need not share.
+  static constexpr bool are_possible = is_for_threads<typename Triangulation::Edge_data>;
+  // The flips in all blocks, each block with a journal of its own. At the end, when no block is in use, the geometry takes them over.
+  class Journals
   {
-    return is_for_threads<typename Triangulation::Edge_data> &&
-           (!triangulation.geometry_ || triangulation.geometry_->can_append());
-  }
-  // To be called when no block is in use, with the journals of all.
-  static void append(Triangulation& triangulation, std::vector<std::vector<Hinge_halfedges>> journals)
-  {
-    // Flips in different blocks commute, so that any order of the blocks will do.
-    if (triangulation.geometry_)
-      for (std::vector<Hinge_halfedges>& journal : journals)
-        triangulation.geometry_->append(std::move(journal));
-  }
+  public:
+    // \param most the number of blocks, at most
+    Journals(Triangulation& triangulation, std::size_t most) : triangulation_(triangulation)
+    {
+      journals_.reserve(most);
+      if (triangulation_.geometry_)
+        triangulation_.geometry_->make_room_for_journals(most);
+    }
+    Journals(const Journals&) = delete;
+    Journals& operator=(const Journals&) = delete;
+    ~Journals()
+    {
+      // Flips in different blocks commute, so that any order of the blocks of one round will do.
+      if (triangulation_.geometry_)
+        for (std::vector<Hinge_halfedges>& journal : journals_)
+          triangulation_.geometry_->append(std::move(journal));
+    }
+    std::vector<Hinge_halfedges>& next() { return journals_.emplace_back(); }
+
+  private:
+    Triangulation& triangulation_;
+    std::vector<std::vector<Hinge_halfedges>> journals_;
+  };
 
   Triangulation_block(Triangulation& triangulation, Edge_index::size_type first,
                       Edge_index::size_type last, std::vector<Hinge_halfedges>& journal)

@@ -65,6 +65,12 @@ public:
     return answer;
   }
 
+  // As that of the geometry, if there is one.
+  void begin_journal()
+  {
+    if (triangulation_.geometry_)
+      triangulation_.geometry_->begin_journal();
+  }
   // The geometry, which may not be prepared yet. \pre keeps_input()
   Exact_geometry& geometry() const { return *triangulation_.geometry_; }
 

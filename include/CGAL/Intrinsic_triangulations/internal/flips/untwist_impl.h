@@ -15,6 +15,8 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -29,7 +31,13 @@ Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_length
     throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, squared_lengths.size(), 1,
                                 "there are " + std::to_string(squared_lengths.size()) + " squared lengths for " +
                                   std::to_string(complex.number_of_edges()) + " edges");
-  return Tube_straightener(complex, squared_lengths, is_constrained, go_further).run();
+  // Of copies, so that an exception leaves everything as it was.
+  Delta_complex result_complex = complex;
+  std::vector<Rational> result_lengths = squared_lengths;
+  Untwisting result = Tube_straightener(result_complex, result_lengths, is_constrained, go_further).run();
+  complex = std::move(result_complex);
+  squared_lengths = std::move(result_lengths);
+  return result;
 }
 
 } // namespace internal

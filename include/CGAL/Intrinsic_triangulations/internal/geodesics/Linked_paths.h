@@ -21,6 +21,7 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// An exception leaves everything as it was.
 class Linked_paths
 {
 public:
@@ -78,7 +79,7 @@ private:
 
   void check(const std::vector<Halfedge_index>& halfedges, bool is_closed) const;
 
-  // Links new segments between two others; in a closed path without others, to a circle.
+  // Links new segments, for which there is room, between two others; in a closed path without others, to a circle.
   Replaced link(std::uint32_t p, Segment_index before, Segment_index after, const std::vector<Halfedge_index>& halfedges);
 
   const Delta_complex& complex_;

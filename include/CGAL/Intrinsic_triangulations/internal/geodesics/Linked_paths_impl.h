@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINKED_PATHS_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINKED_PATHS_IMPL_H
 
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Linked_paths.h>
@@ -36,6 +37,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Halfedge_index> Linked_paths::h
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::size_t Linked_paths::add(const std::vector<Halfedge_index>& halfedges, bool is_closed)
 {
   check(halfedges, is_closed);
+  make_room(segments_, halfedges.size());
   paths_.push_back({none, is_closed});
   link(std::uint32_t(paths_.size() - 1), none, none, halfedges);
   return paths_.size() - 1;
@@ -43,6 +45,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::size_t Linked_paths::add(const std::ve
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Linked_paths::Replaced Linked_paths::replace(Segment_index a, Segment_index b, const std::vector<Halfedge_index>& halfedges)
 {
+  make_room(segments_, halfedges.size());
   const std::uint32_t p = segments_[a].path;
   Segment_index before = segments_[a].prev, after = segments_[b].next;
   remove(a);

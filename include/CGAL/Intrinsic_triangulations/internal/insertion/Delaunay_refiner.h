@@ -394,7 +394,10 @@ private:
     segments_.resize();
     flipped_.clear();
     const auto is_fixed = boost::make_function_property_map<Edge_index, bool>([&](Edge_index e) { return segments_.contains(e); });
-    report_.flips += settle_around(triangulation_, v, is_fixed, stack_, [&](Edge_index e) { flipped_.push_back(e); });
+    settle_around(triangulation_, v, is_fixed, stack_, [&](Edge_index e) {
+      ++report_.flips;
+      flipped_.push_back(e);
+    });
     visitor_.after_insertion(v);
     faces_.measure_star(v);
     const auto is_at_v = [&](Edge_index e) { return complex_.source(complex_.halfedge(e)) == v || complex_.target(complex_.halfedge(e)) == v; };

@@ -27,16 +27,15 @@ namespace internal {
 // is local.
 // \param after_flip is called with each edge that was flipped
 // \pre the triangulation keeps its input
-// \return the number of flips
 template <class Traits, class ConstraintMap, class AfterFlip>
-std::uint64_t settle(Intrinsic_triangulation<Traits>& triangulation, const ConstraintMap& is_constrained,
-                     std::vector<Edge_index>& stack, const AfterFlip& after_flip)
+void settle(Intrinsic_triangulation<Traits>& triangulation, const ConstraintMap& is_constrained,
+            std::vector<Edge_index>& stack, const AfterFlip& after_flip)
 {
   using Flip_outcome = typename Intrinsic_triangulation<Traits>::Flip_outcome;
   const Standard_arithmetic arithmetic;
   Whole_triangulation<Traits> whole(triangulation);
   const Delta_complex& complex = triangulation.connectivity();
-  std::uint64_t flips = 0, steps = 0;
+  std::uint64_t steps = 0;
   while (!stack.empty()) {
     if (++steps % 1024 == 0)
       triangulation.exact_geometry().interruption().check();
@@ -47,18 +46,16 @@ std::uint64_t settle(Intrinsic_triangulation<Traits>& triangulation, const Const
     const Hinge_halfedges around = complex.hinge(e);
     if (whole.flip_not_Delaunay(around) != Flip_outcome::FLIPPED)
       continue;
-    ++flips;
     after_flip(e);
     for (Halfedge_index side : {around.jk, around.ki, around.il, around.lj})
       stack.push_back(complex.edge(side));
   }
-  return flips;
 }
 
 // As above, where only faces around a vertex have changed.
 template <class Traits, class ConstraintMap, class AfterFlip>
-std::uint64_t settle_around(Intrinsic_triangulation<Traits>& triangulation, Vertex_index v, const ConstraintMap& is_constrained,
-                            std::vector<Edge_index>& stack, const AfterFlip& after_flip)
+void settle_around(Intrinsic_triangulation<Traits>& triangulation, Vertex_index v, const ConstraintMap& is_constrained,
+                   std::vector<Edge_index>& stack, const AfterFlip& after_flip)
 {
   const Delta_complex& complex = triangulation.connectivity();
   stack.clear();
@@ -70,7 +67,7 @@ std::uint64_t settle_around(Intrinsic_triangulation<Traits>& triangulation, Vert
       stack.push_back(complex.edge(complex.prev(h)));
     h = complex.next_around_target(h);
   } while (h != first);
-  return settle(triangulation, is_constrained, stack, after_flip);
+  settle(triangulation, is_constrained, stack, after_flip);
 }
 
 } // namespace internal

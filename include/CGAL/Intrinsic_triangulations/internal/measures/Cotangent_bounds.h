@@ -18,7 +18,6 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -67,14 +66,16 @@ public:
       std::fill(bounds_.begin(), bounds_.end(), -std::numeric_limits<float>::infinity());
   }
 
-  // Makes room for the halfedges of so many edges more, of whose corners nothing is known.
+  void make_room(std::size_t number_of_edges) { internal::make_room(bounds_, 2 * number_of_edges); }
+  // Appends the halfedges of so many edges, of whose corners nothing is known.
   void append(std::size_t number_of_edges)
   {
     bounds_.resize(bounds_.size() + 2 * number_of_edges, -std::numeric_limits<float>::infinity());
   }
 
   // Follows the removal of edges, as `remove_entries()`.
-  void remove(const std::vector<Edge_index>& edges)
+  template <class Edges>
+  void remove(const Edges& edges)
   {
     for (Edge_index hole : edges) {
       const std::size_t last = bounds_.size() - 2;

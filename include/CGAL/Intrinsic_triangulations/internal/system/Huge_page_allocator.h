@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <new>
@@ -41,7 +40,7 @@ inline void wish_for_huge_pages(void* const p, const std::size_t size)
 
 // Asks for huge pages where an array is large enough. The arrays are filled once and little
 // else happens to them: with small pages, the page faults of that first pass can take
-// longer than everything that is computed. Elsewhere than on Linux this is malloc().
+// longer than everything that is computed. Elsewhere than on Linux this is the operator `new`.
 template <class T>
 class Huge_page_allocator
 {
@@ -63,39 +62,31 @@ public:
       // Not by aligned_alloc(): of a block that was freed, glibc's does not make one of the same size
       // again, and a program that makes one triangulation after the other grows.
       const std::size_t rounded = (size + huge_page - 1) / huge_page * huge_page;
-      void* const block = checked(std::malloc(rounded + huge_page));
+      void* const block = ::operator new(rounded + huge_page);
       const std::uintptr_t begin = std::uintptr_t(block) / huge_page * huge_page + huge_page;
       void* const p = static_cast<char*>(block) + (begin - std::uintptr_t(block));
-      static_cast<void**>(p)[-1] = block; // malloc() aligns to more than a pointer: there is room
+      static_cast<void**>(p)[-1] = block; // what `new` returns is aligned to more than a pointer: there is room
       wish_for_huge_pages(p, rounded);
       return static_cast<T*>(p);
     }
 #endif
-    return static_cast<T*>(checked(std::malloc(size != 0 ? size : 1)));
+    return static_cast<T*>(::operator new(size));
   }
   void deallocate(T* p, std::size_t n)
   {
 #ifdef __linux__
     if (n * sizeof(T) >= huge_page) {
-      std::free(reinterpret_cast<void**>(p)[-1]);
+      ::operator delete(reinterpret_cast<void**>(p)[-1]);
       return;
     }
 #else
     (void)n;
 #endif
-    std::free(p);
+    ::operator delete(p);
   }
 
   friend bool operator==(const Huge_page_allocator&, const Huge_page_allocator&) { return true; }
   friend bool operator!=(const Huge_page_allocator&, const Huge_page_allocator&) { return false; }
-
-private:
-  static void* checked(void* p)
-  {
-    if (p == nullptr)
-      throw std::bad_alloc();
-    return p;
-  }
 };
 
 } // namespace internal

@@ -8,10 +8,14 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_SCRATCH_POOL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_SCRATCH_POOL_H
 
+#include <boost/config.hpp>
+
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <mutex>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -26,8 +30,8 @@ inline std::size_t number_of_this_thread()
 }
 
 // Keeps objects that remember between calls what is slow to compute. A call takes one out and puts it back; so no two calls
-// ever share one. A thread finds its own object again, without a lock: unless 16 threads have come before it, no other one
-// looks into its slot.
+// ever share one. A thread finds its own object again, without a lock, unless another one has the same slot or has taken it: then any
+// object will do that is not in use. There are never more objects than were in use at once.
 template <class Scratch>
 class Scratch_pool
 {
@@ -42,19 +46,21 @@ public:
   class Lease
   {
   public:
-    Lease(std::atomic<Scratch*>& slot, Scratch* scratch) : slot_(&slot), scratch_(scratch) {}
-    Lease(Lease&& other) noexcept : slot_(other.slot_), scratch_(std::exchange(other.scratch_, nullptr)) {}
+    Lease(Scratch_pool& pool, std::atomic<Scratch*>& slot, Scratch* scratch) : pool_(&pool), slot_(&slot), scratch_(scratch) {}
+    Lease(Lease&& other) noexcept : pool_(other.pool_), slot_(other.slot_), scratch_(std::exchange(other.scratch_, nullptr)) {}
     Lease& operator=(Lease&&) = delete;
     ~Lease()
     {
       if (scratch_)
-        delete slot_->exchange(scratch_, std::memory_order_acq_rel);
+        if (Scratch* const other = slot_->exchange(scratch_, std::memory_order_acq_rel))
+          pool_->keep(other);
     }
 
     Scratch& operator*() const { return *scratch_; }
     Scratch* operator->() const { return scratch_; }
 
   private:
+    Scratch_pool* pool_;
     std::atomic<Scratch*>* slot_;
     Scratch* scratch_;
   };
@@ -70,7 +76,14 @@ public:
   {
     std::atomic<Scratch*>& slot = slots_[number_of_this_thread() % slots_.size()].scratch;
     Scratch* const scratch = slot.exchange(nullptr, std::memory_order_acq_rel);
-    return {slot, scratch ? scratch : make()};
+    return {*this, slot, scratch ? scratch : take_other(make)};
+  }
+
+  // How many objects there are, in use or not.
+  std::size_t size()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return size_;
   }
 
   // To be called when none is taken.
@@ -78,10 +91,40 @@ public:
   {
     for (Slot& slot : slots_)
       delete slot.scratch.exchange(nullptr, std::memory_order_acq_rel);
+    for (Scratch* scratch : others_)
+      delete scratch;
+    others_.clear();
+    size_ = 0;
   }
 
 private:
-  std::array<Slot, 16> slots_;
+  template <class Make>
+  BOOST_NOINLINE Scratch* take_other(const Make& make)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!others_.empty()) {
+      Scratch* const scratch = others_.back();
+      others_.pop_back();
+      return scratch;
+    }
+    for (Slot& slot : slots_)
+      if (Scratch* const scratch = slot.scratch.exchange(nullptr, std::memory_order_acq_rel))
+        return scratch;
+    others_.reserve(size_ + 1);
+    Scratch* const scratch = make();
+    ++size_;
+    return scratch;
+  }
+  BOOST_NOINLINE void keep(Scratch* scratch)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    others_.push_back(scratch); // there is room for all
+  }
+
+  std::array<Slot, 64> slots_;
+  std::mutex mutex_;
+  std::vector<Scratch*> others_;
+  std::size_t size_ = 0;
 };
 
 } // namespace internal
