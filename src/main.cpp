@@ -5,6 +5,7 @@
 
 #include "system/Exit_status.h"
 #include "system/Interruption.h"
+#include "system/Progress.h"
 #include "output/Output_file.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
@@ -26,7 +27,8 @@ int main(int argc, char** argv)
     CLI::App app("Intrinsic Delaunay triangulations of triangulated surfaces", "idt");
     app.footer("Exit status: 0 done; 1 a result could not be written; 2 the command line is wrong;\n"
                "3 an input is unusable; 4 undecided, not flippable, out of budget or cancelled\n"
-               "(what was found so far is still written, if that takes less than a second).\n");
+               "(what was found so far is still written, if that takes less than a second).\n"
+               "An output file with the name - is the standard output; the report then goes to the standard error.\n");
     app.require_subcommand(1);
     idt::Selected_command selected;
     idt::add_triangulate_command(app, selected);
@@ -39,6 +41,13 @@ int main(int argc, char** argv)
     idt::add_table_command(app, selected);
     idt::add_sample_command(app, selected);
     idt::add_describe_command(app, selected);
+    bool is_quiet = false;
+    app.set_version_flag("--version", "idt " IDT_VERSION, "Print the version and exit");
+    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+      command->set_version_flag("--version", "idt " IDT_VERSION, "Print the version and exit");
+      if (command->get_name() != "sample" && command->get_name() != "describe")
+        command->add_flag("-q,--quiet", is_quiet, "print no report and no progress, only what is wrong or was repaired");
+    }
     // An empty argument is more likely a variable that is not set than a wish.
     for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
       for (CLI::Option* option : command->get_options())
@@ -48,6 +57,8 @@ int main(int argc, char** argv)
     try {
       idt::check_values(app, std::vector<std::string>(argv + (argc > 0), argv + argc));
       idt::parse(app, argc, argv);
+      idt::Progress::set_shown(!is_quiet);
+      idt::route_reports(is_quiet, idt::writes_to_standard_output(*app.get_subcommands().front()));
       status = selected();
     } catch (const CLI::ParseError& error) {
       // Asking for help is no error. CLI11 has a status for each kind of mistake.

@@ -3,10 +3,12 @@
 
 #include "commands/Result_files.h"
 
+#include "commands/command_line.h"
 #include "input/flat_vertices.h"
 #include "input/repair.h"
 #include "output/Output_file.h"
 #include "output/write_json.h"
+#include "output/write_overlay.h"
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
 
@@ -40,10 +42,18 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
                 "write what each intrinsic edge crosses, in order, as CSV: source,target,edge,"
                 "position,input_source,input_target,t,u")
     ->type_name("F.csv");
-  command
-    .add_option("--overlay", overlay,
-                "write the overlay of input and result as a mesh of polygons")
-    ->type_name("F.(ply|off|obj|vtp)");
+  CLI::Option* const overlay_option =
+    command
+      .add_option("--overlay", overlay,
+                  "write the overlay of input and result as a mesh of polygons; with --overlay-triangles, also as F.stl or F.ts")
+      ->type_name("F.(ply|off|obj|vtp)");
+  command.add_flag("--overlay-triangles", has_overlay_triangles, "cut the polygons of --overlay into triangles, for programs that take no others")
+    ->needs(overlay_option);
+  set_words(command.add_option("--overlay-format", overlay_format, "the format of --overlay -, on the standard output"),
+            {"ply", "off", "obj", "vtp", "stl", "ts"})
+    ->type_name("EXT")
+    ->capture_default_str()
+    ->needs(overlay_option);
   command
     .add_option("--repair-map", repair_map,
                 "write where the vertices and faces of the repaired surface come from, as CSV: "
@@ -57,10 +67,10 @@ void Result_files::check_paths(const std::vector<std::string>& inputs) const
   check_output_paths(paths(), inputs);
   if (overlay.empty())
     return;
-  const std::optional<Mesh_format> format = find_mesh_format(overlay);
-  if (!format || !holds_polygons(*format))
-    throw Usage_error("--overlay: " + overlay + " does not end in " + mesh_extensions(true) +
-                      (format ? ": the overlay has faces with more than three corners" : ""));
+  const std::optional<Mesh_format> format = format_of_overlay();
+  if (!format || (!has_overlay_triangles && !holds_polygons(*format)))
+    throw Usage_error("--overlay: " + name_with_format(overlay, overlay_format) + " does not end in " + mesh_extensions(!has_overlay_triangles) +
+                      (format ? ": the overlay has faces with more than three corners, which --overlay-triangles cuts" : ""));
 }
 
 void Result_files::check_surface(const Surface& surface) const
@@ -98,7 +108,7 @@ void Result_files::write(Triangulation_result& result) const
   write_one("mass", mass, [&](std::ostream& os) { write_mass(os, result); });
   if (result.outcome.subdivision) {
     write_one("crossings", crossings, [&](std::ostream& os) { write_crossings(os, result); });
-    write_one("overlay", overlay, [&](std::ostream& os) { write_overlay(os, result, *find_mesh_format(overlay)); });
+    write_one("overlay", overlay, [&](std::ostream& os) { write_overlay(os, *result.outcome.subdivision, result.surface.points, *format_of_overlay(), has_overlay_triangles); });
   }
   write_json(stats, statistics(result));
 }

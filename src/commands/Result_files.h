@@ -6,10 +6,13 @@
 #ifndef IDT_RESULT_FILES_H
 #define IDT_RESULT_FILES_H
 
+#include "input/mesh_file.h"
+#include "output/Output_file.h"
 #include "output/Triangulation_result.h"
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +22,8 @@ namespace idt {
 struct Result_files
 {
   std::string stats, edges, Laplacian, mass, crossings, overlay, points, repair_map, vertex_map;
+  std::string overlay_format = "ply"; // on the standard output
+  bool has_overlay_triangles = false;
 
   // Declares the options that all triangulations have. \param repair the option without which there is no repair map
   void add_options(CLI::App& command, CLI::Option* repair);
@@ -36,6 +41,9 @@ struct Result_files
 
   // \exception Output_error as write_file()
   void write(Triangulation_result& result) const;
+
+private:
+  std::optional<Mesh_format> format_of_overlay() const { return find_mesh_format(name_with_format(overlay, overlay_format)); }
 };
 
 } // namespace idt

@@ -5,8 +5,10 @@
 
 #include "system/Exit_status.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <system_error>
 
@@ -19,6 +21,60 @@ const CLI::App* find_subcommand(const CLI::App& app, const std::string& name)
     if (command->get_name() == name)
       return command;
   return nullptr;
+}
+
+// How many letters have to be left out, added, replaced, or exchanged with the next one.
+std::size_t edit_distance(const std::string& a, const std::string& b)
+{
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      d[i][j] = (std::min)({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = (std::min)(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+// "; did you mean WORD?" if one is near: with mistakes in a third of its letters at most, or the beginning of the word.
+std::string suggestion(const std::string& word, const std::vector<std::string>& words)
+{
+  const auto distance = [&word](const std::string& other) {
+    const bool is_beginning = word.size() > 2 && other.compare(0, word.size(), word) == 0;
+    return is_beginning ? std::size_t(1) : edit_distance(word, other);
+  };
+  const auto nearest = std::min_element(words.begin(), words.end(), [&](const std::string& a, const std::string& b) {
+    return distance(a) < distance(b);
+  });
+  if (nearest == words.end() || 3 * distance(*nearest) > word.size())
+    return std::string();
+  return "; did you mean " + *nearest + "?";
+}
+
+// What an argument that was not understood could have been.
+std::vector<std::string> possible_words(const CLI::App& app, bool is_option)
+{
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  std::vector<std::string> words;
+  if (is_option)
+    for (const CLI::Option* option : command.get_options())
+      for (const std::string& name : option->get_lnames())
+        words.push_back("--" + name);
+  else
+    for (const CLI::App* sub : command.get_subcommands([](const CLI::App* sub) { return !sub->get_group().empty(); }))
+      words.push_back(sub->get_name());
+  return words;
+}
+
+std::map<const CLI::Option*, std::vector<std::string>>& all_words()
+{
+  static std::map<const CLI::Option*, std::vector<std::string>> words;
+  return words;
 }
 
 bool takes_value(const CLI::Option& option)
@@ -52,14 +108,51 @@ void check_values(const CLI::App& app, const std::vector<std::string>& arguments
 
 void parse(CLI::App& app, int argc, const char* const* argv)
 {
+  const auto name_unknown = [&app] {
+    std::vector<std::string> unknown = app.remaining(true);
+    if (unknown.empty())
+      throw;
+    const std::string word = unknown.front().substr(0, unknown.front().find('='));
+    throw CLI::ParseError(CLI::ExtrasError({unknown.front()}).what() + suggestion(word, possible_words(app, word[0] == '-')),
+                          CLI::ExitCodes::ExtrasError);
+  };
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError&) {
-    const std::vector<std::string> unknown = app.remaining(true);
-    if (unknown.empty())
-      throw;
-    throw CLI::ExtrasError(unknown);
+    name_unknown();
+  } catch (const CLI::ExtrasError&) {
+    name_unknown();
   }
+}
+
+bool writes_to_standard_output(const CLI::App& command)
+{
+  for (const CLI::Option* option : command.get_options())
+    if (option->nonpositional() && option->results() == std::vector<std::string>{"-"})
+      return true;
+  return false;
+}
+
+CLI::Option* set_words(CLI::Option* option, const std::vector<std::string>& words, bool are_listed)
+{
+  std::string list;
+  for (const std::string& word : words)
+    list += (list.empty() ? "{" : ",") + word;
+  all_words()[option] = words;
+  return option->check(CLI::Validator(
+    [words, are_listed, list](const std::string& value) {
+      if (std::find(words.begin(), words.end(), value) != words.end())
+        return std::string();
+      const std::string near = suggestion(value, words);
+      return "there is no \"" + value + '"' + (near.empty() && are_listed ? ", but " + list + '}' : near);
+    },
+    are_listed ? list + '}' : std::string()));
+}
+
+std::vector<std::string> words_of(const CLI::Option& option)
+{
+  const auto found = all_words().find(&option);
+  return found == all_words().end() ? std::vector<std::string>() : found->second;
 }
 
 CLI::Validator whole_number()

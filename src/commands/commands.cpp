@@ -3,6 +3,7 @@
 
 #include "commands/commands.h"
 
+#include "input/standard_input.h"
 #include "system/Interruption.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -33,7 +34,8 @@ CLI::Option* add_repair_option(CLI::App& command, bool& is_repaired)
 Exit_status report_current_exception(const std::string& input)
 {
   const std::string prefix = input.empty() ? std::string() : input + ": ";
-  const auto named = [&prefix, &input](const std::string& message) {
+  const auto named = [&prefix, &input](const char* text) {
+    const std::string message = with_shown_names(text);
     return message.compare(0, input.size(), input) == 0 ? message : prefix + message;
   };
   namespace IT = CGAL::Intrinsic_triangulations;

@@ -38,14 +38,12 @@ std::vector<Compared_type> compared_types(const Compare_options& options)
 {
   std::vector<Compared_type> types;
   for (const std::string& wanted : options.number_types) {
-    const std::optional<Number_type> number_type = find_number_type(wanted);
-    if (!number_type)
-      throw Usage_error("--number-types: there is no \"" + wanted + "\"");
-    if (*number_type != Number_type::MPFR)
-      types.push_back({*number_type, std::nullopt});
+    const Number_type number_type = *find_number_type(wanted);
+    if (number_type != Number_type::MPFR)
+      types.push_back({number_type, std::nullopt});
     else
       for (int precision : options.precisions)
-        types.push_back({*number_type, precision});
+        types.push_back({number_type, precision});
   }
   return types;
 }
@@ -162,9 +160,9 @@ void add_compare_command(CLI::App& app, Selected_command& selected)
     *app.add_subcommand("compare", "Compare number types: errors, failures and time");
   command.footer(columns_help);
   command.add_option("INPUT", options->inputs, "as for `idt triangulate`")->required();
-  command
-    .add_option("--number-types", options->number_types,
-                "what to compare, separated by commas; see `idt triangulate --help`")
+  set_words(command.add_option("--number-types", options->number_types,
+                               "what to compare, separated by commas; see `idt triangulate --help`"),
+            number_type_names(), false)
     ->type_name("NT,NT,...")
     ->delimiter(',')
     ->allow_extra_args(false)

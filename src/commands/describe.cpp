@@ -4,6 +4,7 @@
 // `idt describe`: the command line as a manual page and as completion for bash, made of what the
 // subcommands declare. Run by the build, and not listed by --help.
 
+#include "commands/command_line.h"
 #include "commands/commands.h"
 
 #include <memory>
@@ -87,16 +88,25 @@ void write_manual_page(std::ostream& os, const CLI::App& app)
      << escaped(app.get_footer());
 }
 
-std::string long_names(const CLI::App& app)
+std::string joined(const std::vector<std::string>& words)
 {
-  std::string names;
-  for (const CLI::Option* option : options(app, false))
-    for (const std::string& name : option->get_lnames())
-      names += (names.empty() ? "--" : " --") + name;
-  return names;
+  std::string text;
+  for (const std::string& word : words)
+    text += (text.empty() ? "" : " ") + word;
+  return text;
 }
 
-// After an option that takes a value, and for inputs, file names are completed.
+std::string long_names(const CLI::App& app)
+{
+  std::vector<std::string> names;
+  for (const CLI::Option* option : options(app, false))
+    for (const std::string& name : option->get_lnames())
+      names.push_back("--" + name);
+  return joined(names);
+}
+
+// Where an option or an argument has one of a few values, those; after other options that take a value, and for inputs,
+// file names are completed.
 void write_bash_completion(std::ostream& os, const CLI::App& app)
 {
   std::string names;
@@ -107,6 +117,13 @@ void write_bash_completion(std::ostream& os, const CLI::App& app)
      << "\"\n  elif [[ \"$word\" == -* ]]; then\n    case \"${COMP_WORDS[1]}\" in\n";
   for (const CLI::App* command : subcommands(app))
     os << "      " << command->get_name() << ") words=\"" << long_names(*command) << "\" ;;\n";
+  os << "    esac\n  else\n"
+     << "    case \"${COMP_WORDS[1]} ${COMP_WORDS[COMP_CWORD-1]}\" in\n";
+  for (const CLI::App* command : subcommands(app))
+    for (const CLI::Option* option : command->get_options())
+      if (const std::string values = joined(words_of(*option)); !values.empty())
+        os << "      \"" << command->get_name() << ' '
+           << (option->nonpositional() ? "--" + option->get_lnames().front() : command->get_name()) << "\") words=\"" << values << "\" ;;\n";
   os << "    esac\n  fi\n"
      << "  mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n}\n"
      << "complete -o default -F _idt idt\n";
@@ -119,9 +136,7 @@ void add_describe_command(CLI::App& app, Selected_command& selected)
   const auto form = std::make_shared<std::string>();
   CLI::App& command = *app.add_subcommand("describe", "Describe the command line");
   command.group(""); // hidden
-  command.add_option("FORM", *form, "what as")
-    ->required()
-    ->check(CLI::IsMember({"manual-page", "bash-completion"}));
+  set_words(command.add_option("FORM", *form, "what as"), {"manual-page", "bash-completion"})->required();
   command.callback([&app, &selected, form] {
     selected = [&app, form] {
       *form == "manual-page" ? write_manual_page(std::cout, app) : write_bash_completion(std::cout, app);

@@ -9,20 +9,24 @@
 #include "input/Surface.h"
 #include "input/Triangle_soup.h"
 #include "input/gluing_file.h"
+#include "input/mesh_file.h"
 #include "kernels/make_triangulation.h"
 #include "output/Output_file.h"
 #include "output/write_distances.h"
 #include "output/write_json.h"
+#include "output/write_overlay.h"
 #include "system/Interruption.h"
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
 #include "system/text.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/vertex_frames.h>
 
 #include <nlohmann/json.hpp>
@@ -54,10 +58,15 @@ struct Distance_options
 {
   std::string input;
   std::vector<std::uint64_t> sources;
-  std::string output_path, stats_path;
-  std::string cover = "tufted", boundary = "neumann";
+  std::string output_path, overlay_path, stats_path;
+  std::string cover = "tufted", boundary = "neumann", format = "csv";
   double time_coefficient = 1;
   bool is_refined = false, is_repaired = false, has_vectors = false;
+
+  std::optional<Mesh_format> overlay_format() const
+  {
+    return find_mesh_format(name_with_format(overlay_path, format == "csv" ? "ply" : format));
+  }
 };
 
 struct Distance_result
@@ -66,6 +75,8 @@ struct Distance_result
   std::uint64_t flips = 0;
   std::size_t number_of_inserted_vertices = 0;
   double mean_edge_length = 0;
+  std::optional<IT::Common_subdivision> subdivision; // for the overlay
+  Named_values overlay_distances{"distance", {}};
   double read_seconds = 0, triangulation_seconds = 0, distance_seconds = 0;
 
   std::size_t number_of_unreachable_vertices() const
@@ -94,15 +105,20 @@ void check(const Distance_options& options)
     throw Usage_error("--repair needs --cover none: the tufted cover takes any triangles");
   if (options.cover == "tufted" && options.has_vectors)
     throw Usage_error("--vectors needs --cover none: a vertex of the tufted cover has no tangent plane");
+  if (options.cover == "tufted" && !options.overlay_path.empty())
+    throw Usage_error("--overlay needs --cover none: the tufted cover is no triangulation of the input");
+  const std::optional<Mesh_format> overlay_format = options.overlay_format();
+  if (!options.overlay_path.empty() && overlay_format != Mesh_format::PLY && overlay_format != Mesh_format::VTP)
+    throw Usage_error(options.overlay_path + ": the overlay with distances is written as a file whose name ends in .ply or .vtp");
   if (options.has_vectors && options.output_path.empty())
     throw Usage_error("--vectors needs -o");
   if (!(options.time_coefficient > 0 && std::isfinite(options.time_coefficient)))
     throw Usage_error("--time: T is a positive number");
   const std::string& path = options.output_path;
-  const std::string type = std::filesystem::path(path).extension().string();
+  const std::string type = std::filesystem::path(name_with_format(path, options.format)).extension().string();
   if (!path.empty() && type != ".csv" && type != ".ply" && type != ".vtp")
     throw Usage_error(path + ": distances are written as a file whose name ends in .csv, .ply or .vtp");
-  check_output_paths({path, options.stats_path}, {options.input});
+  check_output_paths({path, options.overlay_path, options.stats_path}, {options.input});
 }
 
 IT::Heat_method_options library_options(const Distance_options& options)
@@ -154,6 +170,8 @@ void find_distances(const Distance_options& options, const Heat_surface& surface
     heat.add_source(IT::Vertex_index(IT::Vertex_index::size_type(v)));
   result.mean_edge_length = heat.mean_edge_length();
   result.surface.distances = heat.distances();
+  if (result.subdivision)
+    result.overlay_distances.values = IT::interpolate_intrinsic_values(*result.subdivision, result.surface.distances);
   result.surface.distances.resize(n); // without the vertices that a refinement inserted
 }
 
@@ -167,7 +185,7 @@ void find_vectors(const Distance_options& options, const Triangulation& triangul
   for (std::uint64_t v : std::set<std::uint64_t>(options.sources.begin(), options.sources.end()))
     axes.push_back({IT::Vertex_index(IT::Vertex_index::size_type(v)), {1, 0}});
   const auto transported = heat.transport_tangent_vectors(axes);
-  Point_values axis{"axis", {}, points.empty() ? std::size_t(2) : std::size_t(3)};
+  Named_values axis{"axis", {}, points.empty() ? std::size_t(2) : std::size_t(3)};
   const auto frames = points.empty() ? std::vector<IT::Vertex_frame>() : IT::vertex_frames(triangulation, points);
   for (std::size_t v = 0; v < n; ++v) {
     const IT::Planar_vector<double>& z = transported[v];
@@ -177,7 +195,7 @@ void find_vectors(const Distance_options& options, const Triangulation& triangul
   result.surface.vectors.push_back(std::move(axis));
   if (axes.size() > 1)
     return;
-  Point_values log{"log", {}, 2};
+  Named_values log{"log", {}, 2};
   const auto map = heat.log_map(axes.front().first);
   for (std::size_t v = 0; v < n; ++v)
     log.values.insert(log.values.end(), {map[v].x(), map[v].y()});
@@ -244,6 +262,10 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
     result.number_of_inserted_vertices = triangulation.connectivity().number_of_vertices() - complex.number_of_vertices();
   }
   result.triangulation_seconds = stopwatch.restart();
+  if (!options.overlay_path.empty()) {
+    progress.begin("overlay");
+    result.subdivision.emplace(triangulation);
+  }
   find_distances(options, triangulation, progress, result);
   progress.begin("factoring and solving for vectors");
   if (options.has_vectors)
@@ -295,9 +317,14 @@ Exit_status run_distance(const Distance_options& options)
     else
       find_on_surface(options, result);
     const std::string& output = options.output_path;
-    const std::string type = std::filesystem::path(output).extension().string();
+    const std::string type = std::filesystem::path(name_with_format(output, options.format)).extension().string();
     if (result.surface.points.empty() && result.surface.number_of_vertices > 0 && !type.empty() && type != ".csv")
       throw Usage_error(output + ": " + path + " has lengths alone, no points: write a .csv file");
+    if (result.surface.points.empty() && result.subdivision)
+      throw Usage_error(options.overlay_path + ": " + path + " has lengths alone, no points");
+    write_file(options.overlay_path, [&](std::ostream& os) {
+      write_overlay(os, *result.subdivision, result.surface.points, *options.overlay_format(), false, {result.overlay_distances});
+    });
     write_file(output, [&](std::ostream& os) {
       if (type == ".csv")
         write_distances_csv(os, result.surface);
@@ -321,7 +348,7 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
   CLI::App& command = *app.add_subcommand("distance", "Find the distance of all vertices from some of them");
   command.footer("Distances are those of the heat method on an intrinsic Delaunay triangulation. They are zero at the\n"
                  "sources, and infinite where no source is connected. Vertices are counted from zero.\n");
-  command.add_option("INPUT", options->input, "a mesh, or a .gluing file of triangles with lengths")->required();
+  command.add_option("INPUT", options->input, "a mesh, or a .gluing file of triangles with lengths; - is the standard input")->required();
   command.add_option("--source", options->sources, "the vertices with distance zero")
     ->type_name("V[,V...]")
     ->delimiter(',')
@@ -332,15 +359,20 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
                 "write the distances: as a table, or as the mesh with a value at each vertex")
     ->type_name("F.(csv|ply|vtp)");
   command
-    .add_option("--cover", options->cover,
-                "tufted: on a closed surface over any triangles; none: on the triangles themselves, which have to be an "
-                "oriented surface")
-    ->check(CLI::IsMember({"tufted", "none"}))
+    .add_option("--overlay", options->overlay_path,
+                "write the overlay of input and triangulation, as `idt triangulate` does, with the distance at each of its vertices")
+    ->type_name("F.(ply|vtp)");
+  set_words(command.add_option("--format", options->format, "the format of -o -, or --overlay -, on the standard output"), {"csv", "ply", "vtp"})
+    ->type_name("EXT")
     ->capture_default_str();
-  command
-    .add_option("--boundary", options->boundary,
-                "what heat does at the border: neumann, none leaves; dirichlet, it is cold there; average, the mean of both")
-    ->check(CLI::IsMember({"neumann", "dirichlet", "average"}))
+  set_words(command.add_option("--cover", options->cover,
+                               "tufted: on a closed surface over any triangles; none: on the triangles themselves, which have to be an "
+                               "oriented surface"),
+            {"tufted", "none"})
+    ->capture_default_str();
+  set_words(command.add_option("--boundary", options->boundary,
+                               "what heat does at the border: neumann, none leaves; dirichlet, it is cold there; average, the mean of both"),
+            {"neumann", "dirichlet", "average"})
     ->capture_default_str();
   command.add_flag("--refine", options->is_refined, "insert vertices first until no angle is below 25 degrees");
   command

@@ -6,6 +6,7 @@
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "input/Surface.h"
+#include "input/formats/vtp.h"
 #include "input/mesh_file.h"
 #include "kernels/make_triangulation.h"
 #include "output/Output_file.h"
@@ -51,8 +52,11 @@ struct Geodesic_options
   bool is_closed = false;
   std::optional<double> direction, length;
   std::uint64_t maximum_number_of_faces = 1000000;
-  std::string output_path, stats_path;
+  std::string output_path, stats_path, format = "csv";
   bool is_repaired = false;
+
+  // What tells the format of the curve.
+  std::string extension() const { return std::filesystem::path(name_with_format(output_path, format)).extension().string(); }
 };
 
 struct Curve
@@ -78,9 +82,9 @@ void check(const Geodesic_options& options)
     throw Usage_error("--closed needs two of --via and --to beside --from: the curve begins as the one through these vertices");
   if (options.direction && (!std::isfinite(*options.direction) || !std::isfinite(*options.length) || *options.length < 0))
     throw Usage_error("--direction and --length have to be finite, and the length not negative");
-  const std::string type = std::filesystem::path(options.output_path).extension().string();
-  if (!options.output_path.empty() && type != ".obj" && type != ".csv" && type != ".ply")
-    throw Usage_error(options.output_path + ": a curve is written as a file whose name ends in .obj, .csv or .ply");
+  const std::string type = options.extension();
+  if (!options.output_path.empty() && type != ".obj" && type != ".csv" && type != ".ply" && type != ".vtp")
+    throw Usage_error(options.output_path + ": a curve is written as a file whose name ends in .obj, .csv, .ply or .vtp");
   check_output_paths({options.output_path, options.stats_path}, {options.input});
 }
 
@@ -228,6 +232,20 @@ void write_ply(std::ostream& os, const Points& points)
     os << i << ' ' << i + 1 << '\n';
 }
 
+// A line, and at each point the input face that it enters there.
+void write_vtp(std::ostream& os, const IT::Delta_complex& input, const Curve& curve, const Points& points)
+{
+  Named_values faces{"input_face", {}, 1, "Int32"};
+  Flat_polygons line;
+  for (const IT::Surface_point& p : curve.points) {
+    line.corners.push_back(std::uint32_t(faces.values.size()));
+    faces.values.push_back(input.face(p.halfedge).idx());
+  }
+  if (points.size() > 1)
+    line.ends.push_back(points.size());
+  write_vtp(os, points, Flat_polygons(), {faces}, line);
+}
+
 // The barycentric coordinates belong to the vertices that are named beside them.
 void write_csv(std::ostream& os, const IT::Delta_complex& input, const Curve& curve, const Points& points)
 {
@@ -278,8 +296,8 @@ Exit_status run_geodesic(const Geodesic_options& options)
   check(options);
   return for_each_input({options.input}, [&](const std::string& path) {
     const Surface surface = load_surface(path, {std::nullopt, options.is_repaired});
-    const std::string type = std::filesystem::path(options.output_path).extension().string();
-    if (!surface.has_points() && (type == ".obj" || type == ".ply"))
+    const std::string type = options.extension();
+    if (!surface.has_points() && !type.empty() && type != ".csv")
       throw Usage_error(options.output_path + ": " + path + " has lengths alone, no points: write a .csv file");
     const Stopwatch stopwatch;
     const Curve curve = [&] {
@@ -297,6 +315,8 @@ Exit_status run_geodesic(const Geodesic_options& options)
         write_obj(os, points);
       else if (type == ".ply")
         write_ply(os, points);
+      else if (type == ".vtp")
+        write_vtp(os, surface.connectivity, curve, points);
       else
         write_csv(os, surface.connectivity, curve, points);
     });
@@ -338,7 +358,10 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
   command
     .add_option("-o,--output", options->output_path,
                 "write the curve: as a polyline, or its points with input face and barycentric coordinates (CSV)")
-    ->type_name("F.(obj|csv|ply)");
+    ->type_name("F.(obj|csv|ply|vtp)");
+  set_words(command.add_option("--format", options->format, "the format of -o -, on the standard output"), {"csv", "obj", "ply", "vtp"})
+    ->type_name("EXT")
+    ->capture_default_str();
   command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")->type_name("F.json");
   add_repair_option(command, options->is_repaired);
   command.callback([options, &selected] { selected = [options] { return run_geodesic(*options); }; });

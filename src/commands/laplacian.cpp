@@ -4,6 +4,7 @@
 // `idt laplacian`
 
 #include "commands/Flip_watch.h"
+#include "commands/command_line.h"
 #include "commands/commands.h"
 
 #include "input/Triangle_soup.h"
@@ -208,7 +209,7 @@ void add_Laplacian_command(CLI::App& app, Selected_command& selected)
                  "duplicate faces, several components and vertices without faces. No length is changed\n"
                  "unless --mollify is given, and no entry off the diagonal is positive, except at the border\n"
                  "with --cover none.\n");
-  command.add_option("INPUT", options->input, "a mesh (OFF, OBJ, PLY, STL, TS), or a .gluing file of triangles with lengths")
+  command.add_option("INPUT", options->input, "a mesh (OFF, OBJ, PLY, STL, TS), or a .gluing file of triangles with lengths; - is the standard input")
     ->required();
   command
     .add_option("--stiffness", options->stiffness_path,
@@ -216,21 +217,18 @@ void add_Laplacian_command(CLI::App& app, Selected_command& selected)
                 "of the vertices")
     ->type_name("L.mtx");
   command.add_option("--mass", options->mass_path, "write the mass matrix")->type_name("M.mtx");
-  command
-    .add_option("--mass-type", options->mass_type,
-                "lumped: a third of the area around each vertex; galerkin: that of linear finite elements")
-    ->check(CLI::IsMember({"lumped", "galerkin"}))
+  set_words(command.add_option("--mass-type", options->mass_type,
+                               "lumped: a third of the area around each vertex; galerkin: that of linear finite elements"),
+            {"lumped", "galerkin"})
     ->capture_default_str();
-  command
-    .add_option("--cover", options->cover,
-                "tufted: two copies of each face, glued around each edge, where the surface is not closed; none: the faces "
-                "themselves, which have to be an orientable surface, with a fixed border")
-    ->check(CLI::IsMember({"tufted", "none"}))
+  set_words(command.add_option("--cover", options->cover,
+                               "tufted: two copies of each face, glued around each edge, where the surface is not closed; none: the faces "
+                               "themselves, which have to be an orientable surface, with a fixed border"),
+            {"tufted", "none"})
     ->capture_default_str();
-  command
-    .add_option("--coincident-vertices", options->coincident_vertices,
-                "what to do where an edge joins two vertices at the same place: an error, merge them, or drop its faces")
-    ->check(CLI::IsMember({"error", "merge", "drop"}))
+  set_words(command.add_option("--coincident-vertices", options->coincident_vertices,
+                               "what to do where an edge joins two vertices at the same place: an error, merge them, or drop its faces"),
+            {"error", "merge", "drop"})
     ->capture_default_str();
   command.add_flag("--weld", options->is_welded, "merge all vertices at the same place first");
   command

@@ -8,6 +8,7 @@
 #include "output/write_json.h"
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
+#include "commands/command_line.h"
 #include "commands/commands.h"
 #include "output/finite_weights.h"
 #include "input/repair.h"
@@ -294,20 +295,17 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
                  "that is linear on the intrinsic Delaunay triangles. Distortion is the ratio of the\n"
                  "singular values: 1 where a triangle keeps its shape.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
-  command
-    .add_option("--laplacian", options->Laplacian,
-                "the triangulation whose cotangents, or whose circles, are taken")
-    ->check(CLI::IsMember({"intrinsic", "extrinsic"}))
+  set_words(command.add_option("--laplacian", options->Laplacian,
+                               "the triangulation whose cotangents, or whose circles, are taken"),
+            {"intrinsic", "extrinsic"})
     ->capture_default_str();
-  command
-    .add_option("--boundary", options->boundary,
-                "disk: spread over the unit circle by arc length (default); natural: where it "
-                "distorts least")
-    ->check(CLI::IsMember({"disk", "natural"}));
-  command
-    .add_option("--method", options->method,
-                "harmonic, or circle-pattern: discrete conformal, boundary natural")
-    ->check(CLI::IsMember({"harmonic", "circle-pattern"}))
+  set_words(command.add_option("--boundary", options->boundary,
+                               "disk: spread over the unit circle by arc length (default); natural: where it "
+                               "distorts least"),
+            {"disk", "natural"});
+  set_words(command.add_option("--method", options->method,
+                               "harmonic, or circle-pattern: discrete conformal, boundary natural"),
+            {"harmonic", "circle-pattern"})
     ->capture_default_str();
   command
     .add_option("--uv", options->uv_path,

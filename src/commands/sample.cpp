@@ -4,6 +4,7 @@
 // `idt sample`: the surfaces that are built in.
 
 #include "output/Output_file.h"
+#include "commands/command_line.h"
 #include "commands/commands.h"
 #include "input/mesh_file.h"
 
@@ -12,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -87,22 +87,15 @@ Exit_status run_sample(const Sample_options& options)
       std::cout << sample.name << '\n';
     return Exit_status::DONE;
   }
-  const std::vector<IT::Sample> samples = IT::sample_names();
-  if (std::none_of(samples.begin(), samples.end(),
-                   [&](const IT::Sample& sample) { return sample.name == options.name; }))
-    throw Usage_error("sample: there is no \"" + options.name + "\"; --list shows the names");
-
   std::visit(
     [&](const auto& surface) {
-      if (options.path.empty()) {
-        write_surface(std::cout, surface, std::nullopt);
-        return;
-      }
-      const std::string path = path_with_extension(options, extension(surface));
+      const bool is_printed = options.path.empty() || options.path == "-";
+      const std::string path = is_printed ? "-" : path_with_extension(options, extension(surface));
       Output_file file(path);
       write_surface(file.stream(), surface, find_mesh_format(path));
       file.commit();
-      std::cout << path << '\n';
+      if (!is_printed)
+        std::cout << path << '\n';
     },
     IT::make_sample(options.name));
   return Exit_status::DONE;
@@ -126,7 +119,10 @@ void add_sample_command(CLI::App& app, Selected_command& selected)
   const auto options = std::make_shared<Sample_options>();
   CLI::App& command = *app.add_subcommand("sample", "Write one of the built-in surfaces");
   command.footer(sample_help());
-  command.add_option("NAME", options->name, "which one; see below");
+  std::vector<std::string> names;
+  for (const IT::Sample& sample : IT::sample_names())
+    names.push_back(sample.name);
+  set_words(command.add_option("NAME", options->name, "which one; see below"), names, false);
   command
     .add_option("-o,--output", options->path,
                 "write to this file and print its name; " + mesh_extensions(false) + " tells the format, "

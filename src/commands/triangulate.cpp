@@ -42,10 +42,7 @@ struct Triangulate_options
 Kernel_options kernel_options(const Triangulate_options& options)
 {
   Kernel_options result;
-  const std::optional<Number_type> number_type = find_number_type(options.number_type);
-  if (!number_type)
-    throw Usage_error("--number-type: there is no \"" + options.number_type + "\"");
-  result.number_type = *number_type;
+  result.number_type = *find_number_type(options.number_type);
   result.precision = options.precision;
   result.maximum_number_of_flips = options.maximum_number_of_flips;
   if (options.are_ties_proven)
@@ -194,10 +191,9 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
   command
     .add_option("INPUT", options->inputs,
                 "meshes of triangles (OFF, OBJ, PLY, STL, TS), or .gluing files of triangles "
-                "with lengths")
+                "with lengths; - is the standard input")
     ->required();
-  command
-    .add_option("--number-type", options->number_type, "what to compute with; see below")
+  set_words(command.add_option("--number-type", options->number_type, "what to compute with; see below"), number_type_names(), false)
     ->type_name("NT")
     ->capture_default_str();
   command.add_option("--precision", options->precision, "bits of a number at least, for mpfr")
@@ -210,12 +206,11 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
                 "else the larger of 10,000,000 and 100 times the number of edges)")
     ->type_name("N")
     ->transform(whole_number());
-  command.add_option_function<std::string>(
-           "--tie-proof", [options](const std::string& word) { options->are_ties_proven = word == "proven"; },
-           "what the exact decisions of filtered and of --verify accept as a tie: probable (an error below 2^-128 where "
-           "a proof would be costly), or proven (then a tie without a proof ends the run)")
-    ->type_name("probable|proven")
-    ->check(CLI::IsMember({"probable", "proven"}))
+  set_words(command.add_option_function<std::string>(
+              "--tie-proof", [options](const std::string& word) { options->are_ties_proven = word == "proven"; },
+              "what the exact decisions of filtered and of --verify accept as a tie: probable (an error below 2^-128 where "
+              "a proof would be costly), or proven (then a tie without a proof ends the run)"),
+            {"probable", "proven"})
     ->default_str("probable");
   CLI::Option* const mollify =
     command

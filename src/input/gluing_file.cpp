@@ -4,6 +4,7 @@
 #include "input/gluing_file.h"
 
 #include "input/formats/Watched_file.h"
+#include "input/standard_input.h"
 
 #include <CGAL/Intrinsic_triangulations/Crossing_counts.h>
 #include <CGAL/Intrinsic_triangulations/exact_gluing_io.h>
@@ -24,14 +25,15 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 bool is_gluing_file(const std::string& path)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
+  std::string extension = std::filesystem::path(readable_file(path)).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   return extension == ".gluing";
 }
 
-IT::Exact_gluing read_exact_gluing_file(const std::string& path, const IT::Progress_function& progress)
+IT::Exact_gluing read_exact_gluing_file(const std::string& name, const IT::Progress_function& progress)
 {
+  const std::string path = readable_file(name);
   const std::uintmax_t size = IT::internal::check_file(path);
   if (size == 0)
     IT::internal::refuse_file(path, "the file is empty");

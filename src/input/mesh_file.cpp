@@ -4,6 +4,7 @@
 #include "input/mesh_file.h"
 
 #include "input/formats/vtp.h"
+#include "system/Long_text.h"
 #include "system/text.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
@@ -58,6 +59,36 @@ std::string mesh_extensions(bool are_polygons)
   return text;
 }
 
+std::vector<std::string> coordinate_names(const std::vector<Named_values>& arrays)
+{
+  std::vector<std::string> result;
+  for (const Named_values& array : arrays)
+    for (std::size_t c = 0; c < array.components; ++c)
+      result.push_back(array.components == 1 ? array.name : array.name + '_' + "xyz"[c]);
+  return result;
+}
+
+// CGAL's writer puts the bytes in the order of the machine, whatever the header says.
+void write_ply(std::ostream& os, const std::vector<std::array<double, 3>>& points,
+               const std::vector<std::array<std::uint32_t, 3>>& triangles, const std::vector<Named_values>& at_points)
+{
+  os << "ply\nformat binary_little_endian 1.0\nelement vertex " << points.size()
+     << "\nproperty double x\nproperty double y\nproperty double z\n";
+  for (const std::string& name : coordinate_names(at_points))
+    os << "property double " << name << '\n';
+  os << "element face " << triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+  write_elements(os, points.size(), [&](Long_text& text, std::size_t v) {
+    for (double x : points[v])
+      text.add_bytes(x);
+    for_each_coordinate(at_points, v, [&text](double x) { text.add_bytes(x); });
+  });
+  write_elements(os, triangles.size(), [&triangles](Long_text& text, std::size_t f) {
+    text.add_bytes(std::uint8_t(3));
+    for (std::uint32_t v : triangles[f])
+      text.add_bytes(v);
+  });
+}
+
 void write_mesh(std::ostream& os, const std::vector<std::array<double, 3>>& points,
                 const std::vector<std::array<std::uint32_t, 3>>& triangles, Mesh_format format)
 {
@@ -73,8 +104,7 @@ void write_mesh(std::ostream& os, const std::vector<std::array<double, 3>>& poin
   const auto all_digits = CGAL::parameters::stream_precision(17);
   switch (format) {
   case Mesh_format::PLY:
-    CGAL::IO::set_binary_mode(os);
-    CGAL::IO::write_PLY(os, places, faces);
+    write_ply(os, points, triangles);
     return;
   case Mesh_format::OFF:
     CGAL::IO::write_OFF(os, places, faces, all_digits);

@@ -7,6 +7,7 @@
 #define IDT_MESH_FILE_H
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <ostream>
@@ -32,6 +33,31 @@ bool holds_polygons(Mesh_format format);
 
 // ".ply, .off or .obj": the formats that hold polygons, or all of them.
 std::string mesh_extensions(bool are_polygons);
+
+// A number, or a vector of two or three, for each element of a mesh.
+struct Named_values
+{
+  std::string name;
+  std::vector<double> values;
+  std::size_t components = 1;
+  const char* type = "Float64"; // in VTP; "Int32" for integers
+};
+
+// The names of all coordinates: NAME, or NAME_x and so on.
+std::vector<std::string> coordinate_names(const std::vector<Named_values>& arrays);
+
+// Calls `visit(x)` for each coordinate that an element has, in the order of their names.
+template <class Visit>
+void for_each_coordinate(const std::vector<Named_values>& arrays, std::size_t element, const Visit& visit)
+{
+  for (const Named_values& array : arrays)
+    for (std::size_t c = 0; c < array.components; ++c)
+      visit(array.values[element * array.components + c]);
+}
+
+// Writes bytes, the lowest first on any machine, with a property of type double for each coordinate of the values.
+void write_ply(std::ostream& os, const std::vector<std::array<double, 3>>& points,
+               const std::vector<std::array<std::uint32_t, 3>>& triangles, const std::vector<Named_values>& at_points = {});
 
 // Writes triangles, coordinates with all their digits: PLY is binary, with doubles, and STL
 // is text, whose binary form has floats alone.

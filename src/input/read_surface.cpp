@@ -7,7 +7,9 @@
 #include "input/formats/vtp.h"
 #endif
 #include "input/mesh_file.h"
+#include "input/standard_input.h"
 
+#include <CGAL/Intrinsic_triangulations/internal/files/conversion_advice.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 #include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
 
@@ -33,7 +35,8 @@ void check_name(const std::string& path)
   if (IT::internal::soup_format(path) != IT::internal::Soup_format::UNKNOWN)
     return;
   if (find_mesh_format(path) != Mesh_format::VTP)
-    IT::internal::refuse_file(path, "the extension " + IT::internal::quote(name.substr(dot)) + " is not known (" + known + ")");
+    IT::internal::refuse_file(path, "the extension " + IT::internal::quote(name.substr(dot)) + " is not known (" + known + ")" +
+                                      IT::internal::conversion_advice(path));
 #ifndef IDT_READS_VTP
   IT::internal::refuse_file(path, "VTP files can be read only if the command is built with VTK (" + known + ")");
 #endif
@@ -52,9 +55,10 @@ IT::Polygon_soup read(const std::string& path, const IT::Progress_function& prog
 
 Surface_input read_surface(const std::string& path, const IT::Progress_function& progress)
 {
-  IT::internal::check_file(path);
-  check_name(path);
-  return {read(path, progress), path};
+  const std::string file = readable_file(path);
+  IT::internal::check_file(file);
+  check_name(file);
+  return {read(file, progress), path};
 }
 
 IT::Surface_report examine(const Surface_input& input)

@@ -47,6 +47,14 @@ const std::vector<Number_type>& number_types()
   return all;
 }
 
+std::vector<std::string> number_type_names()
+{
+  std::vector<std::string> names;
+  for (Number_type number_type : number_types())
+    names.push_back(name(number_type));
+  return names;
+}
+
 std::optional<Number_type> find_number_type(const std::string& wanted)
 {
   for (Number_type number_type : number_types())

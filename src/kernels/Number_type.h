@@ -38,6 +38,8 @@ std::optional<Number_type> find_number_type(const std::string& name);
 
 const std::vector<Number_type>& number_types();
 
+std::vector<std::string> number_type_names();
+
 } // namespace idt
 
 #endif // IDT_NUMBER_TYPE_H

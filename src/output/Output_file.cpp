@@ -11,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <streambuf>
 #include <system_error>
 
 namespace idt {
@@ -56,10 +57,35 @@ int create_beside(const std::string& target, std::string& temporary)
   return error_number;
 }
 
+// Where results for "-" go, and reports as long as nothing else was said.
+std::ostream& standard_output()
+{
+  static std::ostream os(std::cout.rdbuf());
+  return os;
+}
+
+class Null_buffer : public std::streambuf
+{
+  int_type overflow(int_type c) override { return traits_type::not_eof(c); }
+  std::streamsize xsputn(const char*, std::streamsize n) override { return n; }
+};
+
 } // namespace
+
+void route_reports(bool is_quiet, bool is_output_taken)
+{
+  standard_output();
+  // std::cout is flushed after the end of all that is static.
+  if (is_quiet)
+    std::cout.rdbuf(new Null_buffer);
+  else if (is_output_taken)
+    std::cout.rdbuf(std::cerr.rdbuf());
+}
 
 Output_file::Output_file(const std::string& path) : path_(path), target_(path)
 {
+  if (path_ == "-")
+    return;
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status))
@@ -105,8 +131,12 @@ void Output_file::remove_temporary() const
     ::unlink(temporary_.c_str());
 }
 
+std::ostream& Output_file::stream() { return path_ == "-" ? standard_output() : stream_; }
+
 void Output_file::commit()
 {
+  if (path_ == "-")
+    return flush_standard_output();
   // A stream that has failed before does not try again; nothing has changed the reason since.
   const int reason = stream_ ? 0 : errno;
   errno = 0;
@@ -132,6 +162,8 @@ void check_output_paths(const std::vector<std::string>& outputs,
                         const std::vector<std::string>& inputs)
 {
   const auto is_same_file = [](const std::string& a, const std::string& b) {
+    if (a == "-" || b == "-")
+      return a == b;
     std::error_code error;
     const fs::file_status status = fs::status(a, error);
     if (fs::exists(status) && !fs::is_regular_file(status))
@@ -145,9 +177,10 @@ void check_output_paths(const std::vector<std::string>& outputs,
       continue;
     for (std::size_t j = 0; j < i; ++j)
       if (!outputs[j].empty() && is_same_file(outputs[i], outputs[j]))
-        throw Usage_error(outputs[i] + ": two results cannot go to the same file");
+        throw Usage_error(outputs[i] == "-" ? "two results cannot both go to the standard output"
+                                            : outputs[i] + ": two results cannot go to the same file");
     for (const std::string& input : inputs)
-      if (is_same_file(outputs[i], input))
+      if (input != "-" && is_same_file(outputs[i], input))
         throw Usage_error(outputs[i] + ": a result would replace an input");
   }
 }
@@ -159,7 +192,8 @@ void flush_standard_output()
     return;
   errno = 0;
   std::cout.flush();
-  has_failed = !std::cout;
+  standard_output().flush();
+  has_failed = !std::cout || !standard_output();
   if (has_failed)
     throw Output_error(std::string("the standard output cannot be written") +
                        (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));

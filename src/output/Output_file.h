@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A file that appears under its name when it is complete, or not at all.
+// A file that appears under its name when it is complete, or not at all; and the standard output, whose name is "-".
 
 #ifndef IDT_OUTPUT_FILE_H
 #define IDT_OUTPUT_FILE_H
@@ -19,7 +19,7 @@ namespace idt {
 
 // Writes to a temporary name in the same folder and renames it in commit(); without a
 // commit() the destructor removes it, and so does an interruption that ends the process. A target that is there and is no regular file,
-// such as a device or a pipe, is written to directly.
+// such as a device or a pipe, is written to directly, and so is the standard output.
 class Output_file
 {
 public:
@@ -29,7 +29,7 @@ public:
   Output_file& operator=(const Output_file&) = delete;
   ~Output_file();
 
-  std::ostream& stream() { return stream_; }
+  std::ostream& stream();
 
   // \exception Output_error if not everything could be written; the file is not there
   //            then, or what was there before
@@ -58,6 +58,15 @@ void write_file(const std::string& path, const Write& write)
   write(file.stream());
   file.commit();
 }
+
+// A name that tells the format: that of the file, or for the standard output one that ends in `format`.
+inline std::string name_with_format(const std::string& path, const std::string& format)
+{
+  return path == "-" ? "-." + format : path;
+}
+
+// From now on, what is written to std::cout goes nowhere, or to the standard error if the standard output is taken by a result.
+void route_reports(bool is_quiet, bool is_output_taken);
 
 // Refuses output files that would replace each other or an input.
 // \exception Usage_error

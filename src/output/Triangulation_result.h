@@ -10,7 +10,6 @@
 #include "system/Exit_status.h"
 #include "input/Surface.h"
 #include "kernels/Kernel.h"
-#include "input/mesh_file.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -88,10 +87,6 @@ void write_mass(std::ostream& os, const Triangulation_result& result);
 // The crossings along each intrinsic edge in order, as comma-separated values:
 // `source,target,edge,position,input_source,input_target,t,u`. \pre the overlay was found
 void write_crossings(std::ostream& os, const Triangulation_result& result);
-
-// The overlay as a mesh of polygons. \pre the overlay was found, the surface has points, and
-// the format holds polygons
-void write_overlay(std::ostream& os, const Triangulation_result& result, Mesh_format format);
 
 } // namespace idt
 

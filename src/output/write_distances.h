@@ -6,7 +6,7 @@
 #ifndef IDT_WRITE_DISTANCES_H
 #define IDT_WRITE_DISTANCES_H
 
-#include "input/formats/vtp.h"
+#include "input/mesh_file.h"
 
 #include <array>
 #include <cstddef>
@@ -22,7 +22,7 @@ struct Surface_with_distances
   std::vector<std::array<double, 3>> points; // empty if the surface is given by lengths
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<double> distances;     // infinite where no source is connected
-  std::vector<Point_values> vectors; // what else there is at each vertex
+  std::vector<Named_values> vectors; // what else there is at each vertex
 };
 
 // A row `vertex,distance` for each vertex, and a column for each coordinate of the vectors: `NAME_x` and so on; `inf` where a number is infinite.
@@ -31,7 +31,7 @@ void write_distances_csv(std::ostream& os, const Surface_with_distances& surface
 // Bytes, with a vertex property `distance`, and one for each coordinate of the vectors.
 void write_distances_ply(std::ostream& os, const Surface_with_distances& surface);
 
-// Text, with a point array `distance`, and one for each kind of vectors. The reader of VTK knows no infinite numbers in text: the largest finite one stands for them.
+// Text, with a point array `distance`, and one for each kind of vectors; finite() says what stands for infinite numbers.
 void write_distances_vtp(std::ostream& os, const Surface_with_distances& surface);
 
 } // namespace idt

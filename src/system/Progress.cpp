@@ -29,10 +29,14 @@ std::string short_name(const std::string& path)
   return name;
 }
 
+bool is_any_shown = true;
+
 } // namespace
 
+void Progress::set_shown(bool is_shown) { is_any_shown = is_shown; }
+
 Progress::Progress(const std::string& path, const char* phase)
-  : name_(short_name(path)), is_shown_(::isatty(STDERR_FILENO) == 1), phase_(phase)
+  : name_(short_name(path)), is_shown_(is_any_shown && ::isatty(STDERR_FILENO) == 1), phase_(phase)
 {
   if (is_shown_)
     try {

@@ -27,6 +27,9 @@ public:
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
+  // Whether any is shown from now on; on a terminal alone, as always.
+  static void set_shown(bool is_shown);
+
   // Another phase begins.
   void begin(const char* phase);
   // Nobody knows how many flips there will be.

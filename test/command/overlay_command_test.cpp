@@ -16,6 +16,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -88,6 +89,20 @@ protected:
     EXPECT_EQ(std::size_t(stats["euler_characteristic"].get<int>()),
               mesh.number_of_vertices() + mesh.number_of_faces() - mesh.number_of_edges());
     const auto kind = IT::internal::find_property_map<Mesh::Vertex_index, std::uint8_t>(mesh, "v:kind");
+    const auto input_edge = IT::internal::find_property_map<Mesh::Vertex_index, std::int32_t>(mesh, "v:input_edge");
+    const auto intrinsic_edge = IT::internal::find_property_map<Mesh::Vertex_index, std::int32_t>(mesh, "v:intrinsic_edge");
+    ASSERT_TRUE(input_edge && intrinsic_edge);
+    const auto crossings = rows("c.csv");
+    // Edges are numbered as the faces of the file name them first.
+    std::vector<std::set<std::size_t>> edges_of_input;
+    std::istringstream file(content(folder_ / input_name));
+    std::string skipped;
+    for (std::size_t i = 0; i < 4 + 3 * input.number_of_vertices(); ++i)
+      file >> skipped;
+    for (std::size_t size, a, b, c; file >> size >> a >> b >> c;)
+      for (const std::set<std::size_t>& edge : {std::set<std::size_t>{a, b}, {b, c}, {c, a}})
+        if (std::find(edges_of_input.begin(), edges_of_input.end(), edge) == edges_of_input.end())
+          edges_of_input.push_back(edge);
     const auto label = IT::internal::find_property_map<Mesh::Edge_index, std::uint8_t>(mesh, "e:label");
     const auto input_face = IT::internal::find_property_map<Mesh::Face_index, std::uint32_t>(mesh, "f:input_face");
     const auto intrinsic_face = IT::internal::find_property_map<Mesh::Face_index, std::uint32_t>(mesh, "f:intrinsic_face");
@@ -96,8 +111,15 @@ protected:
       EXPECT_EQ(kind[v] == 0, std::size_t(v) < input.number_of_vertices());
       if (kind[v] == 0) {
         EXPECT_EQ(mesh.point(v), input.point(v));
+        EXPECT_EQ(input_edge[v], -1);
+        EXPECT_EQ(intrinsic_edge[v], -1);
         continue;
       }
+      // The row of `--crossings` that belongs to it.
+      const std::vector<std::string>& row = crossings.at(std::size_t(v) - input.number_of_vertices() + 1);
+      EXPECT_EQ(std::to_string(intrinsic_edge[v]), row.at(2));
+      EXPECT_EQ(edges_of_input.at(std::size_t(input_edge[v])),
+                (std::set<std::size_t>{std::stoul(row.at(4)), std::stoul(row.at(5))}));
       std::string labels; // around a crossing, input and intrinsic edges take turns
       for (auto h : CGAL::halfedges_around_target(mesh.halfedge(v), mesh))
         labels += char('0' + label[mesh.edge(h)]);
@@ -213,6 +235,58 @@ TEST_F(Overlay_command, writes_the_same_mesh_in_each_format)
       EXPECT_EQ(corners, same);
     }
   }
+}
+
+TEST_F(Overlay_command, cuts_its_faces_into_triangles)
+{
+  ASSERT_EQ(idt("sample helical-tube -o in.off").status, 0);
+  for (const char* name : {"o.ply", "o.off", "o.obj", "o.stl", "o.ts"})
+    ASSERT_EQ(idt(std::string("triangulate in.off --overlay-triangles --overlay ") + name).status, 0) << name;
+  ASSERT_EQ(idt("triangulate in.off --overlay polygons.ply").status, 0);
+  const Mesh mesh = read("o.ply"), polygons = read("polygons.ply");
+  EXPECT_TRUE(CGAL::is_triangle_mesh(mesh));
+  EXPECT_EQ(mesh.number_of_vertices(), polygons.number_of_vertices());
+  std::size_t number_of_diagonals = 0;
+  for (auto f : polygons.faces())
+    number_of_diagonals += CGAL::halfedges_around_face(polygons.halfedge(f), polygons).size() - 3;
+  EXPECT_GT(number_of_diagonals, 0u);
+  EXPECT_EQ(mesh.number_of_faces(), polygons.number_of_faces() + number_of_diagonals);
+  // Each pair of an input face and an intrinsic one covers as much as before.
+  const auto areas = [](const Mesh& m) {
+    const auto input_face = IT::internal::find_property_map<Mesh::Face_index, std::uint32_t>(m, "f:input_face");
+    const auto intrinsic_face = IT::internal::find_property_map<Mesh::Face_index, std::uint32_t>(m, "f:intrinsic_face");
+    std::map<std::pair<std::uint32_t, std::uint32_t>, double> result;
+    for (auto f : m.faces())
+      result[{input_face[f], intrinsic_face[f]}] += area(m, f);
+    return result;
+  };
+  const auto before = areas(polygons), after = areas(mesh);
+  ASSERT_EQ(after.size(), before.size());
+  for (const auto& [faces, size] : before)
+    EXPECT_NEAR(after.at(faces), size, 1e-12 * size);
+  for (const char* name : {"o.off", "o.obj"})
+    EXPECT_EQ(read(name).number_of_faces(), mesh.number_of_faces()) << name;
+  for (const char* name : {"o.stl", "o.ts"}) {
+    const Command_run run = idt(std::string("laplacian --stats s.json ") + name);
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(Json::parse(content(folder_ / "s.json"))["faces"], mesh.number_of_faces()) << name;
+  }
+  EXPECT_EQ(idt("triangulate in.off --overlay-triangles").status, 2);
+}
+
+TEST_F(Overlay_command, tells_inserted_vertices_from_those_of_the_input)
+{
+  ASSERT_EQ(idt("sample helical-tube -o in.off").status, 0);
+  ASSERT_EQ(idt("refine in.off --overlay o.ply --stats s.json").status, 0);
+  const Json stats = Json::parse(content(folder_ / "s.json"));
+  const Mesh mesh = read("o.ply");
+  const auto kind = IT::internal::find_property_map<Mesh::Vertex_index, std::uint8_t>(mesh, "v:kind");
+  std::map<int, std::size_t> count;
+  for (auto v : mesh.vertices())
+    ++count[kind[v]];
+  EXPECT_GT(count[2], 0u);
+  EXPECT_EQ(count[2], stats["inserted"]);
+  EXPECT_EQ(count[0], read("in.off").number_of_vertices());
 }
 
 TEST_F(Overlay_command, finds_the_crossings_of_Table_1)

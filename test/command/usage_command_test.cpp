@@ -5,6 +5,8 @@
 
 #include "Command_test.h"
 
+#include <utility>
+
 namespace {
 
 class Command_usage : public Command_test
@@ -70,4 +72,116 @@ TEST_F(Command_usage, a_name_that_breaks_the_file_is_refused)
   expect_refused("parameterize dome.off --uv 'a\nb.obj'", "line end");
   expect_refused("parameterize dome.off --uv-input 'a\nb.obj'", "line end");
   EXPECT_EQ(files(), std::vector<std::string>{"dome.off"});
+}
+
+TEST_F(Command_usage, the_nearest_word_is_named)
+{
+  expect_refused("triangulat kite.off", "did you mean triangulate?");
+  expect_refused("geo kite.off", "did you mean geodesic?");
+  expect_refused("--versoin", "did you mean --version?");
+  expect_refused("triangulate kite.off --ovrelay o.ply", "did you mean --overlay?");
+  expect_refused("triangulate --edgse=e.csv", "did you mean --edges?");
+  expect_refused("triangulate kite.off --number-type dubble", "did you mean double?");
+  expect_refused("compare kite.off --number-types double,mpft", "did you mean mpfr?");
+  expect_refused("distance kite.off --source 0 --cover tuffted", "did you mean tufted?");
+  expect_refused("distance kite.off --source 0 --cover x", "{tufted,none}");
+  expect_refused("sample bumby-dome", "did you mean bumpy-dome?");
+  const Command_run run = idt("xyzzy");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_FALSE(contains(run.err, "did you mean")) << run.err;
+  EXPECT_EQ(idt("sample x").out, "");
+}
+
+TEST_F(Command_usage, the_version_is_told)
+{
+  const Command_run run = idt("--version");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.out.substr(0, 4), "idt ") << run.out;
+  EXPECT_EQ(idt("triangulate --version").out, run.out);
+}
+
+TEST_F(Command_usage, quiet_is_without_a_report)
+{
+  write_kite("kite.off");
+  for (const char* command : {"triangulate -q", "refine -q", "laplacian -q", "geodesic --from 0 --to 2 -q", "distance --source 0 -q"}) {
+    const Command_run run = idt(std::string(command) + " kite.off");
+    EXPECT_EQ(run.status, 0) << command;
+    EXPECT_EQ(run.out + run.err, "") << command;
+  }
+  const Command_run failed = idt("triangulate --quiet missing.off");
+  EXPECT_EQ(failed.status, 3);
+  EXPECT_EQ(lines(failed.err).size(), 1u) << failed.err;
+}
+
+TEST_F(Command_usage, results_go_to_the_standard_output)
+{
+  write_kite("kite.off");
+  ASSERT_EQ(idt("triangulate kite.off --edges e.csv --stats s.json --overlay o.ply").status, 0);
+  const Command_run edges = idt("triangulate kite.off --edges -");
+  EXPECT_EQ(edges.status, 0);
+  EXPECT_EQ(edges.out, content(folder_ / "e.csv"));
+  EXPECT_TRUE(contains(edges.err, "status          Delaunay")) << edges.err;
+  EXPECT_EQ(idt("triangulate kite.off -q --edges -").err, "");
+  EXPECT_EQ(idt("triangulate kite.off --overlay -").out, content(folder_ / "o.ply"));
+  EXPECT_EQ(idt("triangulate kite.off --overlay - --overlay-format off").out.substr(0, 4), "OFF\n");
+  EXPECT_EQ(idt("geodesic kite.off --from 0 --to 2 -o - --format obj").out.substr(0, 2), "v ");
+  EXPECT_EQ(idt("distance kite.off --source 0 -o -").out.substr(0, 16), "vertex,distance\n");
+  EXPECT_EQ(idt("sample pillow -o -").out, idt("sample pillow").out);
+  expect_refused("triangulate kite.off --edges - --crossings -", "both go to the standard output");
+  expect_refused("triangulate kite.off --overlay - --overlay-format stl", "--overlay-triangles");
+  EXPECT_EQ(idt("triangulate kite.off --edges - >&-").status, 1);
+  // What was there before stays.
+  EXPECT_EQ(shell("echo first > log; '" + command_path() + "' triangulate kite.off -q --edges - >> log").status, 0);
+  EXPECT_EQ(content(folder_ / "log"), "first\n" + edges.out);
+  EXPECT_FALSE(fs::exists(folder_ / "-"));
+}
+
+TEST_F(Command_usage, the_standard_input_is_read_in_each_format)
+{
+  write_kite("kite.off");
+  const std::string expected = idt("triangulate kite.off -q --edges -").out;
+  const auto piped = [this](const std::string& name, const std::string& arguments) {
+    return shell("cat " + name + " | '" + command_path() + "' " + arguments);
+  };
+  write("kite.obj", "# a comment\n\nv 0 0 0\nv 1 -0.25 0\nv 2 0 0\nv 1 0.25 0\nf 1 2 3\nf 1 3 4\n");
+  write("kite.ts", "GOCAD TSurf 1\nTFACE\nVRTX 1 0 0 0\nVRTX 2 1 -0.25 0\nVRTX 3 2 0 0\nVRTX 4 1 0.25 0\n"
+                   "TRGL 1 2 3\nTRGL 1 3 4\nEND\n");
+  write("kite.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
+                    "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+                    "0 0 0\n1 -0.25 0\n2 0 0\n1 0.25 0\n3 0 1 2\n3 0 2 3\n");
+  for (const char* name : {"kite.off", "kite.obj", "kite.ts", "kite.ply"})
+    for (const char* source : {"", "< "}) {
+      const Command_run run = *source ? idt("triangulate - -q --edges - < " + std::string(name)) : piped(name, "triangulate - -q --edges -");
+      EXPECT_EQ(run.status, 0) << name << run.err;
+      EXPECT_EQ(run.out, expected) << name;
+    }
+  ASSERT_EQ(idt("sample one-vertex-torus -o torus.gluing").status, 0);
+  EXPECT_EQ(piped("torus.gluing", "laplacian -").status, 0);
+  ASSERT_EQ(idt("sample bumpy-dome -o dome.stl").status, 0);
+  EXPECT_EQ(lines(piped("dome.stl", "triangulate -").out)[0], "-");
+  EXPECT_EQ(piped("kite.off", "distance - --source 0").status, 0);
+
+  write("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 x\n3 0 1 2\n");
+  const Command_run bad = piped("bad.off", "triangulate -");
+  EXPECT_EQ(bad.status, 3);
+  EXPECT_EQ(bad.err.find("idt: -: line 5"), 0u) << bad.err;
+  write("text", "Hello\n");
+  EXPECT_TRUE(contains(piped("text", "triangulate -").err, "not recognized"));
+  EXPECT_TRUE(contains(idt("triangulate -").err, "empty"));
+}
+
+TEST_F(Command_usage, a_converter_is_named)
+{
+  for (const auto& [name, program] : std::vector<std::pair<std::string, std::string>>{
+         {"a.glb", "assimp export a.glb a.obj"},
+         {"b c.FBX", "assimp export 'b c.FBX' 'b c.obj'"},
+         {"-a.mesh", "meshio convert './-a.mesh' './-a.off'"},
+         {"a.vtu", "meshio convert a.vtu a.off"},
+         {"a.step", "gmsh a.step -2 -o a.stl"},
+         {"a.ply.gz", "gunzip a.ply.gz"}}) {
+    write(name, "x");
+    const Command_run run = idt("triangulate -- '" + name + "'");
+    EXPECT_EQ(run.status, 3) << name;
+    EXPECT_TRUE(contains(run.err, program)) << run.err;
+  }
 }

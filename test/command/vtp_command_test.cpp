@@ -113,6 +113,38 @@ TEST_F(Command_vtp, is_written_as_polygons)
   EXPECT_TRUE(contains(text, "NumberOfPoints=\"5\"")) << text;
   EXPECT_TRUE(contains(text, "NumberOfPolys=\"4\"")) << text;
   EXPECT_TRUE(contains(text, "type=\"Float64\"")) << text;
+  // The labels: eight segments as lines, and four faces.
+  EXPECT_TRUE(contains(text, "NumberOfLines=\"8\"")) << text;
+  EXPECT_TRUE(contains(text, "Name=\"kind\" format=\"ascii\">\n0\n0\n0\n0\n1\n</DataArray>")) << text;
+  for (const char* name : {"input_edge", "intrinsic_edge", "label", "input_face", "intrinsic_face"})
+    EXPECT_TRUE(contains(text, std::string("<DataArray type=\"Int32\" Name=\"") + name + '"')) << name;
+}
+
+TEST_F(Command_vtp, has_distances_on_the_overlay)
+{
+  write_kite("kite.off");
+  ASSERT_EQ(idt("distance kite.off --source 0 --cover none -o d.csv --overlay o.vtp").status, 0);
+  const std::vector<std::string> rows = lines(content(folder_ / "d.csv")), vtp = lines(content(folder_ / "o.vtp"));
+  ASSERT_EQ(vtp.at(4), "<PointData Scalars=\"distance\">");
+  const auto distance = [&rows](std::size_t v) { return std::stod(rows.at(v + 1).substr(2)); };
+  for (std::size_t v = 0; v < 4; ++v)
+    EXPECT_EQ(std::stod(vtp.at(6 + v)), distance(v));
+  EXPECT_NEAR(std::stod(vtp.at(10)), (distance(1) + distance(3)) / 2, 1e-15); // the new edge from 1 to 3 meets the old one
+  ASSERT_EQ(idt("distance kite.off --source 0 --cover none --overlay o.ply").status, 0);
+  EXPECT_TRUE(contains(content(folder_ / "o.ply"), "property int intrinsic_edge\nproperty double distance\nelement face 4\n"));
+  EXPECT_EQ(idt("distance kite.off --source 0 --overlay o.ply").status, 2);
+  EXPECT_EQ(idt("distance kite.off --source 0 --cover none --overlay o.off").status, 2);
+}
+
+TEST_F(Command_vtp, is_written_for_a_path)
+{
+  ASSERT_EQ(idt("sample bumpy-dome -o dome.off").status, 0);
+  ASSERT_EQ(idt("geodesic dome.off --from 0 --to 99 -o path.vtp").status, 0);
+  ASSERT_EQ(idt("geodesic dome.off --from 0 --to 99 -o path.csv").status, 0);
+  const std::string text = content(folder_ / "path.vtp");
+  const std::size_t points = lines(content(folder_ / "path.csv")).size() - 1;
+  EXPECT_TRUE(contains(text, "NumberOfPoints=\"" + std::to_string(points) + '"')) << text;
+  EXPECT_TRUE(contains(text, "NumberOfLines=\"1\"")) << text;
 }
 
 TEST_F(Command_vtp, gives_the_same_bits_as_text_and_as_bytes)

@@ -24,6 +24,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -240,6 +242,48 @@ TEST(Overlay_to_surface_mesh, refuses_a_wrong_number_of_points)
   Mesh more = input;
   more.add_vertex(Point(1, 1, 1));
   EXPECT_THROW(IT::overlay_to_surface_mesh(IT::Common_subdivision(t), more), IT::Invalid_surface_error);
+}
+
+// A chart for each input face, with its own coordinates at each corner: on the diagonals, too, the corners are those of the face.
+TEST(Triangulate_overlay_faces, keeps_the_properties_of_corners_and_faces)
+{
+  const IT::Indexed_triangles sample = IT::helical_tube();
+  const Mesh input = mesh_of(sample);
+  const auto t = IT::intrinsic_Delaunay_triangulation(input).triangulation;
+  Mesh mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input);
+  const Maps maps(mesh);
+  struct Material
+  {
+    std::uint32_t number = 0;
+  };
+  auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv", Kernel::Point_2(9, 9)).first;
+  auto words = mesh.add_property_map<Mesh::Face_index, std::string>("f:word").first;
+  auto materials = mesh.add_property_map<Mesh::Face_index, Material>("f:material").first;
+  const IT::Delta_complex& complex = t.exact_geometry().correspondence().input();
+  for (auto f : mesh.faces()) {
+    words[f] = std::to_string(maps.input_face[f]);
+    materials[f].number = maps.input_face[f];
+    const IT::Halfedge_index first = complex.halfedge(IT::Face_index(maps.input_face[f]));
+    for (auto h : halfedges_around_face(mesh.halfedge(f), mesh)) {
+      const auto [a, b, c] = IT::internal::coordinates_from(complex, maps.input_point[h], first);
+      uv[h] = Kernel::Point_2(2 * maps.input_face[f] + b / (a + b + c), c / (a + b + c));
+    }
+  }
+  const std::size_t number_of_faces = mesh.number_of_faces();
+  EXPECT_THROW(IT::triangulate_overlay_faces(mesh), std::invalid_argument); // what is a Material?
+  EXPECT_EQ(mesh.number_of_faces(), number_of_faces);
+  IT::triangulate_overlay_faces<Material>(mesh);
+  EXPECT_GT(mesh.number_of_faces(), number_of_faces);
+  double sum = 0;
+  for (auto f : mesh.faces()) {
+    EXPECT_EQ(words[f], std::to_string(maps.input_face[f]));
+    EXPECT_EQ(materials[f].number, maps.input_face[f]);
+    const auto h = mesh.halfedge(f);
+    const double image = CGAL::area(uv[h], uv[mesh.next(h)], uv[mesh.prev(h)]);
+    EXPECT_GT(image, -1e-14) << f;
+    sum += image;
+  }
+  EXPECT_NEAR(sum, input.number_of_faces() / 2., 1e-9 * sum);
 }
 
 TEST(Triangulate_overlay_faces, makes_no_triangle_of_zero_area_where_it_can)

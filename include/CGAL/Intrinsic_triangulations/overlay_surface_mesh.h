@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/Carried_properties.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/convex_polygon_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/find_property_map.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
@@ -48,7 +49,7 @@ constexpr std::uint8_t diagonal_label = 3;
 ///
 /// | name | value type | |
 /// | --- | --- | --- |
-/// | `"v:kind"` | `std::uint8_t` | 0 for a vertex of the surface, 1 for a crossing |
+/// | `"v:kind"` | `std::uint8_t` | 0 for a vertex of the input, 1 for a crossing, 2 for an inserted vertex |
 /// | `"e:label"` | `std::uint8_t` | a `Segment_label`: 0 for o, 1 for c, 2 for oc |
 /// | `"f:input_face"` | `std::uint32_t` | the input face that contains the face |
 /// | `"f:intrinsic_face"` | `std::uint32_t` | the intrinsic face that contains it |
@@ -89,6 +90,8 @@ auto overlay_to_surface_mesh(const Common_subdivision& subdivision, const PointR
   auto kind = mesh.template add_property_map<Vertex, std::uint8_t>("v:kind", 0).first;
   for (Overlay::Vertex x : overlay.crossings())
     kind[Vertex(x.idx())] = 1;
+  for (std::uint32_t i = overlay.number_of_input_vertices(); i < overlay.number_of_original_vertices(); ++i)
+    kind[Vertex(i)] = 2;
   auto label = mesh.template add_property_map<Edge, std::uint8_t>("e:label").first;
   for (Overlay::Segment s : overlay.segments())
     label[Edge(s.idx())] = std::uint8_t(overlay.label(s));
@@ -146,11 +149,17 @@ auto overlay_to_surface_mesh(const Common_subdivision& subdivision, const Triang
 ///
 /// The triangulation of a face is the one whose smallest triangle in space is largest. So a
 /// triangle of zero area arises only if it is unavoidable. New edges have the
-/// label `diagonal_label`; new faces and corners have the properties of those that were split.
-/// O(size).
+/// label `diagonal_label`. New faces and corners have all properties of those that were split, yours as well,
+/// such as texture coordinates in a map `"h:uv"`; all other properties of new edges have their default values. O(size).
 ///
+/// \tparam Value the value types of your property maps of halfedges and faces, unless they are numbers,
+///   `bool`, `std::string`, points and vectors of CGAL, `CGAL::IO::Color`, indices of CGAL, `Surface_point`, or
+///   `std::array`s of two to four floats, doubles or 32-bit integers, all of which are known
 /// \param mesh what `overlay_to_surface_mesh()` returns
-template <class Point>
+///
+/// \exception std::invalid_argument if there is a property map of halfedges or faces with another value type; the message names it, and
+///   the mesh is unchanged
+template <class... Value, class Point>
 void triangulate_overlay_faces(CGAL::Surface_mesh<Point>& mesh)
 {
   using Mesh = CGAL::Surface_mesh<Point>;
@@ -158,12 +167,9 @@ void triangulate_overlay_faces(CGAL::Surface_mesh<Point>& mesh)
   using Edge = typename Mesh::Edge_index;
   using Face = typename Mesh::Face_index;
   auto label = internal::find_property_map<Edge, std::uint8_t>(mesh, "e:label");
-  auto input_face = internal::find_property_map<Face, std::uint32_t>(mesh, "f:input_face");
-  auto intrinsic_face = internal::find_property_map<Face, std::uint32_t>(mesh, "f:intrinsic_face");
-  auto input_point = internal::find_property_map<Halfedge, Surface_point>(mesh, "h:input_point");
-  auto intrinsic_point = internal::find_property_map<Halfedge, Surface_point>(mesh, "h:intrinsic_point");
-  CGAL_precondition_msg(label && input_face && intrinsic_face && input_point && intrinsic_point,
-                        "not an overlay mesh");
+  CGAL_precondition_msg(label, "not an overlay mesh");
+  const internal::Carried_properties<Mesh, Halfedge, Value...> corner_properties(mesh, "halfedges");
+  const internal::Carried_properties<Mesh, Face, Value...> face_properties(mesh, "faces");
 
   std::vector<Halfedge> sides; // of a face
   std::vector<std::array<double, 3>> corners;
@@ -183,14 +189,10 @@ void triangulate_overlay_faces(CGAL::Surface_mesh<Point>& mesh)
       CGAL::Euler::split_face(at_a, at_b, mesh);
       const Halfedge to_a = mesh.prev(sides[a + 1]), to_b = mesh.opposite(to_a);
       label[mesh.edge(to_a)] = diagonal_label;
-      input_point[to_a] = input_point[at_a];
-      input_point[to_b] = input_point[at_b];
-      intrinsic_point[to_a] = intrinsic_point[at_a];
-      intrinsic_point[to_b] = intrinsic_point[at_b];
-      for (Halfedge h : {to_a, to_b}) {
-        input_face[mesh.face(h)] = std::uint32_t(input_face[f]);
-        intrinsic_face[mesh.face(h)] = std::uint32_t(intrinsic_face[f]);
-      }
+      corner_properties.copy(at_a, to_a);
+      corner_properties.copy(at_b, to_b);
+      for (Halfedge h : {to_a, to_b})
+        face_properties.copy(f, mesh.face(h));
     });
   }
 }

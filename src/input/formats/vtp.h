@@ -7,6 +7,8 @@
 #ifndef IDT_FORMATS_VTP_H
 #define IDT_FORMATS_VTP_H
 
+#include "input/mesh_file.h"
+
 #include <CGAL/Intrinsic_triangulations/Polygon_soup.h>
 
 #include <array>
@@ -22,24 +24,21 @@ namespace idt {
 // polygons alone
 CGAL::Intrinsic_triangulations::Polygon_soup read_vtp(const std::string& path);
 
-// Polygon i has the corners from ends[i - 1] to before ends[i].
+// Polygon i, or polyline i, has the corners from ends[i - 1] to before ends[i].
 struct Flat_polygons
 {
   std::vector<std::uint32_t> corners;
   std::vector<std::size_t> ends;
 };
 
-// A number, or a vector of two or three, at each point.
-struct Point_values
-{
-  std::string name;
-  std::vector<double> values;
-  std::size_t components = 1;
-};
+// The reader of VTK knows no infinite numbers in text: the largest finite one stands for them.
+std::vector<Named_values> finite(std::vector<Named_values> arrays);
 
-// Writes text, coordinates and values as Float64 with all their digits.
+// Writes text, coordinates as Float64, all numbers with all their digits.
+// \param at_cells values of the lines, and behind them those of the polygons
 void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& points, const Flat_polygons& polygons,
-               const std::vector<Point_values>& at_points = {});
+               const std::vector<Named_values>& at_points = {}, const Flat_polygons& lines = {},
+               const std::vector<Named_values>& at_cells = {});
 
 } // namespace idt
 

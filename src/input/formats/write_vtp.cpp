@@ -5,47 +5,79 @@
 
 #include "system/Long_text.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <string>
 
 namespace idt {
+namespace {
+
+void write_array(std::ostream& os, const Named_values& array)
+{
+  os << "<DataArray type=\"" << array.type << "\" Name=\"" << array.name << '"';
+  if (array.components > 1)
+    os << " NumberOfComponents=\"" << array.components << '"';
+  os << " format=\"ascii\">\n";
+  write_elements(os, array.values.size(), [&array](Long_text& text, std::size_t i) {
+    text << array.values[i] << ((i + 1) % array.components == 0 ? '\n' : ' ');
+  });
+  os << "</DataArray>\n";
+}
+
+// The first of the arrays is what a program shows if it is not told.
+void write_data(std::ostream& os, const std::string& element, const std::vector<Named_values>& arrays)
+{
+  if (arrays.empty())
+    return;
+  os << '<' << element << " Scalars=\"" << arrays.front().name << "\">\n";
+  for (const Named_values& array : arrays)
+    write_array(os, array);
+  os << "</" << element << ">\n";
+}
+
+void write_cells(std::ostream& os, const std::string& element, const Flat_polygons& cells)
+{
+  os << '<' << element << ">\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
+  write_elements(os, cells.ends.size(), [&cells](Long_text& text, std::size_t i) {
+    for (std::size_t c = i == 0 ? 0 : cells.ends[i - 1]; c < cells.ends[i]; ++c)
+      text << cells.corners[c] << (c + 1 == cells.ends[i] ? '\n' : ' ');
+  });
+  os << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
+  write_elements(os, cells.ends.size(), [&cells](Long_text& text, std::size_t i) { text << cells.ends[i] << '\n'; });
+  os << "</DataArray>\n</" << element << ">\n";
+}
+
+} // namespace
+
+std::vector<Named_values> finite(std::vector<Named_values> arrays)
+{
+  for (Named_values& array : arrays)
+    for (double& x : array.values)
+      x = (std::min)(x, (std::numeric_limits<double>::max)());
+  return arrays;
+}
 
 // CGAL's writer is for triangles alone: it announces three corners for each face, whatever there are.
 void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& points, const Flat_polygons& polygons,
-               const std::vector<Point_values>& at_points)
+               const std::vector<Named_values>& at_points, const Flat_polygons& lines, const std::vector<Named_values>& at_cells)
 {
   os << "<?xml version=\"1.0\"?>\n"
         "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
         "<PolyData>\n<Piece NumberOfPoints=\""
-     << points.size() << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\""
-     << polygons.ends.size()
-     << "\">\n";
-  if (!at_points.empty()) {
-    os << "<PointData Scalars=\"" << at_points.front().name << "\">\n";
-    for (const Point_values& at : at_points) {
-      os << "<DataArray type=\"Float64\" Name=\"" << at.name << '"';
-      if (at.components > 1)
-        os << " NumberOfComponents=\"" << at.components << '"';
-      os << " format=\"ascii\">\n";
-      write_elements(os, at.values.size(), [&at](Long_text& text, std::size_t i) {
-        text << at.values[i] << ((i + 1) % at.components == 0 ? '\n' : ' ');
-      });
-      os << "</DataArray>\n";
-    }
-    os << "</PointData>\n";
-  }
+     << points.size() << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << lines.ends.size()
+     << "\" NumberOfStrips=\"0\" NumberOfPolys=\"" << polygons.ends.size() << "\">\n";
+  write_data(os, "PointData", at_points);
+  write_data(os, "CellData", at_cells);
   os << "<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
   write_elements(os, points.size(), [&points](Long_text& text, std::size_t i) {
     text << points[i][0] << ' ' << points[i][1] << ' ' << points[i][2] << '\n';
   });
-  os << "</DataArray>\n</Points>\n<Polys>\n"
-        "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
-  write_elements(os, polygons.ends.size(), [&polygons](Long_text& text, std::size_t f) {
-    for (std::size_t c = f == 0 ? 0 : polygons.ends[f - 1]; c < polygons.ends[f]; ++c)
-      text << polygons.corners[c] << (c + 1 == polygons.ends[f] ? '\n' : ' ');
-  });
-  os << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
-  write_elements(os, polygons.ends.size(), [&polygons](Long_text& text, std::size_t f) { text << polygons.ends[f] << '\n'; });
-  os << "</DataArray>\n</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+  os << "</DataArray>\n</Points>\n";
+  if (!lines.ends.empty())
+    write_cells(os, "Lines", lines);
+  write_cells(os, "Polys", polygons);
+  os << "</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
 } // namespace idt

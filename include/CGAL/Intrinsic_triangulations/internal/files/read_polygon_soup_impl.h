@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_POLYGON_SOUP_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_POLYGON_SOUP_IMPL_H
 
+#include <CGAL/Intrinsic_triangulations/internal/files/conversion_advice.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/formats.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/read_obj_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/read_off_impl.h>
@@ -67,7 +68,7 @@ Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_func
   const std::uintmax_t size = internal::check_file(file_name);
   const Soup_format format = internal::soup_format(file_name);
   if (format == Soup_format::UNKNOWN)
-    internal::refuse_file(file_name, "the name does not end with .off, .obj, .ply, .stl or .ts, which tells the format");
+    internal::refuse_file(file_name, "the name does not end with .off, .obj, .ply, .stl or .ts, which tells the format" + internal::conversion_advice(file_name));
   if (size == 0)
     internal::refuse_file(file_name, "the file is empty");
   if (format != Soup_format::STL)

@@ -51,20 +51,26 @@ public:
       }
   }
 
-  // Calls `cut(a, b)` for each diagonal, a < b; those inside of a chain after its own.
-  template <class Cut>
-  void for_each_diagonal(std::size_t a, std::size_t b, const Cut& cut) const
+  // Calls `visit(a, apex, b)` for each triangle, a < apex < b: first for the one at the side from the last corner to the first, and for
+  // each triangle before those behind its other sides.
+  template <class Visit>
+  void for_each_triangle(const Visit& visit) const
   {
-    if (b < a + 2)
-      return;
-    if (b - a + 1 < size_)
-      cut(a, b);
-    const std::size_t apex = apex_[a * size_ + b];
-    for_each_diagonal(a, apex, cut);
-    for_each_diagonal(apex, b, cut);
+    for_each_triangle(0, size_ - 1, visit);
   }
 
 private:
+  template <class Visit>
+  void for_each_triangle(std::size_t a, std::size_t b, const Visit& visit) const
+  {
+    if (b < a + 2)
+      return;
+    const std::size_t apex = apex_[a * size_ + b];
+    visit(a, apex, b);
+    for_each_triangle(a, apex, visit);
+    for_each_triangle(apex, b, visit);
+  }
+
   // Relative to the first corner, and to the largest distance, lest products over- or underflow.
   static std::vector<Point> relative(const std::vector<Point>& corners)
   {
@@ -110,7 +116,10 @@ template <class Cut>
 void for_each_diagonal(const std::vector<std::array<double, 3>>& corners, const Cut& cut)
 {
   if (corners.size() > 3)
-    Convex_polygon_triangulation(corners).for_each_diagonal(0, corners.size() - 1, cut);
+    Convex_polygon_triangulation(corners).for_each_triangle([&](std::size_t a, std::size_t, std::size_t b) {
+      if (b - a + 1 < corners.size())
+        cut(a, b);
+    });
 }
 
 } // namespace internal

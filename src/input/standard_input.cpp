@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input/standard_input.h"
+
+#include "system/Interruption.h"
+#include "system/temporary_folder.h"
+
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace idt {
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+class Standard_input
+{
+public:
+  Standard_input() : unfinished_([this] { folder_ = make_temporary_folder(); }, [this] { remove(); })
+  {
+    try {
+      const std::string path = folder_ + "/content";
+      std::ofstream content(path, std::ios::binary);
+      const std::string begin = copy_to(content);
+      name_ = folder_ + "/standard-input" + extension(begin);
+      content.close();
+      if (folder_.empty() || !content || std::rename(path.c_str(), name_.c_str()) != 0)
+        refuse();
+    } catch (...) {
+      remove();
+      throw;
+    }
+  }
+  Standard_input(const Standard_input&) = delete;
+  Standard_input& operator=(const Standard_input&) = delete;
+  ~Standard_input() { remove(); }
+
+  const std::string& name() const { return name_; }
+
+private:
+  void remove() const
+  {
+    std::error_code error;
+    if (!folder_.empty())
+      std::filesystem::remove_all(folder_, error);
+  }
+
+  [[noreturn]] static void refuse()
+  {
+    IT::internal::refuse_file("-", std::string("the standard input cannot be stored in a temporary file: ") + std::strerror(errno));
+  }
+
+  // Waits so that an interruption ends the waiting. Returns what comes first.
+  static std::string copy_to(std::ostream& content)
+  {
+    std::string begin, block(std::size_t(1) << 20, '\0');
+    for (;;) {
+      if (is_interrupted())
+        throw IT::Cancelled_error("-: cancelled while it was read");
+      struct pollfd input = {STDIN_FILENO, POLLIN, 0};
+      if (::poll(&input, 1, 200) <= 0)
+        continue;
+      const ::ssize_t size = ::read(STDIN_FILENO, &block[0], block.size());
+      if (size == 0)
+        return begin;
+      if (size < 0 && errno != EINTR)
+        IT::internal::refuse_file("-", std::string("the standard input cannot be read: ") + std::strerror(errno));
+      if (size < 0)
+        continue;
+      if (begin.size() < 4096)
+        begin.append(block, 0, std::size_t(size));
+      if (!content.write(block.data(), size))
+        refuse();
+    }
+  }
+
+  // That of a text is told by its first word that is no comment; binary STL alone has none.
+  static std::string extension(const std::string& begin)
+  {
+    if (begin.empty())
+      IT::internal::refuse_file("-", "the standard input is empty");
+    std::istringstream text(begin);
+    std::string word;
+    while (text >> word && word[0] == '#')
+      std::getline(text, word);
+    if (word == "ply")
+      return ".ply";
+    if (word == "INTRINSIC_GLUING")
+      return ".gluing";
+    if (word == "GOCAD")
+      return ".ts";
+    if (word.compare(0, 5, "<?xml") == 0 || word.compare(0, 8, "<VTKFile") == 0)
+      return ".vtp";
+    // Also as COFF, or in front of a number.
+    if (word.substr(0, 8).find("OFF") != std::string::npos || word == "off")
+      return ".off";
+    for (const char* element : {"v", "vt", "vn", "vp", "f", "l", "o", "g", "s", "mtllib", "usemtl"})
+      if (word == element)
+        return ".obj";
+    const bool is_solid = word.size() >= 5 && (word.compare(0, 5, "solid") == 0 || word.compare(0, 5, "SOLID") == 0);
+    if (is_solid || begin.find('\0') != std::string::npos)
+      return ".stl";
+    IT::internal::refuse_file("-", "the format of the standard input is not recognized: write it to a file, whose name tells the format");
+  }
+
+  std::string folder_, name_;
+  Unfinished unfinished_;
+};
+
+std::string& name_of_input()
+{
+  static std::string name;
+  return name;
+}
+
+} // namespace
+
+std::string readable_file(const std::string& path)
+{
+  if (path != "-")
+    return path;
+  static const Standard_input input;
+  name_of_input() = input.name();
+  return input.name();
+}
+
+std::string with_shown_names(std::string message)
+{
+  const std::string& name = name_of_input();
+  if (!name.empty())
+    for (std::size_t at = message.find(name); at != std::string::npos; at = message.find(name, at))
+      message.replace(at, name.size(), "-");
+  return message;
+}
+
+} // namespace idt
