@@ -30,15 +30,6 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-Surface_input read(const std::string& path)
-{
-  Progress progress(path, "reading");
-  return read_surface(path, [&progress](double fraction) {
-    progress.show("reading", fraction);
-    return !is_interrupted();
-  });
-}
-
 // \exception Invalid_surface_error with what is wrong, and the option that would help
 [[noreturn]] void refuse(const IT::Surface_report& report, const std::string& path, bool is_repaired)
 {
@@ -56,7 +47,8 @@ Surface_input read(const std::string& path)
 void load_mesh(Surface& surface, bool is_repaired)
 {
   Stopwatch stopwatch;
-  Surface_input input = read(surface.path);
+  Surface_input input = read_and_warn(surface.path);
+  surface.notes = input.warnings;
   surface.read_seconds = stopwatch.restart();
   if (is_repaired) {
     surface.repair = repair(input);

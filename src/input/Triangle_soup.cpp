@@ -4,8 +4,6 @@
 #include "input/Triangle_soup.h"
 
 #include "input/read_surface.h"
-#include "system/Interruption.h"
-#include "system/Progress.h"
 
 #include <CGAL/Intrinsic_triangulations/internal/validation/triangulate_polygon.h>
 
@@ -39,11 +37,7 @@ void add_polygon(const Surface_input& input, std::size_t face, Triangle_soup& so
 
 Triangle_soup read_triangle_soup(const std::string& path)
 {
-  Progress progress(path, "reading");
-  Surface_input input = read_surface(path, [&progress](double fraction) {
-    progress.show("reading", fraction);
-    return !is_interrupted();
-  });
+  Surface_input input = read_and_warn(path);
   Triangle_soup soup;
   soup.number_of_faces = input.number_of_faces();
   if (input.is_triangulated()) {

@@ -8,11 +8,14 @@
 #endif
 #include "input/mesh_file.h"
 #include "input/standard_input.h"
+#include "system/Interruption.h"
+#include "system/Progress.h"
 
 #include <CGAL/Intrinsic_triangulations/internal/files/conversion_advice.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 #include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
 
+#include <iostream>
 #include <utility>
 
 namespace idt {
@@ -59,6 +62,21 @@ Surface_input read_surface(const std::string& path, const IT::Progress_function&
   IT::internal::check_file(file);
   check_name(file);
   return {read(file, progress), path};
+}
+
+Surface_input read_and_warn(const std::string& path)
+{
+  Surface_input input;
+  {
+    Progress progress(path, "reading");
+    input = read_surface(path, [&progress](double fraction) {
+      progress.show("reading", fraction);
+      return !is_interrupted();
+    });
+  }
+  for (const std::string& warning : input.warnings)
+    std::cerr << "idt: " << path << ": warning: " << warning << std::endl;
+  return input;
 }
 
 IT::Surface_report examine(const Surface_input& input)

@@ -30,6 +30,10 @@ struct Surface_input : CGAL::Intrinsic_triangulations::Polygon_soup
 Surface_input read_surface(const std::string& path,
                            const CGAL::Intrinsic_triangulations::Progress_function& progress = {});
 
+// The same with progress on the terminal; what is unusual about the file goes to the standard error.
+// \exception Cancelled_error if an interruption ends the reading
+Surface_input read_and_warn(const std::string& path);
+
 // Examines what was read.
 // \return the report of CGAL::Intrinsic_triangulations::examine_polygons()
 // Complexity: linear

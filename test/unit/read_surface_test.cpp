@@ -262,10 +262,12 @@ TEST_F(Read_surface, forms_of_binary_ply)
       content += little(v);
     content += 'f';
   }
-  input = idt::read_surface(write("mixed.ply", content + "what follows is ignored"));
+  input = idt::read_surface(write("mixed.ply", content));
   EXPECT_EQ(input.points, points);
   EXPECT_EQ(input.corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 0, 1}));
   EXPECT_EQ(input.first_corner, (std::vector<std::size_t>{0, 3, 7, 7}));
+  EXPECT_EQ(idt::read_surface(write("mixed.ply", content + std::string("\n\0", 2))).warnings.size(), 1u);
+  refused("mixed.ply", content + "what follows", "from byte " + std::to_string(content.size()) + " on there are 12 bytes behind the elements that the header announces (3 vertex, 2 edge, 3 face)");
   refused("mixed.ply", content.substr(0, content.size() - 1), "element face 2: the file ends within flag");
   refused("mixed.ply", content.substr(0, content.size() - 8), "element face 2: the file ends within quality");
 
@@ -292,7 +294,7 @@ TEST_F(Read_surface, all_formats_can_be_watched_and_stopped)
     points += place;
     obj += "v " + place;
     ts += "VRTX " + std::to_string(i) + " " + place;
-    stl += "vertex " + place; // in no facet, and so without a meaning
+    stl += "# " + place;
     append(binary, std::array<double, 3>{{double(i), 0, 0}});
   }
   binary += '\3';
@@ -412,7 +414,9 @@ TEST_F(Read_surface, broken_off)
           "line 4 (vertex 1): the coordinate \"1e400\" is too large", Defect::OUT_OF_RANGE);
   refused("a.off", head + "0 0 0\n1 0,5 0\n0 1 0\n3 0 1 2\n", "line 4 (vertex 1): \"0,5\" is not a number");
   refused("a.off", head + "0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "line 4 (vertex 1): there are 2 numbers where 3 are needed");
-  refused("a.off", "OFF\n7 1 0\n" + points + "3 0 1 2\n4 0 1 2 2\n", "the file ends after 5 of 7 vertices");
+  refused("a.off", "OFF\n7 1 0\n" + points + "3 0 1 2\n4 0 1 2 2\n",
+          "line 6 (vertex 3): there are 4 numbers where the vertices before have 3; the header announces 7 vertices and 1 faces on line 2");
+  refused("a.off", "OFF\n7 1 0\n" + points + "3 0 1\n4 0 1\n", "the file ends after 5 of 7 vertices");
   refused("a.off", "CNOFF\n3 1 0\n" + points + "3 0 1 2\n",
           "line 3 (vertex 0): there are 3 numbers where 6 are needed");
   refused("a.off", "4OFF\n3 1 0\n0 0 0 1\n1 0 0 0\n0 1 0 1\n3 0 1 2\n",
@@ -466,7 +470,7 @@ TEST_F(Read_surface, broken_ply)
   refused("a.ply", "ply\nformat ascii 1.0\nend_header\n", "the file has no element vertex", Defect::EMPTY);
   refused("a.ply", header("half", "uchar int"), "line 4 of the header: \"property half x\" has a type");
   refused("a.ply", header("int", "uchar int"), "the vertices have no coordinate x of type float or double");
-  refused("a.ply", header("float", "uchar ushort"), "has the type ushort, only int and uint are read");
+  refused("a.ply", header("float", "uchar float"), "has the type float, which is none of integers");
   refused("a.ply", header("double", "uchar int") + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
           "line 11, element vertex 1: the coordinate \"nan\" is not finite", Defect::NOT_FINITE);
   refused("a.ply", header("double", "uchar int") + points + "3 0 x 2\n",

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -39,6 +40,8 @@ struct Polygon_soup
   std::vector<std::uint32_t> corners;                  ///< those of all faces if not all are triangles; empty otherwise
   /// face `i` has the corners from `first_corner[i]` to before `first_corner[i + 1]`; empty if all faces are triangles
   std::vector<std::size_t> first_corner;
+  /// what is unusual about the file though it can be read, a sentence for each
+  std::vector<std::string> warnings;
 
   /// returns whether all faces are triangles.
   bool is_triangulated() const { return first_corner.empty(); }

@@ -29,7 +29,8 @@ namespace Intrinsic_triangulations {
 /// capitals, tells the format.
 ///
 /// Nothing is merged, turned or left out. But STL has no vertices, only corners: those at the same position become one
-/// vertex. Colors, normals and textures are skipped, and in OBJ whatever is no vertex and no face.
+/// vertex. Colors, normals and textures are skipped, and in OBJ whatever is no vertex and no face. Anything else that is not
+/// understood, missing or left over is an error, or a warning in the result if the meaning is plain.
 ///
 /// Each coordinate becomes the nearest double; in PLY files with properties `float`, the nearest float.
 ///

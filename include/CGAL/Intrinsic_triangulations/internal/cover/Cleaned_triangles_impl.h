@@ -52,15 +52,14 @@ public:
 private:
   static bool repeats_a_corner(const Index_triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
+  // Those that no face names as well: the constructors of triangulations do not take them either.
   void check_points() const
   {
-    for (std::size_t f = 0; f < result_.triangles.size(); ++f)
-      for (std::uint32_t v : result_.triangles[f])
-        for (double x : points_[v])
-          if (!std::isfinite(x))
-            throw Invalid_surface_error(Invalid_surface_error::Defect::NOT_FINITE, v, 1,
-                                        "vertex " + std::to_string(v) + " of face " + std::to_string(f) +
-                                          " has a coordinate that is not finite");
+    for (std::size_t v = 0; v < points_.size(); ++v)
+      for (double x : points_[v])
+        if (!std::isfinite(x))
+          throw Invalid_surface_error(Invalid_surface_error::Defect::NOT_FINITE, v, 1,
+                                      "vertex " + std::to_string(v) + " has a coordinate that is not finite");
   }
 
   // Returns how many there were.

@@ -29,9 +29,11 @@ class File_blocks
 public:
   // \param size the size of the file, not 0
   // \param begin the first byte that is wanted
-  File_blocks(const std::string& path, std::uintmax_t size, std::uintmax_t begin, const Progress_function& progress)
+  // \param line_end what ends a line
+  File_blocks(const std::string& path, std::uintmax_t size, std::uintmax_t begin, const Progress_function& progress,
+              const char line_end = '\n')
     : path_(path), size_(size), begin_(begin), taken_(begin), progress_(progress),
-      buffer_(size_of_piece)
+      buffer_(size_of_piece), line_end_(line_end)
   {
     file_.pubsetbuf(nullptr, 0); // reads go where they are wanted
     file_.open(path, std::ios::in | std::ios::binary);
@@ -45,11 +47,12 @@ public:
   const char* last = nullptr;
 
   std::size_t available() const { return static_cast<std::size_t>(last - first); }
+  // The place of `first` in the file.
+  std::uintmax_t offset() const { return taken_ - static_cast<std::uintmax_t>(end_ - first); }
   // How many bytes there are from `first` to the end of the file.
   std::uintmax_t left() const
   {
-    const std::uintmax_t gone = taken_ - static_cast<std::uintmax_t>(end_ - first);
-    return size_ - (std::min)(size_, gone);
+    return size_ - (std::min)(size_, offset());
   }
 
   // Makes available the rest of the last piece and the next one; false if there is none.
@@ -80,7 +83,7 @@ public:
   // The same for a text: nothing is available but whole lines, or whole words if they are shorter.
   bool take_lines()
   {
-    return take_up_to([](char c) { return c == '\n'; });
+    return take_up_to([this](char c) { return c == line_end_; });
   }
   bool take_words() { return take_up_to(is_white); }
 
@@ -90,7 +93,7 @@ public:
     if (first == last && !take_lines())
       return false;
     begin = first;
-    const void* const found = std::memchr(first, '\n', available());
+    const void* const found = std::memchr(first, line_end_, available());
     end = found == nullptr ? last : static_cast<const char*>(found);
     first = found == nullptr ? last : end + 1;
     return true;
@@ -155,6 +158,7 @@ private:
   std::uintmax_t size_, begin_, taken_;
   const Progress_function& progress_;
   std::vector<char> buffer_;
+  const char line_end_;
   const char* end_ = nullptr; // of what was taken, which may be behind `last`
   std::filebuf file_;
   bool is_at_end_ = false;

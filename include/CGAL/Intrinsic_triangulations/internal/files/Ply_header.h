@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -34,6 +35,7 @@ struct Ply_element
 
   bool is_vertex() const { return name == "vertex" || name == "vertices"; }
   bool is_face() const { return name == "face" || name == "faces"; }
+  bool is_strips() const { return name == "tristrips"; }
   // The first property of that name, null if there is none.
   const Ply_property* find(const std::string& property_name) const
   {
@@ -42,7 +44,7 @@ struct Ply_element
         return &property;
     return nullptr;
   }
-  // The corners of a face.
+  // The corners of a face, or of strips.
   const Ply_property* find_corners() const
   {
     const Ply_property* const property = find("vertex_indices");
@@ -78,57 +80,75 @@ struct Ply_header
   std::size_t bytes = 0, lines = 0;
 };
 
-inline Ply_header read_ply_header(const std::string& path)
+inline Ply_header read_ply_header(const std::string& path, const Text_encoding& encoding)
 {
   std::ifstream in(path, std::ios::binary);
+  in.seekg(static_cast<std::streamoff>(encoding.begin));
   Ply_header header;
   std::string line, &format = header.format;
   std::vector<Ply_element>& elements = header.elements;
   bool is_ended = false;
-  for (std::size_t& number = header.lines = 1; !is_ended && std::getline(in, line); ++number) {
+  for (std::size_t& number = header.lines = 1; !is_ended && std::getline(in, line, encoding.line_end); ++number) {
     const std::string where = "line " + std::to_string(number) + " of the header: ";
+    const auto refuse_unless = [&](const bool is_good, const char* const text) {
+      if (!is_good)
+        refuse_file(path, where + quote(line) + text);
+    };
     std::istringstream words(line.substr(0, 1000));
-    std::string keyword;
-    words >> keyword;
+    // Keywords and names in small letters, whatever they are in.
+    const auto word = [&words] {
+      std::string result;
+      words >> result;
+      for (char& c : result)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+      return result;
+    };
+    const std::string keyword = word();
     if (number == 1) {
       if (keyword != "ply")
         refuse_file(path, "the file begins with " + quote(line) + " where ply is expected");
-    } else if (number == 2) {
-      words >> format;
-      if (keyword != "format" || (format != "ascii" && format != "binary_little_endian" &&
-                                  format != "binary_big_endian"))
-        refuse_file(path, where + quote(line) + " is not a format (ascii, binary_little_endian or binary_big_endian)");
+    } else if (keyword == "comment" || keyword == "obj_info" || keyword.empty())
+      continue;
+    else if (keyword == "format" || format.empty()) {
+      const bool is_first = format.empty();
+      format = word();
+      refuse_unless(is_first && keyword == "format" && (format == "ascii" || format == "binary_little_endian" || format == "binary_big_endian"),
+                    " is not a format (ascii, binary_little_endian or binary_big_endian)");
+      word(); // the version, of which there is one
     } else if (keyword == "element") {
       Ply_element element;
-      std::string count;
-      words >> element.name >> count;
+      element.name = word();
       long long value = 0;
-      if (!read_integer(count, value) || value < 0)
-        refuse_file(path, where + quote(line) + " has no number of elements");
+      refuse_unless(read_integer(word(), value) && value >= 0, " has no number of elements");
       element.count = static_cast<std::size_t>(value);
+      for (const Ply_element& other : elements)
+        refuse_unless(other.name != element.name, " names an element for the second time");
       elements.push_back(element);
     } else if (keyword == "property") {
       Ply_property property;
-      words >> property.type;
-      if (property.type == "list")
-        words >> property.size_type >> property.type;
-      words >> property.name;
+      property.type = word();
+      if (property.type == "list") {
+        property.size_type = word();
+        property.type = word();
+      }
+      property.name = word();
       if (elements.empty())
         refuse_file(path, where + "a property comes before any element");
-      if (property.name.empty() || ply_type_size(property.type) == 0 ||
-          (!property.size_type.empty() &&
-           (ply_type_size(property.size_type) == 0 || is_real(property.size_type))))
-        refuse_file(path, where + quote(line) + " has a type that is not known");
+      refuse_unless(!property.name.empty() && ply_type_size(property.type) != 0 &&
+                      (property.size_type.empty() || (ply_type_size(property.size_type) != 0 && !is_real(property.size_type))),
+                    " has a type that is not known");
+      refuse_unless(elements.back().find(property.name) == nullptr, " names a property for the second time");
       elements.back().properties.push_back(property);
-    } else if (keyword == "end_header")
+    } else {
+      refuse_unless(keyword == "end_header", " is not understood");
       is_ended = true;
-    else if (keyword != "comment" && keyword != "obj_info")
-      refuse_file(path, where + quote(line) + " is not understood");
+    }
+    refuse_unless(word().empty(), " has a word too many");
   }
   if (!is_ended)
     refuse_file(path, "the header has no end (no line end_header)");
-  const std::streamoff told = in.tellg();
-  header.bytes = told < 0 ? load_file(path).size() : static_cast<std::size_t>(told); // nothing follows the header
+  const std::streamoff told = in.tellg(); // -1 if nothing follows
+  header.bytes = static_cast<std::size_t>(told < 0 ? std::streamoff(std::filesystem::file_size(path)) : told);
   return header;
 }
 
@@ -138,20 +158,20 @@ inline void check_types(const std::string& path, const std::vector<Ply_element>&
   bool has_vertices = false, has_faces = false;
   for (const Ply_element& element : elements) {
     has_vertices = has_vertices || element.is_vertex();
-    has_faces = has_faces || element.is_face();
+    has_faces = has_faces || element.is_face() || element.is_strips();
     if (element.is_vertex())
       for (const char* const name : {"x", "y", "z"}) {
         const Ply_property* const property = element.find(name);
         if (property == nullptr || !property->size_type.empty() || !is_real(property->type))
-          refuse_file(path, std::string("the vertices have no coordinate ") + name + " of type float or double");
+          refuse_file(path, std::string("by the header the vertices have no coordinate ") + name + " of type float or double");
       }
-    if (element.is_face()) {
+    if (element.is_face() || element.is_strips()) {
       const Ply_property* const property = element.find_corners();
       if (property == nullptr || property->size_type.empty())
-        refuse_file(path, "the faces have no list vertex_indices or vertex_index");
-      if (ply_type_size(property->type) != 4 || is_real(property->type))
-        refuse_file(path, "the list " + property->name + " of the faces has the type " + property->type +
-                            ", only int and uint are read");
+        refuse_file(path, "by the header the elements " + element.name + " have no list vertex_indices or vertex_index");
+      if (is_real(property->type))
+        refuse_file(path, "by the header the list " + property->name + " of the elements " + element.name + " has the type " + property->type +
+                            ", which is none of integers");
     }
   }
   if (!has_vertices || !has_faces)

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OBJ_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OBJ_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/internal/files/File_blocks.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/Text_lines.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/formats.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/reserve.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
@@ -29,8 +29,7 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Whether a line may begin with a word that is neither `v` nor `f`, and may go on behind a backslash: what is there is valid, and is
-// no vertex and no face.
+// Whether a line may begin with a word that is neither `v` nor `f`: what is there is valid, and is no vertex and no face.
 inline bool is_other_obj_keyword(const std::string_view word)
 {
   static constexpr std::string_view keywords[] = {
@@ -44,7 +43,7 @@ inline bool is_other_obj_keyword(const std::string_view word)
     "call", "csh",
     // those that were superseded
     "bsp", "bzp", "cdc", "cdp", "res"};
-  return std::find(std::begin(keywords), std::end(keywords), word) != std::end(keywords);
+  return std::any_of(std::begin(keywords), std::end(keywords), [word](std::string_view keyword) { return is_keyword(word, keyword); });
 }
 
 class Obj_reader
@@ -54,11 +53,14 @@ public:
 
   void read(const std::uintmax_t size, const Progress_function& progress)
   {
-    File_blocks file(path_, size, 0, progress);
+    Text_lines lines(path_, size, progress);
     reserve(soup_, size / 64, size / 32); // a guess: the usual file has fewer
-    for (const char *p = nullptr, *last = nullptr; file.take_line(p, last);) {
-      ++number_;
-      take_line(p, last);
+    while (lines.next_line()) {
+      number_ = lines.number();
+      if (const char* const end = end_before_backslash(lines.p, lines.last); end == lines.last)
+        take_line(lines.p, end);
+      else
+        take_continued_line(std::string(lines.p, end), lines);
     }
     const std::size_t vertices = soup_.points.size();
     // Faces may come before their vertices: whether all are there is known at the end.
@@ -83,30 +85,51 @@ public:
 private:
   static constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
 
+  // Before the backslash at the end of a line, or where the line ends if there is none.
+  static const char* end_before_backslash(const char* const first, const char* const last)
+  {
+    const char* end = last;
+    while (end != first && is_white(end[-1]))
+      --end;
+    return end != first && end[-1] == '\\' ? end - 1 : last;
+  }
+
+  // A line that goes on is one with the next, also if it is a comment. But a path may end with a backslash, too: vertices and
+  // faces do not disappear behind one.
+  void take_continued_line(std::string text, Text_lines& lines)
+  {
+    for (bool goes_on = true; goes_on && lines.next_line();) {
+      if (is_vertex_or_face(lines.p, lines.last))
+        refuse_file(path_, "line " + std::to_string(lines.number()) + ": " + quote(lines.rest()) +
+                             " belongs to the line before, which ends with a backslash: put a blank line between them, or write them in one");
+      const char* const end = end_before_backslash(lines.p, lines.last);
+      goes_on = end != lines.last;
+      text.append(1, ' ').append(lines.p, end);
+    }
+    take_line(text.data(), text.data() + text.size());
+  }
+
+  static bool is_vertex_or_face(const char* p, const char* const last)
+  {
+    p = skip_white(p, last);
+    return last - p > 1 && is_white(p[1]) && (*p == 'v' || *p == 'V' || *p == 'f' || *p == 'F');
+  }
+
   void take_line(const char* const first, const char* const last)
   {
     const char* p = skip_white(first, last);
-    if (p == last) {
-      is_continued_ = false;
+    if (p == last || *p == '#')
       return;
-    }
-    if (!is_continued_) {
-      if (*p == '#')
-        return;
-      const char* const end = skip_word(p, last);
-      if (end - p == 1 && *p == 'v')
-        return take_vertex(end, last);
-      if (end - p == 1 && *p == 'f')
-        return take_face(end, last);
-      if (!is_other_obj_keyword(std::string_view(p, static_cast<std::size_t>(end - p))))
-        refuse_line(first, last);
-    }
-    const char* end = last;
-    while (end[-1] == '\r')
-      --end;
-    is_continued_ = end[-1] == '\\';
+    const char* const end = skip_word(p, last);
+    if (end - p == 1 && (*p == 'v' || *p == 'V'))
+      take_vertex(end, last);
+    else if (end - p == 1 && (*p == 'f' || *p == 'F'))
+      take_face(end, last);
+    else if (!is_other_obj_keyword(std::string_view(p, static_cast<std::size_t>(end - p))))
+      refuse_line(first, last);
   }
 
+  // Three coordinates, and perhaps a weight and a color.
   void take_vertex(const char* p, const char* const last)
   {
     std::array<double, 3> point;
@@ -119,6 +142,14 @@ private:
                     Defect::UNREADABLE, soup_.points.size());
       const char* const end = std::find(p, skip_word(p, last), '#');
       point[i] = check_coordinate(path_, std::string(p, end), where("vertex", soup_.points.size()), soup_.points.size());
+      p = end;
+    }
+    p = skip_white(p, last);
+    for (std::size_t others = 0; p != last && *p != '#'; p = skip_white(p, last)) {
+      const char* const end = std::find(p, skip_word(p, last), '#');
+      if (const std::string word(p, end); ++others > 5 || !is_number(word))
+        refuse_file(path_, where("vertex", soup_.points.size()) + ": " + quote(word) + " is behind the coordinates, where only a weight and a color may be",
+                    Defect::UNREADABLE, soup_.points.size());
       p = end;
     }
     soup_.points.push_back(point);
@@ -206,9 +237,6 @@ private:
     const std::size_t face = soup_.number_of_faces();
     const std::string begin = where("face", face) + ": " + quote(word);
     long long index = 0;
-    if (word == "\\")
-      refuse_file(path_, begin + ": lines that go on behind a backslash are not read, write the face in one line",
-                  Defect::UNREADABLE, face);
     const std::string corner = word.substr(0, word.find('/'));
     const std::size_t sign = !corner.empty() && (corner[0] == '+' || corner[0] == '-') ? 1 : 0;
     if (corner.size() > sign && corner.find_first_not_of("0123456789", sign) == std::string::npos &&
@@ -239,7 +267,6 @@ private:
   std::string path_;
   Polygon_soup& soup_;
   std::size_t number_ = 0;             // of the line, counted from 1
-  bool is_continued_ = false;          // the last line was of another kind, and goes on
   std::vector<std::uint32_t> corners_; // of a face
   std::size_t greatest_index_ = 0;
   std::size_t limit_ = no_limit; // faces with greater indices are counted

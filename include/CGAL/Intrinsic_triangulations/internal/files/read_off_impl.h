@@ -3,12 +3,12 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// OFF: a header, then lines of vertices and lines of faces.
+// OFF: a header, then vertices and faces.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OFF_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OFF_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/internal/files/File_blocks.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/Text_lines.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/formats.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/reserve.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
@@ -19,271 +19,266 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-struct Off_header
-{
-  bool is_plain;       // no normals, colors, textures or fourth coordinate
-  bool is_homogeneous; // a fourth coordinate, by which the three are divided
-  std::size_t numbers_per_vertex;
-  std::size_t vertices;
-  std::size_t faces;
-};
-
-// Reads the header, and compares it with the size of the file.
-inline Off_header read_off_header(const std::string& path, Scanner& scanner, const std::uintmax_t file_size)
-{
-  const std::string first = scanner.word();
-  if (first.empty())
-    refuse_file(path, "there is nothing but white space and comments in the file");
-  std::string keyword = first;
-  std::size_t numbers = 3;
-  std::size_t homogeneous = 0, pairs = 0, normals = 0;
-  if (keyword.compare(0, 2, "ST") == 0) {
-    keyword.erase(0, 2);
-    pairs = 1;
-  }
-  if (keyword.compare(0, 1, "C") == 0)
-    keyword.erase(0, 1);
-  if (keyword.compare(0, 1, "N") == 0) {
-    keyword.erase(0, 1);
-    normals = 1;
-  }
-  if (keyword.compare(0, 1, "4") == 0) {
-    keyword.erase(0, 1);
-    homogeneous = 1;
-  }
-  if (keyword != "OFF")
-    refuse_file(path, "line " + std::to_string(scanner.line()) + ": the file begins with " + quote(first) +
-                        " where OFF is expected");
-  numbers += homogeneous + normals * (3 + homogeneous) + pairs * (2 + homogeneous);
-
-  long long sizes[3]; // vertices, faces, edges
-  static const char* const names[3] = {"vertices", "faces", "edges"};
-  for (int i = 0; i < 3; ++i) {
-    const std::string word = scanner.word();
-    if (i == 0 && word == "BINARY")
-      refuse_file(path, "binary OFF is not read: write the file as text, or as PLY");
-    if (word.empty())
-      refuse_file(path, std::string("the file ends before the number of ") + names[i]);
-    if (!read_integer(word, sizes[i]) || sizes[i] < 0)
-      refuse_file(path, "line " + std::to_string(scanner.line()) + ": " + quote(word) + " is not a number of " +
-                          names[i] + " (the header is OFF, then the numbers of vertices, faces and edges)");
-  }
-  // A vertex takes at least "0 0 0" and a line end, a face at least "0" and one.
-  const std::uintmax_t vertices = static_cast<std::uintmax_t>(sizes[0]);
-  const std::uintmax_t faces = static_cast<std::uintmax_t>(sizes[1]);
-  if (vertices > file_size / 6 + 1 || faces > file_size / 2 + 1)
-    refuse_file(path, "the header announces " + std::to_string(vertices) + " vertices and " + std::to_string(faces) +
-                        " faces, more than fit into the " + std::to_string(file_size) + " bytes of the file");
-  return Off_header{first == "OFF", homogeneous == 1, numbers, static_cast<std::size_t>(vertices),
-                    static_cast<std::size_t>(faces)};
-}
-
-// Goes through a text line by line and refuses the first line that is not as it should be; returns if there is none.
-// To say what is wrong takes longer than to see it.
-inline void diagnose_off(const std::string& path, const std::string& text)
-{
-  Scanner scanner(text);
-  const Off_header header = read_off_header(path, scanner, text.size());
-  // As in CGAL, vertices may begin on the line of the header, unless they have more than coordinates.
-  if (!header.is_plain)
-    scanner.skip_line();
-  if (header.faces == 0)
-    refuse_file(path, "there is no face (" + std::to_string(header.vertices) + " vertices)", Defect::EMPTY);
-  for (std::size_t v = 0; v < header.vertices; ++v) {
-    if (!scanner.skip_to_word())
-      refuse_file(path,
-                  "the file ends after " + std::to_string(v) + " of " + std::to_string(header.vertices) +
-                    " vertices",
-                  Defect::UNREADABLE, v);
-    for (std::size_t i = 0; i < header.numbers_per_vertex; ++i) {
-      const std::string word = scanner.word_on_line();
-      if (word.empty())
-        refuse_file(path,
-                    place(scanner, "vertex", v) + ": there are " + std::to_string(i) + " numbers where " +
-                      std::to_string(header.numbers_per_vertex) + " are needed",
-                    Defect::UNREADABLE, v);
-      const double number = check_coordinate(path, word, place(scanner, "vertex", v), v);
-      if (i == 3 && header.is_homogeneous && number == 0)
-        refuse_file(path, place(scanner, "vertex", v) + ": the fourth coordinate is zero", Defect::NOT_FINITE, v);
-    }
-    scanner.skip_line();
-  }
-  // Bad indices are counted to the end of the file, anything else ends the count.
-  std::string first_bad_index;
-  std::size_t first_bad_face = 0, bad_faces = 0;
-  for (std::size_t f = 0; f < header.faces; ++f) {
-    std::string trouble;
-    long long size = 0;
-    if (!scanner.skip_to_word())
-      trouble = "the file ends after " + std::to_string(f) + " of " + std::to_string(header.faces) + " faces";
-    else {
-      const std::string word = scanner.word_on_line();
-      if (is_beyond_integers(word))
-        trouble = place(scanner, "face", f) + ": no face has " + quote(word) + " corners";
-      else if (!read_integer(word, size) || size < 0)
-        trouble = place(scanner, "face", f) + ": " + quote(word) + " is not a number of corners";
-    }
-    bool is_bad = false;
-    for (long long i = 0; i < size && trouble.empty(); ++i) {
-      const std::string word = scanner.word_on_line();
-      long long index = 0;
-      if (word.empty())
-        trouble = place(scanner, "face", f) + ": there are " + std::to_string(i) + " vertices where " +
-                  std::to_string(size) + " are announced";
-      else if (const bool is_beyond = is_beyond_integers(word); !is_beyond && !read_integer(word, index))
-        trouble = place(scanner, "face", f) + ": " + quote(word) + " is not the index of a vertex";
-      else if (is_beyond || index < 0 || index >= static_cast<long long>(header.vertices)) {
-        is_bad = true;
-        if (first_bad_index.empty()) {
-          first_bad_face = f;
-          first_bad_index = place(scanner, "face", f) + ": the face names vertex " +
-                            (word.size() > 30 ? quote(word) : word) + ", but there are " +
-                            std::to_string(header.vertices) + " vertices (counted from 0)";
-        }
-      }
-    }
-    bad_faces += is_bad;
-    if (!trouble.empty() && bad_faces == 0)
-      refuse_file(path, trouble, Defect::UNREADABLE, f);
-    if (!trouble.empty())
-      break;
-    scanner.skip_line();
-  }
-  if (bad_faces > 1)
-    first_bad_index += ", and " + std::to_string(bad_faces - 1) +
-                       (bad_faces == 2 ? " more face like it" : " more faces like it");
-  if (bad_faces != 0)
-    refuse_file(path, first_bad_index, Defect::BAD_INDEX, first_bad_face, bad_faces);
-}
-
-// Vertices and faces are a line each; what follows the numbers that count, a color for example, is skipped.
+// A vertex is a line. A face may go on over several lines if nothing follows it on the last of them. Up to four numbers behind an
+// element are its color.
 class Off_reader
 {
 public:
-  Off_reader(const std::string& path, const Off_header& header, Polygon_soup& soup)
-    : header_(header), soup_(soup), path_(path)
+  Off_reader(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
+    : path_(path), size_(size), soup_(soup), lines_(path, size, progress)
   {
   }
 
-  // \param number the line on which the header ends
-  // \param most_triangles that the file has room for
-  void read(File_blocks& file, std::size_t number, const std::uintmax_t most_triangles)
+  void read()
   {
-    reserve(soup_, header_.vertices, (std::min<std::uintmax_t>)(header_.faces, most_triangles));
-    bool is_skipped = !header_.is_plain;
-    for (const char *p = nullptr, *last = nullptr; !is_complete() && file.take_line(p, last); ++number) {
-      p = skip_white(p, last);
-      if (!is_skipped && p != last && *p != '#' &&
-          !(soup_.points.size() < header_.vertices ? take_vertex(p, last) : take_face(p, last)))
-        refuse_line(number);
-      is_skipped = false;
-    }
-    if (!is_complete())
-      refuse_line(number);
+    read_header();
+    reserve(soup_, vertices_, (std::min<std::uintmax_t>)(faces_, size_ / 8 + 1));
+    for (std::size_t v = 0; v < vertices_; ++v)
+      take_vertex(v);
+    for (std::size_t f = 0; f < faces_; ++f)
+      take_face(f);
+    if (bad_faces_ > 0)
+      refuse_bad_index();
+    if (lines_.find_word())
+      refuse_file(path_, place(lines_.number(), "face", faces_) + ": " + quote(lines_.rest()) + " is behind the last face; " + announced() + hint(),
+                  Defect::UNREADABLE, faces_);
   }
 
 private:
-  bool is_complete() const
+  // [ST][C][N][4][n]OFF, and the numbers of vertices, faces and edges, the first of which may be in the same word.
+  void read_header()
   {
-    return soup_.points.size() == header_.vertices && soup_.number_of_faces() == header_.faces;
+    if (!lines_.find_word())
+      refuse_file(path_, "there is nothing but white space and comments in the file");
+    const std::string first(lines_.take_word());
+    std::string_view keyword = first;
+    const auto take = [&keyword](const std::string_view prefix) {
+      const bool is_there = is_keyword(keyword.substr(0, prefix.size()), prefix);
+      keyword.remove_prefix(is_there ? prefix.size() : 0);
+      return is_there;
+    };
+    const bool has_textures = take("st");
+    has_colors_ = take("c");
+    const bool has_normals = keyword.substr(0, 4) != "nOFF" && take("n");
+    is_homogeneous_ = take("4");
+    const bool has_dimension = keyword.substr(0, 4) == "nOFF" && take("n");
+    if (!take("off") || !(keyword.empty() || is_digit(keyword[0])))
+      refuse_file(path_, "line " + std::to_string(lines_.number()) + ": the file begins with " + quote(first) +
+                           " where OFF is expected");
+    numbers_per_vertex_ = 3 + is_homogeneous_ + has_normals * (3 + is_homogeneous_) + has_textures * (2 + is_homogeneous_);
+    std::string word(keyword);
+    if (has_dimension) {
+      take_count_word(word, "coordinates");
+      if (word != "3")
+        refuse_file(path_, "line " + std::to_string(lines_.number()) + ": points of " + quote(word) +
+                             " coordinates are not read, only of 3");
+      word.clear();
+    }
+    const std::uintmax_t vertices = take_count_word(word, "vertices");
+    word.clear();
+    const std::uintmax_t faces = take_count_word(word, "faces");
+    header_line_ = lines_.number();
+    word.clear();
+    take_count_word(word, "edges");
+    if (lines_.number() > header_line_ && lines_.find_word_on_line())
+      refuse_file(path_, "line " + std::to_string(header_line_) + ": the number of edges is missing behind those of " +
+                           std::to_string(vertices) + " vertices and " + std::to_string(faces) + " faces: write 0");
+    // A vertex takes at least "0 0 0" and a line end, a face at least "0" and one.
+    if (vertices > size_ / 6 + 1 || faces > size_ / 2 + 1)
+      refuse_file(path_, "the header announces " + std::to_string(vertices) + " vertices and " + std::to_string(faces) +
+                           " faces, more than fit into the " + std::to_string(size_) + " bytes of the file");
+    vertices_ = static_cast<std::size_t>(vertices);
+    faces_ = static_cast<std::size_t>(faces);
   }
 
-  [[noreturn]] void refuse_line(const std::size_t number) const
+  // \param word empty if it is still to come
+  std::uintmax_t take_count_word(std::string& word, const std::string& name)
   {
-    diagnose_off(path_, load_file(path_));
-    refuse_file(path_, "line " + std::to_string(number) + " cannot be read");
+    if (word.empty() && !lines_.find_word())
+      refuse_file(path_, "the file ends before the number of " + name);
+    if (word.empty())
+      word = lines_.take_word();
+    if (is_keyword(word, "binary"))
+      refuse_file(path_, "binary OFF is not read: write the file as text, or as PLY");
+    long long number = 0;
+    if (!read_integer(word, number) || number < 0)
+      refuse_file(path_, "line " + std::to_string(lines_.number()) + ": " + quote(word) + " is not a number of " + name +
+                           " (the header is OFF, then the numbers of vertices, faces and edges; 0 stands for any number of edges)");
+    return static_cast<std::uintmax_t>(number);
   }
 
-  static bool take_number(const char*& p, const char* const last, double& number)
+  void take_vertex(const std::size_t v)
   {
-    p = skip_white(p, last);
-    if (take_real(p, last, number))
-      return true;
-    const char* const end = std::find(p, skip_word(p, last), '#');
-    if (!read_coordinate(std::string(p, end), number))
-      return false;
-    p = end;
-    return true;
-  }
-
-  bool take_vertex(const char* p, const char* const last)
-  {
+    if (!lines_.find_word())
+      refuse_file(path_, "the file ends after " + std::to_string(v) + " of " + std::to_string(vertices_) + " vertices",
+                  Defect::UNREADABLE, v);
+    const auto where = [&] { return place(lines_.number(), "vertex", v); };
     std::array<double, 3> point;
-    for (double& coordinate : point)
-      if (!take_number(p, last, coordinate))
-        return false;
-    if (!header_.is_plain) {
-      double number = 0;
-      for (std::size_t i = 3; i < header_.numbers_per_vertex; ++i) {
-        if (!take_number(p, last, number))
-          return false;
-        if (i > 3 || !header_.is_homogeneous)
-          continue;
+    for (std::size_t i = 0; i < numbers_per_vertex_; ++i) {
+      if (!lines_.find_word_on_line())
+        refuse_file(path_, where() + ": there are " + std::to_string(i) + " numbers where " + std::to_string(numbers_per_vertex_) + " are needed",
+                    Defect::UNREADABLE, v);
+      double number;
+      if (!take_real(lines_.p, lines_.last, number))
+        number = check_coordinate(path_, std::string(lines_.take_word()), where(), v);
+      if (i < 3)
+        point[i] = number;
+      else if (i == 3 && is_homogeneous_) {
         if (number == 0)
-          return false;
+          refuse_file(path_, where() + ": the fourth coordinate is zero", Defect::NOT_FINITE, v);
         for (double& coordinate : point)
           coordinate /= number;
       }
     }
     soup_.points.push_back(point);
-    return true;
+    const std::size_t colors = take_colors("vertex", v);
+    if (v == 0)
+      colors_ = colors;
+    else if (colors != colors_ && !has_colors_)
+      refuse_file(path_, where() + ": there are " + std::to_string(numbers_per_vertex_ + colors) + " numbers where the vertices before have " + std::to_string(numbers_per_vertex_ + colors_) + "; " + announced(),
+                  Defect::UNREADABLE, v);
   }
 
-  bool take_face(const char* p, const char* const last)
+  // How many numbers there are on the rest of the line.
+  std::size_t take_colors(const char* const kind, const std::size_t element)
   {
+    std::size_t count = 0;
+    for (; lines_.find_word_on_line(); ++count)
+      if (const std::string word(lines_.take_word()); count == 4 || !is_number(word))
+        refuse_file(path_, place(lines_.number(), kind, element) + ": " + quote(word) + " is behind the numbers of the " + kind + ", where only a color may be" + hint(),
+                    Defect::UNREADABLE, element);
+    return count;
+  }
+
+  void take_face(const std::size_t f)
+  {
+    if (!lines_.find_word())
+      refuse_face(f, "the file ends after " + std::to_string(f) + " of " + std::to_string(faces_) + " faces" + hint());
+    const std::size_t line = lines_.number();
+    const auto where = [&] { return place(line, "face", f); };
     std::uint32_t size = 0;
-    if (!take_index(p, last, size) || size > static_cast<std::size_t>(last - p))
-      return false;
+    if (std::string word; !take_index(size, word)) {
+      long long number = 0;
+      if (is_beyond_integers(word) || (read_integer(word, number) && number > (std::numeric_limits<std::uint32_t>::max)()))
+        refuse_face(f, where() + ": no face has " + quote(word) + " corners");
+      if (!read_integer(word, number) || number < 0)
+        refuse_face(f, where() + ": " + quote(word) + " is not a number of corners" + (f == 0 ? "; " + announced() : ""));
+      size = static_cast<std::uint32_t>(number);
+    }
     corners_.clear();
-    for (std::uint32_t index = 0; size > 0; --size) {
-      p = skip_white(p, last);
-      if (!take_index(p, last, index) || index >= header_.vertices)
-        return false;
+    std::size_t on_first_line = 0;
+    std::string bad_word;
+    const auto refuse_size = [&] {
+      refuse_face(f, where() + ": there are " + std::to_string(on_first_line) + " vertices where " + std::to_string(size) +
+                       " are announced");
+    };
+    for (std::uint32_t i = 0, index = 0; i < size; ++i) {
+      if (!lines_.find_word_on_line()) {
+        if (lines_.number() == line)
+          on_first_line = i;
+        if (!lines_.find_word())
+          refuse_size();
+      }
+      if (std::string word; !take_index(index, word)) {
+        long long number = 0;
+        if (!is_beyond_integers(word) && !read_integer(word, number))
+          refuse_face(f, where() + ": " + quote(word) + " is not the index of a vertex");
+        index = number < 0 || number >= none || is_beyond_integers(word) ? none : static_cast<std::uint32_t>(number);
+        if (index >= vertices_ && bad_word.empty())
+          bad_word = word.size() > 30 ? quote(word) : word;
+      } else if (index >= vertices_ && bad_word.empty())
+        bad_word = std::to_string(index);
       corners_.push_back(index);
     }
-    soup_.add_face(corners_.data(), corners_.data() + corners_.size());
-    return true;
-  }
-
-  static bool take_index(const char*& p, const char* const last, std::uint32_t& number)
-  {
-    if (!take_count(p, last, number)) {
-      const char* const end = std::find(p, skip_word(p, last), '#');
-      long long value = 0;
-      if (!read_integer(std::string(p, end), value) || value < 0 || value > (std::numeric_limits<std::uint32_t>::max)())
-        return false;
-      number = static_cast<std::uint32_t>(value);
-      p = end;
+    if (lines_.number() > line) {
+      if (lines_.find_word_on_line())
+        refuse_size();
+      if (first_long_face_.empty())
+        first_long_face_ = where() + ", whose " + std::to_string(size) + " corners go on over " +
+                           std::to_string(lines_.number() - line + 1) + " lines";
+    } else if (const std::size_t colors = take_colors("face", f); size < 3 && first_small_face_.empty())
+      first_small_face_ = where() + ", which has " + std::to_string(size) + " corners and " + std::to_string(colors) +
+                          " numbers behind them";
+    if (!bad_word.empty() && bad_faces_++ == 0) {
+      first_bad_face_ = f;
+      first_bad_index_ = where() + ": the face names vertex " + bad_word + ", but there are " + std::to_string(vertices_) +
+                         " vertices (counted from 0)";
     }
-    return p == last || is_white(*p) || *p == '#';
+    soup_.add_face(corners_.data(), corners_.data() + corners_.size());
   }
 
-  Off_header header_;
-  Polygon_soup& soup_;
+  // Takes most numbers, or the word for a closer look.
+  bool take_index(std::uint32_t& number, std::string& word)
+  {
+    const char* const begin = lines_.p;
+    if (take_count(lines_.p, lines_.last, number) && (lines_.p == lines_.last || is_white(*lines_.p) || *lines_.p == '#'))
+      return true;
+    lines_.p = begin;
+    word = lines_.take_word();
+    return false;
+  }
+
+  // Of a file in which indices are wrong they are what is said.
+  [[noreturn]] void refuse_face(const std::size_t face, const std::string& text) const
+  {
+    if (bad_faces_ > 0)
+      refuse_bad_index();
+    refuse_file(path_, text, Defect::UNREADABLE, face);
+  }
+
+  [[noreturn]] void refuse_bad_index() const
+  {
+    std::string text = first_bad_index_;
+    if (bad_faces_ > 1)
+      text += ", and " + std::to_string(bad_faces_ - 1) + (bad_faces_ == 2 ? " more face like it" : " more faces like it");
+    std::uint32_t least = none, greatest = 0;
+    for (std::size_t f = 0; f < soup_.number_of_faces(); ++f)
+      for (const std::uint32_t v : soup_.polygon(f)) {
+        least = (std::min)(least, v);
+        greatest = (std::max)(greatest, v);
+      }
+    if (least == 1 && greatest == vertices_)
+      text += ". No face names vertex 0: the indices seem to count from 1, subtract 1 from each";
+    refuse_file(path_, text, Defect::BAD_INDEX, first_bad_face_, bad_faces_);
+  }
+
+  std::string announced() const
+  {
+    return "the header announces " + std::to_string(vertices_) + " vertices and " + std::to_string(faces_) + " faces on line " +
+           std::to_string(header_line_);
+  }
+  // Where the mistake may be if the numbers of elements are wrong.
+  std::string hint() const
+  {
+    return !first_small_face_.empty()  ? "; look at " + first_small_face_
+           : !first_long_face_.empty() ? "; look at " + first_long_face_
+                                       : std::string();
+  }
+
+  static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+
   std::string path_;
+  std::uintmax_t size_;
+  Polygon_soup& soup_;
+  Text_lines lines_;
+  bool has_colors_ = false, is_homogeneous_ = false;
+  std::size_t numbers_per_vertex_ = 3, vertices_ = 0, faces_ = 0, header_line_ = 0, colors_ = 0;
   std::vector<std::uint32_t> corners_; // of a face
+  std::size_t bad_faces_ = 0, first_bad_face_ = 0;
+  std::string first_bad_index_, first_small_face_, first_long_face_;
 };
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void read_off(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
 {
-  std::string head = load_file(path, 1 << 16);
-  int words = 0;
-  for (Scanner probe(head); words < 5 && !probe.word().empty();)
-    ++words;
-  // A header longer than the first part of the file is one of long comments.
-  if (words < 5 && head.size() < size)
-    head = load_file(path);
-  Scanner scanner(head);
-  const Off_header header = read_off_header(path, scanner, size);
-  File_blocks file(path, size, head.size() - scanner.remaining(), progress);
-  Off_reader(path, header, soup).read(file, scanner.line(), size / 8 + 1);
+  Off_reader(path, size, progress, soup).read();
 }
 
 } // namespace internal

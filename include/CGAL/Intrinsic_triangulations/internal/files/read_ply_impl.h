@@ -61,7 +61,7 @@ struct Ply_layout
     for (std::size_t i = 0; i < 3; ++i)
       if (element.is_vertex() && element.find(names[i]) == &property)
         role = static_cast<Role>(i);
-    if (element.is_face() && element.find_corners() == &property)
+    if ((element.is_face() || element.is_strips()) && element.find_corners() == &property)
       role = CORNERS;
   }
 
@@ -91,6 +91,29 @@ inline void reserve_ply(const Ply_element& element, const std::uintmax_t bytes, 
     reserve(soup.triangles, (std::min<std::uintmax_t>)(element.count, bytes / 8 + 1));
 }
 
+// Appends the triangles of strips, which end at -1. Every second triangle is turned. Two equal corners make none: they turn the next.
+inline void add_strips(const std::string& path, const std::string& where, const std::vector<std::uint32_t>& corners, Polygon_soup& soup)
+{
+  std::size_t turns = 0, length = 0;
+  for (std::size_t i = 0; i <= corners.size(); ++i) {
+    if (i == corners.size() || corners[i] == (std::numeric_limits<std::uint32_t>::max)()) {
+      if (length == 1 || length == 2)
+        refuse_file(path, where + ": a strip of triangles ends after " + std::to_string(length) + " vertices, before entry " + std::to_string(i) + " of the list");
+      length = 0;
+      continue;
+    }
+    if (++length < 3)
+      continue;
+    const std::array<std::uint32_t, 3> triangle = {corners[i - 2 + (length + 1) % 2], corners[i - 2 + length % 2], corners[i]};
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
+      ++turns;
+    else
+      soup.add_face(triangle.data(), triangle.data() + 3);
+  }
+  if (turns > 0)
+    soup.warnings.push_back(where + ": the strips of triangles turn " + std::to_string(turns) + " times at a vertex that comes twice, which is no triangle");
+}
+
 template <bool is_big_endian>
 class Ply_binary_reader
 {
@@ -110,12 +133,13 @@ public:
       if (element.is_vertex() && !has_lists)
         done = take_vertices(element, layout);
       for (; done < element.count; ++done) {
-        if (layout.size() == 1 && layout[0].size_of_count == 1 && layout[0].role == Ply_layout::CORNERS)
-          done += take_triangles(element.count - done);
+        if (layout.size() == 1 && layout[0].size_of_count == 1 && element.is_face())
+          done += take_triangles(layout[0], element.count - done);
         if (done < element.count)
           take_element(element, layout, done);
       }
     }
+    check_end();
   }
 
 private:
@@ -139,6 +163,38 @@ private:
   static double load_real(const char* const p, const std::size_t size)
   {
     return size == 8 ? load<double>(p) : static_cast<double>(load<float>(p));
+  }
+
+  // An index of any type; -1 if it is negative.
+  static std::uint32_t load_index(const char* const p, const Ply_layout& l)
+  {
+    const bool is_signed = l.range.least < 0;
+    return l.size == 1   ? (is_signed ? static_cast<std::uint32_t>(load<std::int8_t>(p)) : load<std::uint8_t>(p))
+           : l.size == 2 ? (is_signed ? static_cast<std::uint32_t>(load<std::int16_t>(p)) : load<std::uint16_t>(p))
+                         : load<std::uint32_t>(p);
+  }
+
+  // Bytes behind the elements are faces or vertices that the header does not know, unless there is nothing in them.
+  void check_end()
+  {
+    const std::uintmax_t begin = file_.offset();
+    std::uintmax_t count = 0;
+    bool is_empty = true;
+    while (file_.require(1)) {
+      is_empty = is_empty && std::all_of(file_.first, file_.last, [](char c) { return c == 0 || is_white(c); });
+      count += file_.available();
+      file_.first = file_.last;
+    }
+    if (count == 0)
+      return;
+    std::string announced;
+    for (const Ply_element& element : header_.elements)
+      announced += (announced.empty() ? "" : ", ") + std::to_string(element.count) + " " + element.name;
+    const std::string text = "from byte " + std::to_string(begin) + " on there are " + std::to_string(count) +
+                             " bytes behind the elements that the header announces (" + announced + ")";
+    if (!is_empty)
+      refuse_file(path_, text);
+    soup_.warnings.push_back(text + ", which are zeros or blanks");
   }
 
   // Each has the same number of bytes. Returns how many there are before the end of the file.
@@ -177,16 +233,23 @@ private:
   }
 
   // Faces of nothing but a byte and three indices, as many as come one after the other. Returns their number.
-  std::size_t take_triangles(const std::size_t at_most)
+  std::size_t take_triangles(const Ply_layout& l, const std::size_t at_most)
   {
-    constexpr std::size_t stride = 13;
+    return l.size == 4                         ? take_triangles_of<std::uint32_t>(at_most)
+           : l.size == 2 && l.range.least == 0 ? take_triangles_of<std::uint16_t>(at_most)
+                                               : 0;
+  }
+  template <class Index>
+  std::size_t take_triangles_of(const std::size_t at_most)
+  {
+    constexpr std::size_t stride = 1 + 3 * sizeof(Index);
     std::size_t done = 0;
     while (done < at_most && soup_.is_triangulated() && file_.require(stride)) {
       const std::size_t n = (std::min)(at_most - done, file_.available() / stride);
       const char* p = file_.first;
       std::size_t i = 0;
       for (; i < n && *p == 3; ++i, p += stride)
-        soup_.triangles.push_back({load<std::uint32_t>(p + 1), load<std::uint32_t>(p + 5), load<std::uint32_t>(p + 9)});
+        soup_.triangles.push_back({load<Index>(p + 1), load<Index>(p + 1 + sizeof(Index)), load<Index>(p + 1 + 2 * sizeof(Index))});
       file_.first = p;
       done += i;
       if (i < n)
@@ -228,8 +291,11 @@ private:
       if (l.role == Ply_layout::CORNERS) {
         corners_.clear();
         for (std::size_t i = 0; i < count; ++i)
-          corners_.push_back(load<std::uint32_t>(file_.first + 4 * i));
-        soup_.add_face(corners_.data(), corners_.data() + corners_.size());
+          corners_.push_back(load_index(file_.first + l.size * i, l));
+        if (element.is_face())
+          soup_.add_face(corners_.data(), corners_.data() + corners_.size());
+        else
+          add_strips(path_, "element " + element.name + " " + std::to_string(index), corners_, soup_);
       } else
         point[l.role] = load_real(file_.first, l.size);
       file_.first += bytes;
@@ -245,27 +311,56 @@ private:
   std::vector<std::uint32_t> corners_; // of a face
 };
 
-// Words in the order of the elements and their properties; lines do not count.
+// Words in the order of the elements and their properties. An element is a line, or goes on over several; or everything is in one line.
 class Ply_text_reader
 {
 public:
-  Ply_text_reader(const std::string& path, const Ply_header& header, Polygon_soup& soup, File_blocks& file)
-    : path_(path), header_(header), soup_(soup), file_(file), number_(header.lines), most_entries_(file.left() / 2 + 1)
+  Ply_text_reader(const std::string& path, const Ply_header& header, Polygon_soup& soup, File_blocks& file, const char line_end)
+    : path_(path), header_(header), soup_(soup), file_(file), line_end_(line_end), number_(header.lines), most_entries_(file.left() / 2 + 1)
   {
   }
 
   void read()
   {
+    std::size_t end = 0; // the line on which the element before ends
     for (const Ply_element& element : header_.elements) {
       element_ = &element;
       reserve_ply(element, file_.left(), soup_);
       const std::vector<Ply_layout> layout = Ply_layout::of(element);
-      for (index_ = 0; index_ < element.count; ++index_)
+      for (index_ = 0; index_ < element.count; ++index_) {
+        if (!find_word())
+          refuse_end();
+        if (begin_ == 0)
+          first_ = number_;
+        if (number_ == end && surplus_.empty())
+          surplus_ = line_of_two();
+        if (number_ == end && number_ != first_)
+          refuse_file(path_, surplus_, Defect::UNREADABLE, index_);
+        begin_ = number_;
         take_element(layout);
+        end = number_;
+      }
     }
+    if (find_word())
+      refuse_file(path_, surplus_.empty() || number_ == end ? "line " + std::to_string(number_) + ": " + quote(take_word()) + " is behind the " + so_far() + " that the header announces"
+                                                            : surplus_);
   }
 
 private:
+  // What is wrong if the line ends within the elements that begin on it, which is a row of too many numbers or too few.
+  std::string line_of_two()
+  {
+    const char* const word = file_.first;
+    const bool is_first = index_ == 0;
+    const Ply_element& before = is_first ? *(element_ - 1) : *element_;
+    std::string names;
+    for (const Ply_property& property : before.properties)
+      names += (names.empty() ? "" : ", ") + property.name;
+    return "line " + std::to_string(begin_) + ", element " + before.name + " " + std::to_string(is_first ? before.count - 1 : index_ - 1) +
+           (begin_ == number_ ? std::string() : ", which goes on over line " + std::to_string(number_)) + ": " +
+           quote(std::string(word, skip_word(word, file_.last))) + " is behind the numbers that the header names (" + names + ")";
+  }
+
   void take_element(const std::vector<Ply_layout>& layout)
   {
     std::array<double, 3> point{};
@@ -290,25 +385,48 @@ private:
           corners_.push_back(static_cast<std::uint32_t>(take_integer(l.range, property.type, [&] { return property.name; })));
         else
           take_value(l, property);
-      if (l.role == Ply_layout::CORNERS)
+      if (l.role != Ply_layout::CORNERS)
+        continue;
+      if (element_->is_face())
         soup_.add_face(corners_.data(), corners_.data() + corners_.size());
+      else
+        add_strips(path_, where(), corners_, soup_);
     }
     if (element_->is_vertex())
       soup_.points.push_back(point);
   }
 
-  // Goes to the next word.
-  void find_word()
+  // Goes to the next word; false at the end of the file.
+  bool find_word()
   {
     for (;;) {
       for (; file_.first != file_.last && is_white(*file_.first); ++file_.first)
-        number_ += *file_.first == '\n';
-      if (file_.first != file_.last)
-        return;
+        if (*file_.first == line_end_) {
+          ++number_;
+          if (!surplus_.empty())
+            is_line_over_ = true;
+        }
+      if (file_.first != file_.last) {
+        if (is_line_over_)
+          refuse_file(path_, surplus_, Defect::UNREADABLE, index_);
+        return true;
+      }
       if (!file_.take_words())
-        refuse_file(path_, "the file ends too early, after " + std::to_string(soup_.points.size()) + " vertices and " +
-                             std::to_string(soup_.number_of_faces()) + " faces");
+        return false;
     }
+  }
+  void require_word()
+  {
+    if (!find_word())
+      refuse_end();
+  }
+  [[noreturn]] void refuse_end() const
+  {
+    refuse_file(path_, surplus_.empty() ? "the file ends too early, after " + so_far() : surplus_);
+  }
+  std::string so_far() const
+  {
+    return std::to_string(soup_.points.size()) + " vertices and " + std::to_string(soup_.number_of_faces()) + " faces";
   }
   // Goes over that word.
   std::string take_word()
@@ -322,7 +440,7 @@ private:
   {
     if (!l.is_real)
       return static_cast<double>(take_integer(l.range, property.type, [&] { return property.name; }));
-    find_word();
+    require_word();
     const char* p = file_.first;
     double number = 0;
     if (l.size == 8) {
@@ -348,7 +466,7 @@ private:
   template <class What>
   long long take_integer(const Ply_layout::Range& range, const std::string& type, const What& what)
   {
-    find_word();
+    require_word();
     const char* p = file_.first;
     long long number = 0;
     const std::from_chars_result result = std::from_chars(p, file_.last, number);
@@ -374,22 +492,37 @@ private:
   const Ply_header& header_;
   Polygon_soup& soup_;
   File_blocks& file_;
-  std::size_t number_; // of the line, counted from 1
+  const char line_end_;
+  std::size_t number_;                // of the line, counted from 1
+  std::size_t first_ = 0, begin_ = 0; // the lines on which the first element begins, and this one
+  std::string surplus_;               // what is wrong with the line if there is another behind it
+  bool is_line_over_ = false;
   std::uintmax_t most_entries_;
   const Ply_element* element_ = nullptr;
   std::size_t index_ = 0;              // of the element among those of its kind
   std::vector<std::uint32_t> corners_; // of a face
 };
 
+// The first line tells how the lines of the header end: what follows may be no text.
+inline Text_encoding find_ply_encoding(const std::string& path)
+{
+  Text_encoding result = find_encoding(path);
+  const std::string head = load_file(path, 1000);
+  const std::size_t end = head.find_first_of("\r\n");
+  result.line_end = end != std::string::npos && head[end] == '\r' && head.compare(end, 2, "\r\n") != 0 ? '\r' : '\n';
+  return result;
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void read_ply(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
 {
-  const Ply_header header = read_ply_header(path);
+  const Text_encoding encoding = find_ply_encoding(path);
+  const Ply_header header = read_ply_header(path, encoding);
   check_types(path, header.elements);
   check_counts(path, header, size);
-  File_blocks file(path, size, header.bytes, progress);
+  File_blocks file(path, size, header.bytes, progress, encoding.line_end);
   if (header.format == "ascii")
-    Ply_text_reader(path, header, soup, file).read();
+    Ply_text_reader(path, header, soup, file, encoding.line_end).read();
   else if (header.format == "binary_little_endian")
     Ply_binary_reader<false>(path, header, soup, file).read();
   else

@@ -71,8 +71,6 @@ Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_func
     internal::refuse_file(file_name, "the name does not end with .off, .obj, .ply, .stl or .ts, which tells the format" + internal::conversion_advice(file_name));
   if (size == 0)
     internal::refuse_file(file_name, "the file is empty");
-  if (format != Soup_format::STL)
-    internal::check_encoding(file_name);
   Polygon_soup soup;
   try {
     switch (format) {

@@ -29,79 +29,23 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-inline bool is_text_stl(const std::string& text)
+// Text begins with the word solid, and has no bytes that only binary files have: their headers may begin with any word.
+inline bool is_text_stl(const std::string& head)
 {
-  const std::size_t begin = text.find_first_not_of(" \t\n\v\f\r");
-  return begin != std::string::npos && text.compare(begin, 5, "solid") == 0 && begin + 5 < text.size() &&
-         (text[begin + 5] == ' ' || text[begin + 5] == '\n' || text[begin + 5] == '\r');
+  const std::size_t mark = head.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
+  const char *const end = head.data() + head.size(), *const word = skip_white(head.data() + mark, end);
+  return is_keyword(std::string_view(word, static_cast<std::size_t>(skip_word(word, end) - word)), "solid") &&
+         std::all_of(word, end, [](char c) { return is_white(c) || !(c >= 0 && c < ' '); });
 }
 
-// Goes through a text word by word and refuses the first facet that is not as
-// it should be; returns if there is none, or if the file is not text.
-inline void diagnose_stl(const std::string& path, const std::string& text)
+[[noreturn]] inline void refuse_neither(const std::string& path, const std::string& head, const std::string& trouble)
 {
-  if (!is_text_stl(text))
-    return;
-  Scanner scanner(text);
-  std::size_t facet = 0, corners = 0;
-  bool is_in_facet = false, is_ended = false;
-  for (std::string word = scanner.word(); !word.empty(); word = scanner.word()) {
-    is_ended = is_ended || word == "endsolid";
-    if (word == "facet") {
-      is_in_facet = true;
-      corners = 0;
-    } else if (word == "endfacet" || (word == "vertex" && corners == 3)) {
-      if (word == "vertex" || corners != 3)
-        refuse_file(path, place(scanner, "facet", facet) + ": the facet does not have three vertices",
-                    Defect::NOT_A_TRIANGLE, facet);
-      is_in_facet = false;
-      ++facet;
-    } else if (word == "vertex" && is_in_facet) {
-      ++corners;
-      for (int i = 0; i < 3; ++i) {
-        const std::string coordinate = scanner.word_on_line();
-        if (coordinate.empty())
-          refuse_file(path,
-                      place(scanner, "facet", facet) + ": a vertex has " + std::to_string(i) +
-                        " numbers where 3 are needed",
-                      Defect::UNREADABLE, facet);
-        check_coordinate(path, coordinate, place(scanner, "facet", facet), facet);
-      }
-    }
-  }
-  if (is_in_facet || !is_ended)
-    refuse_file(path,
-                "the file ends " + std::string(is_in_facet ? "within" : "after") + " facet " +
-                  std::to_string(facet - (is_in_facet || facet == 0 ? 0 : 1)) + ", without a line endsolid",
-                Defect::UNREADABLE, facet);
-}
-
-// Binary files may begin with the word of a text.
-inline bool is_binary_stl(const std::string& head, const std::uint32_t facets, const std::uintmax_t file_size)
-{
-  const std::uintmax_t size = 84 + std::uintmax_t(50) * facets;
-  if (head.size() < 84 || file_size < size)
-    return false;
-  return !is_text_stl(head) || file_size == size ||
-         std::any_of(head.begin() + 80, head.begin() + 84, [](char c) { return (c < ' ' && !is_white(c)) || c > '~'; });
-}
-
-[[noreturn]] inline void refuse_neither(const std::string& path, const std::string& head, const std::uint32_t facets,
-                                        const std::uintmax_t file_size)
-{
-  std::string begin = head.substr((std::min)(head.find_first_not_of(" \t\n\v\f\r"), head.size()), 6);
-  std::transform(begin.begin(), begin.end(), begin.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  if (begin.compare(0, 3, "\xef\xbb\xbf") == 0)
-    refuse_file(path, "the file begins with a byte order mark: save it as UTF-8 without one");
-  if (begin.compare(0, 5, "solid") == 0)
-    refuse_file(path, "the file begins with " + quote(head.substr(head.find_first_not_of(" \t\n\v\f\r"), 6)) +
-                        ": text STL begins with solid, in small letters and with a blank or the end of the line behind it");
-  refuse_file(path, "neither text STL (the first word is not solid) nor binary STL (" +
-                      (head.size() < 84 ? std::string("shorter than the header of 84 bytes")
-                                        : "the header announces " + std::to_string(facets) + " facets, the file has room for " +
-                                            std::to_string((file_size - 84) / 50)) +
-                      ")");
+  find_encoding(path); // of a text
+  const char *const end = head.data() + head.size(), *const word = skip_white(head.data(), end);
+  const std::string first(word, skip_word(word, end));
+  refuse_file(path, is_keyword(first, "solid")
+                      ? "the file begins as text STL does, but has bytes that are in no text; nor is it binary STL (" + trouble + ")"
+                      : "neither text STL (the first word is " + quote(first) + " and not solid) nor binary STL (" + trouble + ")");
 }
 
 // Corners at the same position are one vertex: positions in a hash table.
@@ -161,6 +105,9 @@ private:
   Large_vector<std::uint32_t> table_; // its size is a power of two
 };
 
+// solid [name] { facet [normal x y z] [outer loop] 3 vertex x y z [endloop] endfacet } endsolid [name]
+//
+// Line ends count behind solid and endsolid alone, whose names end there, and behind color, which some programs add, and #.
 class Stl_text_reader
 {
 public:
@@ -168,93 +115,225 @@ public:
 
   void read(const std::uintmax_t size, const Progress_function& progress)
   {
-    File_blocks file(path_, size, 0, progress);
+    const Text_encoding encoding = find_encoding(path_);
+    const char line_end = encoding.line_end;
+    File_blocks file(path_, size, encoding.begin, progress);
     reserve(soup_, size / 256, size / 128); // a guess: the usual file has fewer
-    // The word that makes it a text is of no other use.
-    bool is_first = true;
     while (file.take_words())
-      for (file.first = skip_white(file.first, file.last); file.first != file.last;
-           file.first = skip_white(file.first, file.last)) {
-        const char* p = file.first;
-        if (left_coordinates_ > 0)
-          take_coordinate(p, file.last);
+      for (;;) {
+        for (; file.first != file.last && is_white(*file.first); ++file.first)
+          number_ += *file.first == line_end;
+        if (file.first == file.last)
+          break;
+        if (coordinates_ < 3)
+          take_coordinate(file.first, file.last);
         else {
-          p = skip_word(p, file.last);
-          if (!is_first)
-            take_word(std::string_view(file.first, static_cast<std::size_t>(p - file.first)));
-          is_first = false;
+          const char* const begin = file.first;
+          file.first = skip_word(begin, file.last);
+          take_word(std::string_view(begin, static_cast<std::size_t>(file.first - begin)));
         }
-        file.first = p;
       }
-    if (is_in_facet_ || is_in_solid_ || !is_ended_)
-      refuse();
+    if (state_ != SOLID && state_ != OUTSIDE)
+      refuse_file(path_, "the file ends within facet " + std::to_string(facet()) + ", without a line endsolid", Defect::UNREADABLE, facet());
+    if (soup_.triangles.empty())
+      refuse_file(path_, "there is no facet in the file", Defect::EMPTY);
+    if (state_ == SOLID)
+      soup_.warnings.push_back("the file ends without a line endsolid, behind facet " + std::to_string(facet() - 1) +
+                               ": it may have been cut off");
   }
 
 private:
+  enum State {
+    OUTSIDE, // of all solids
+    SOLID,   // before a facet
+    FACET,   // behind that word, or its normal
+    CORNERS,
+    LOOP // before the end of a facet
+  };
+
   void take_word(const std::string_view word)
   {
-    if (is_in_facet_) {
-      if (word == "vertex" && number_of_corners_ < 3)
-        left_coordinates_ = 3;
-      else if (word == "endfacet" && number_of_corners_ == 3) {
-        soup_.triangles.push_back(triangle_);
-        is_in_facet_ = false;
-      } else if (word == "vertex" || word == "endfacet")
-        refuse();
-    } else if (word == "facet") {
-      is_in_facet_ = true;
-      number_of_corners_ = 0;
-    } else if (word == "solid") {
-      if (is_in_solid_)
-        refuse();
-      is_in_solid_ = true;
-    } else if (word == "endsolid") {
-      is_in_solid_ = false;
-      is_ended_ = true;
+    if (number_ == line_of_rest_)
+      return take_rest(word);
+    if (state_ == CORNERS && number_of_corners_ < 3 && prefix_.empty() && word == "vertex") { // most lines
+      coordinates_ = 0;
+      line_of_vertex_ = number_;
+      return;
     }
+    if (!prefix_.empty()) {
+      const std::string whole = prefix_ + std::string(word);
+      prefix_.clear();
+      return take_keyword(whole);
+    }
+    if (normal_ > 0 && state_ == FACET && !is_keyword(word, "outer") && !is_keyword(word, "vertex"))
+      --normal_;
+    else if (word[0] == '#')
+      begin_rest(false);
+    else if (is_keyword(word, "outer"))
+      prefix_ = "outer ";
+    else if (is_keyword(word, "end"))
+      prefix_ = "end";
+    else
+      take_keyword(word);
+  }
+
+  void take_keyword(const std::string_view word)
+  {
+    if (state_ == CORNERS && is_keyword(word, "vertex")) {
+      if (number_of_corners_ == 3)
+        refuse("the facet does not have three vertices", Defect::NOT_A_TRIANGLE);
+      coordinates_ = 0;
+      line_of_vertex_ = number_;
+    } else if (state_ == FACET && is_keyword(word, "vertex")) {
+      state_ = CORNERS;
+      take_keyword(word);
+    } else if (state_ == FACET && is_keyword(word, "outer loop")) {
+      state_ = CORNERS;
+      has_loop_ = true;
+    } else if (state_ == CORNERS && has_loop_ && is_keyword(word, "endloop")) {
+      state_ = LOOP;
+    } else if ((state_ == LOOP || (state_ == CORNERS && !has_loop_)) && is_keyword(word, "endfacet")) {
+      if (number_of_corners_ != 3)
+        refuse("the facet does not have three vertices", Defect::NOT_A_TRIANGLE);
+      soup_.triangles.push_back(triangle_);
+      state_ = SOLID;
+    } else if (state_ == SOLID && is_keyword(word, "facet")) {
+      begin_facet();
+    } else if (state_ == FACET && !has_normal_ && is_keyword(word, "normal")) {
+      has_normal_ = true;
+      normal_ = 3;
+    } else if ((state_ == SOLID || state_ == OUTSIDE) && is_keyword(word, "solid")) {
+      if (state_ == SOLID)
+        soup_.warnings.push_back("line " + std::to_string(number_) + ": a solid begins where the one before has no line endsolid");
+      state_ = SOLID;
+      begin_rest(true);
+    } else if (state_ == SOLID && is_keyword(word, "endsolid")) {
+      state_ = OUTSIDE;
+      begin_rest(true);
+    } else if (state_ != OUTSIDE && (is_keyword(word, "color") || is_keyword(word, "colour"))) {
+      begin_rest(false);
+    } else
+      refuse_word(std::string(word));
+  }
+
+  void begin_facet()
+  {
+    state_ = FACET;
+    has_loop_ = has_normal_ = false;
+    number_of_corners_ = normal_ = 0;
+  }
+
+  // A comment to the end of the line, or a name, which ends at a facet, too: some files are one line.
+  void begin_rest(const bool is_name)
+  {
+    line_of_rest_ = number_;
+    facet_words_ = is_name;
+  }
+  void take_rest(const std::string_view word)
+  {
+    if (facet_words_ == 0)
+      return;
+    facet_words_ = is_keyword(word, "facet")                           ? 2
+                   : facet_words_ == 2 && is_keyword(word, "normal")   ? 3
+                   : facet_words_ == 3 && is_number(std::string(word)) ? 4
+                                                                       : 1;
+    if (facet_words_ < 4)
+      return;
+    if (state_ == OUTSIDE)
+      refuse_word("facet normal");
+    line_of_rest_ = facet_words_ = 0;
+    begin_facet();
+    has_normal_ = true;
+    normal_ = 2;
   }
 
   void take_coordinate(const char*& p, const char* const last)
   {
-    const char* const begin = p;
-    double& coordinate = point_[3 - left_coordinates_];
+    double& coordinate = point_[coordinates_];
     if (!take_real(p, last, coordinate) || (p != last && *p == '#')) {
+      const char* const begin = p;
       p = skip_word(begin, last);
       const std::string word(begin, p);
-      if (!read_coordinate(word, coordinate)) {
-        diagnose_stl(path_, load_file(path_));
-        check_coordinate(path_, word, "facet " + std::to_string(soup_.triangles.size()), soup_.triangles.size());
-      }
+      if (number_ != line_of_vertex_)
+        refuse_file(path_,
+                    place(line_of_vertex_, "facet", facet()) + ": a vertex has " + std::to_string(coordinates_) +
+                      " numbers where 3 are needed",
+                    Defect::UNREADABLE, facet());
+      coordinate = check_coordinate(path_, word, place(number_, "facet", facet()), facet());
     }
-    if (--left_coordinates_ == 0)
+    if (++coordinates_ == 3)
       triangle_[number_of_corners_++] = corners_.vertex(point_);
   }
 
-  [[noreturn]] void refuse() const
+  std::size_t facet() const { return soup_.triangles.size(); }
+
+  [[noreturn]] void refuse(const std::string& text, const Defect defect = Defect::UNREADABLE) const
   {
-    diagnose_stl(path_, load_file(path_));
-    refuse_file(path_, "the file cannot be read (stopped after " + std::to_string(soup_.points.size()) +
-                         " vertices and " + std::to_string(soup_.triangles.size()) + " faces)");
+    refuse_file(path_, place(number_, "facet", facet()) + ": " + text, defect, facet());
+  }
+  [[noreturn]] void refuse_word(const std::string& word) const
+  {
+    const bool is_within_facet = [&word] {
+      for (const char* const part : {"outer loop", "vertex", "normal", "endloop", "endfacet"})
+        if (is_keyword(word, part))
+          return true;
+      return false;
+    }();
+    refuse(quote(word) + " where " +
+           (state_ == OUTSIDE                               ? "solid"
+            : state_ == SOLID                               ? "facet or endsolid"
+            : state_ == FACET                               ? (has_normal_ ? "outer loop" : "normal or outer loop")
+            : state_ == CORNERS && (number_of_corners_ < 3) ? "vertex"
+            : state_ == CORNERS && has_loop_                ? "endloop"
+                                                            : "endfacet") +
+           " is expected" + (state_ == SOLID && is_within_facet ? ": the line facet normal is missing before it" : ""));
   }
 
   std::string path_;
   Polygon_soup& soup_;
   Stl_corners corners_;
-  bool is_in_facet_ = false;
-  bool is_in_solid_ = false; // since a second `solid`
-  bool is_ended_ = false;    // there was an `endsolid`
-  std::size_t number_of_corners_ = 0, left_coordinates_ = 0;
+  std::size_t number_ = 1; // of the line
+  State state_ = OUTSIDE;
+  bool has_loop_ = false, has_normal_ = false;          // of the facet
+  int normal_ = 0;                                      // how many of its words are to come
+  std::size_t number_of_corners_ = 0, coordinates_ = 3; // coordinates of the corner
+  std::string prefix_;                                  // the first half of a keyword of two words
+  std::size_t line_of_rest_ = 0, line_of_vertex_ = 0;   // the rest of that line is a name or a comment
+  int facet_words_ = 0;                                 // in a name, one more than there are words of a facet
   std::array<double, 3> point_{};
   std::array<std::uint32_t, 3> triangle_{};
 };
 
-inline void read_binary_stl(const std::string& path, const std::uint32_t facets, const std::uintmax_t size,
+// A header of 80 bytes, the number of facets, and 50 bytes for each.
+inline void read_binary_stl(const std::string& path, const std::string& head, const std::uintmax_t size,
                             const Progress_function& progress, Polygon_soup& soup)
 {
+  if (head.size() < 84)
+    refuse_neither(path, head, "shorter than the header of 84 bytes");
+  constexpr std::uint32_t unknown_number = (std::numeric_limits<std::uint32_t>::max)();
+  std::uint32_t announced = 0;
+  std::memcpy(&announced, &head[80], 4);
+  const std::uintmax_t stored = (size - 84) / 50, surplus = (size - 84) % 50;
+  const std::string both = "the header announces " + std::to_string(announced) + " facets, the file has room for " + std::to_string(stored);
+  // Who writes facets as they come may not know their number in time.
+  const bool is_unknown = (announced == 0 || announced == unknown_number) && stored > 0 && surplus == 0;
+  const std::uintmax_t facets = is_unknown ? stored : announced;
+  if (facets > stored)
+    refuse_neither(path, head, both + ": it ends within facet " + std::to_string(stored) + ", which begins at byte " + std::to_string(84 + 50 * stored));
+  if (is_unknown) {
+    soup.warnings.push_back("the header announces " + std::to_string(announced) + " facets; all " + std::to_string(stored) +
+                            " that are in the file were read");
+  } else if (facets < stored)
+    refuse_file(path, both + ": facet " + std::to_string(facets) + ", at byte " + std::to_string(84 + 50 * facets) +
+                        ", is the first behind them; correct the number, of four bytes at byte 80, or cut off what is behind");
+  else if (surplus > 0)
+    soup.warnings.push_back("there are " + std::to_string(surplus) + " bytes behind the " + std::to_string(facets) +
+                            " facets, too few for a facet");
+
   File_blocks file(path, size, 84, progress);
   Stl_corners corners(soup);
   reserve(soup, facets / 2, facets); // as many vertices as a closed surface has
-  for (std::uint32_t f = 0; f < facets; ++f, file.first += 50) {
+  for (std::size_t f = 0; f < facets; ++f, file.first += 50) {
     if (!file.require(50))
       refuse_file(path, "facet " + std::to_string(f) + ": the file ends within the facet", Defect::UNREADABLE, f);
     std::array<std::uint32_t, 3> triangle;
@@ -277,15 +356,10 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void read_stl(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
 {
   const std::string head = load_file(path, 4096);
-  std::uint32_t facets = 0;
-  if (head.size() >= 84)
-    std::memcpy(&facets, &head[80], 4);
-  if (is_binary_stl(head, facets, size))
-    read_binary_stl(path, facets, size, progress, soup);
-  else if (is_text_stl(head))
+  if (is_text_stl(head))
     Stl_text_reader(path, soup).read(size, progress);
   else
-    refuse_neither(path, head, facets, size);
+    read_binary_stl(path, head, size, progress, soup);
 }
 
 } // namespace internal

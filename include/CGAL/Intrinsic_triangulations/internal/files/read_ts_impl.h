@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_TS_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_TS_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/internal/files/File_blocks.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/Text_lines.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/formats.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 
@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -23,94 +24,157 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Vertices have numbers as names, which count within their part of the file.
+// Parts from a line GOCAD to a line END: a header, which is skipped, then vertices and triangles. Vertices have numbers as names, which
+// count within their part.
 class Ts_reader
 {
 public:
-  Ts_reader(const std::string& path, Polygon_soup& soup) : path_(path), soup_(soup) {}
-
-  void read(const std::uintmax_t size, const Progress_function& progress)
+  Ts_reader(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
+    : path_(path), soup_(soup), lines_(path, size, progress)
   {
-    File_blocks file(path_, size, 0, progress);
-    for (const char *p = nullptr, *last = nullptr; file.take_line(p, last);) {
-      ++number_;
-      line(p, last);
-    }
+  }
+
+  void read()
+  {
+    while (lines_.next_line())
+      if (lines_.find_word_on_line())
+        take_line();
     end_part();
+    if (brace_line_ != 0)
+      refuse_file(path_, "the brace on line " + std::to_string(brace_line_) + " is not closed");
     if (vertices_ == 0 || triangles_ == 0)
       refuse_file(path_,
-                  "there is " + std::string(vertices_ == 0 ? "no vertex" : "no face") + " in the file (" +
-                    std::to_string(vertices_) + " vertices and " + std::to_string(triangles_) +
-                    " faces; they are behind a line TFACE)",
+                  "there is no " + std::string(vertices_ == 0 ? "vertex" : "face") + " in the file (" +
+                    std::to_string(vertices_) + " vertices and " + std::to_string(triangles_) + " faces)",
                   Defect::EMPTY);
     if (!is_ended_)
       refuse_file(path_, "the file has no line END, or not as many as it has parts");
   }
 
 private:
-  void line(const char* p, const char* const last)
+  void take_line()
   {
-    const char* const end = next_word(p, last);
-    const std::string keyword(p, end);
-    // What is before the first triangulated part is of another kind.
-    is_begun_ = is_begun_ || keyword == "TFACE";
-    if (!is_begun_)
+    const std::string_view word = lines_.take_word();
+    const auto is = [word](const std::string_view keyword) { return is_keyword(word, keyword); };
+    const bool is_vertex = is("vrtx") || is("pvrtx"), is_atom = is("atom") || is("patom"), is_triangle = is("trgl");
+    const bool is_data = is_vertex || is_atom || is_triangle || is("tface");
+    if (brace_line_ != 0) {
+      if (is_data || is("gocad") || is("end"))
+        refuse_line(word, "the brace on line " + std::to_string(brace_line_) + " is not closed before it");
+      if (word[0] == '}')
+        brace_line_ = 0;
       return;
-    if (keyword == "GOCAD") {
-      end_part();
-      if (!is_ended_)
-        refuse_file(path_, "line " + std::to_string(number_) + ": a part begins where the one before has no line END");
-      is_ended_ = false;
-      vertex_of_number_.clear();
-    } else if (keyword == "END")
+    }
+    if (is("gocad"))
+      return begin_part();
+    if (is_ended_)
+      refuse_line(word, "nothing but a line GOCAD may follow a line END");
+    if (is("end")) {
       is_ended_ = true;
-    else if (keyword == "VRTX" || keyword == "PVRTX")
-      vertex(end, last);
-    else if (keyword == "ATOM" || keyword == "PATOM")
-      atom(end, last);
-    else if (keyword == "TRGL")
-      triangle(end, last);
+      return;
+    }
+    if (is_other_ && (is_triangle || is("tface")))
+      refuse_line(word, "the part is no TSurf by its line GOCAD");
+    if (is_other_)
+      return;
+    is_begun_ = is_begun_ || is_data;
+    if (is_vertex)
+      vertex();
+    else if (is_atom)
+      atom();
+    else if (is_triangle)
+      triangle();
+    else if (is_data)
+      return;
+    else if (is("trgl_properties") || is("trgl_esizes"))
+      count_properties(is("trgl_esizes"));
+    else if (const std::string rest = lines_.rest(); word.back() == '{' || (!rest.empty() && rest.back() == '{'))
+      brace_line_ = lines_.number();
+    else if (is_begun_ && !is("bstone") && !is("border") && !is("control_node"))
+      refuse_line(word, "it is not understood (VRTX, PVRTX, ATOM, PATOM, TRGL, TFACE, BSTONE, BORDER or END)");
   }
 
-  void vertex(const char* p, const char* const last)
+  void begin_part()
   {
-    define(integer(p, last, "vertex", vertices_), static_cast<std::uint32_t>(vertices_));
+    end_part();
+    if (!is_ended_ && (is_begun_ || is_other_))
+      refuse_file(path_, "line " + std::to_string(lines_.number()) + ": a part begins where the one before has no line END");
+    is_ended_ = is_begun_ = false;
+    vertex_of_number_.clear();
+    properties_ = 0;
+    std::string kind;
+    if (lines_.find_word_on_line())
+      kind = lines_.take_word();
+    is_other_ = !kind.empty() && !is_keyword(kind, "tsurf");
+    if (is_other_)
+      soup_.warnings.push_back("line " + std::to_string(lines_.number()) + ": the part of the kind " + quote(kind) +
+                               " is no surface of triangles (TSurf), and is left out");
+  }
+
+  void vertex()
+  {
+    define(integer("vertex", vertices_), static_cast<std::uint32_t>(vertices_));
     std::array<double, 3> point;
     for (std::size_t i = 0; i < 3; ++i) {
-      const char* const end = next_word(p, last);
-      if (p == end)
+      if (!lines_.find_word_on_line())
         refuse_file(path_, where("vertex", vertices_) + ": there are " + std::to_string(i) + " numbers where 3 are needed",
                     Defect::UNREADABLE, vertices_);
-      const char* const begin = p;
-      if (!take_real(p, last, point[i]) || p != end)
-        point[i] = check_coordinate(path_, std::string(begin, end), where("vertex", vertices_), vertices_);
-      p = end;
+      if (!take_real(lines_.p, lines_.last, point[i]))
+        point[i] = check_coordinate(path_, std::string(lines_.take_word()), where("vertex", vertices_), vertices_);
     }
+    take_properties("vertex", vertices_);
     soup_.points.push_back(point);
     ++vertices_;
   }
 
-  // Another number for a vertex that is there.
-  void atom(const char* p, const char* const last)
+  // Numbers, and the word that makes a vertex a control node: CN, with the coordinates that it fixes. How many there are.
+  std::size_t take_properties(const char* const kind, const std::size_t element)
   {
-    const long long name = integer(p, last, "vertex", vertices_), other = integer(p, last, "vertex", vertices_);
+    std::size_t count = 0;
+    for (; lines_.find_word_on_line(); ++count)
+      if (const std::string word(lines_.take_word()); !is_number(word) && !is_keyword(word.substr(0, 2), "cn"))
+        refuse_file(path_, where(kind, element) + ": " + quote(word) + " is behind the numbers of the " + kind + ", where only properties may be",
+                    Defect::UNREADABLE, element);
+    return count;
+  }
+
+  // Another number for a vertex that is there.
+  void atom()
+  {
+    const long long name = integer("vertex", vertices_), other = integer("vertex", vertices_);
     const auto it = vertex_of_number_.find(other);
     if (it == vertex_of_number_.end())
       refuse_file(path_, where("vertex", vertices_) + ": the part has no vertex " + std::to_string(other) + " before this line",
                   Defect::BAD_INDEX, vertices_);
     define(name, it->second);
+    take_properties("vertex", vertices_);
   }
 
-  void triangle(const char* p, const char* const last)
+  void triangle()
   {
-    Triangle triangle{{}, number_};
+    Triangle triangle{{}, lines_.number()};
     for (long long& corner : triangle.corners)
-      corner = integer(p, last, "face", triangles_);
-    if (next_word(p, last) != p)
-      refuse_file(path_, where("face", triangles_) + ": there is more in the line than three vertices",
+      corner = integer("face", triangles_);
+    if (properties_ == 0 ? lines_.find_word_on_line() : take_properties("face", triangles_) != properties_)
+      refuse_file(path_,
+                  where("face", triangles_) + (properties_ == 0 ? ": there is more in the line than three vertices"
+                                                                : ": three vertices are not followed by " + std::to_string(properties_) + " properties, as TRGL_PROPERTIES announces"),
                   Defect::NOT_A_TRIANGLE, triangles_);
     triangles_of_part_.push_back(triangle);
     ++triangles_;
+  }
+
+  // The properties of triangles are named, and may have sizes.
+  void count_properties(const bool are_sizes)
+  {
+    properties_ = 0;
+    for (; lines_.find_word_on_line();) {
+      long long size = 1;
+      const std::string word(lines_.take_word());
+      if (are_sizes && (!read_integer(word, size) || size < 0))
+        refuse_line(word, "it is not the size of a property");
+      properties_ += static_cast<std::size_t>(size);
+    }
   }
 
   // Triangles may come before their vertices, but not in another part.
@@ -141,27 +205,24 @@ private:
                   Defect::UNREADABLE, vertices_);
   }
 
-  // Goes to the next word, up to a comment, and returns its end.
-  static const char* next_word(const char*& p, const char* const last)
+  long long integer(const char* const kind, const std::size_t element)
   {
-    p = skip_white(p, last);
-    return p != last && *p == '#' ? p : skip_word(p, last);
-  }
-
-  long long integer(const char*& p, const char* const last, const char* const kind, const std::size_t element) const
-  {
-    const char* const end = next_word(p, last);
+    const bool is_there = lines_.find_word_on_line();
+    const std::string word(lines_.take_word());
     long long number = 0;
-    if (!read_integer(std::string(p, end), number))
+    if (!read_integer(word, number))
       refuse_file(path_,
-                  where(kind, element) + ": " +
-                    (p == end ? "the number of a vertex is missing" : quote(std::string(p, end)) + " is not the number of a vertex"),
+                  where(kind, element) + ": " + (is_there ? quote(word) + " is not the number of a vertex" : "the number of a vertex is missing"),
                   Defect::UNREADABLE, element);
-    p = end;
     return number;
   }
 
-  std::string where(const char* const kind, const std::size_t element) const { return place(number_, kind, element); }
+  [[noreturn]] void refuse_line(const std::string_view word, const std::string& text) const
+  {
+    refuse_file(path_, "line " + std::to_string(lines_.number()) + ", " + quote(std::string(word)) + ": " + text);
+  }
+
+  std::string where(const char* const kind, const std::size_t element) const { return place(lines_.number(), kind, element); }
 
   struct Triangle
   {
@@ -171,18 +232,20 @@ private:
 
   std::string path_;
   Polygon_soup& soup_;
-  std::size_t number_ = 0;                                        // of the line, counted from 1
+  Text_lines lines_;
   std::unordered_map<long long, std::uint32_t> vertex_of_number_; // in this part
   std::vector<Triangle> triangles_of_part_;
-  std::size_t vertices_ = 0, triangles_ = 0;
-  bool is_begun_ = false; // there was a line TFACE
-  bool is_ended_ = false; // the part has its line END
+  std::size_t vertices_ = 0, triangles_ = 0, properties_ = 0; // properties of a triangle of this part
+  std::size_t brace_line_ = 0;                                // of a brace that is still open
+  bool is_other_ = false;                                     // the part is no surface
+  bool is_begun_ = false;                                     // the part has more than its header
+  bool is_ended_ = false;                                     // the part has its line END
 };
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void read_ts(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
 {
-  Ts_reader(path, soup).read(size, progress);
+  Ts_reader(path, size, progress, soup).read();
 }
 
 } // namespace internal

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 namespace CGAL {
@@ -35,9 +36,15 @@ using Defect = Invalid_surface_error::Defect;
 // \exception Invalid_surface_error if it is none
 std::uintmax_t check_file(const std::string& path);
 
-// Refuses what the lines of no text format can begin with.
-// \exception Invalid_surface_error as all others
-void check_encoding(const std::string& path);
+// How a text begins, behind a byte order mark, and how its lines end: by CR alone if there is no LF.
+struct Text_encoding
+{
+  std::uintmax_t begin = 0;
+  char line_end = '\n';
+};
+
+// \exception Invalid_surface_error for UTF-16
+Text_encoding find_encoding(const std::string& path);
 
 // The bytes of a file, or its first ones.
 std::string load_file(const std::string& path, std::size_t at_most = (std::numeric_limits<std::size_t>::max)());
@@ -62,59 +69,16 @@ inline const char* skip_word(const char* p, const char* const end)
   return p;
 }
 
-// The words of a text, and the line on which each is. For headers, and for saying what is wrong.
-class Scanner
+// Whether a word is a keyword, which is in small letters, in letters of any case.
+inline bool is_keyword(const std::string_view word, const std::string_view keyword)
 {
-public:
-  explicit Scanner(const std::string& text) : text_(text) {}
-
-  std::size_t line() const { return line_; }
-  std::size_t remaining() const { return text_.size() - position_; }
-
-  // Goes to the next word behind comments and line ends; false at the end.
-  bool skip_to_word()
-  {
-    for (; position_ < text_.size(); ++position_) {
-      if (text_[position_] == '#')
-        while (position_ + 1 < text_.size() && text_[position_ + 1] != '\n')
-          ++position_;
-      else if (text_[position_] == '\n')
-        ++line_;
-      else if (!is_white(text_[position_]))
-        return true;
-    }
+  if (word.size() != keyword.size())
     return false;
-  }
-  // The next word anywhere, empty at the end of the text.
-  std::string word() { return skip_to_word() ? take() : std::string(); }
-  // The next word on this line, empty at its end or at a comment.
-  std::string word_on_line()
-  {
-    while (position_ < text_.size() && text_[position_] != '\n' && is_white(text_[position_]))
-      ++position_;
-    if (position_ == text_.size() || text_[position_] == '\n' || text_[position_] == '#')
-      return std::string();
-    return take();
-  }
-  void skip_line()
-  {
-    while (position_ < text_.size() && text_[position_] != '\n')
-      ++position_;
-  }
-
-private:
-  std::string take()
-  {
-    const std::size_t begin = position_;
-    while (position_ < text_.size() && !is_white(text_[position_]) && text_[position_] != '#')
-      ++position_;
-    return text_.substr(begin, position_ - begin);
-  }
-
-  const std::string& text_;
-  std::size_t position_ = 0;
-  std::size_t line_ = 1;
-};
+  for (std::size_t i = 0; i < word.size(); ++i)
+    if (word[i] != keyword[i] && (word[i] < 'A' || word[i] > 'Z' || word[i] - 'A' + 'a' != keyword[i]))
+      return false;
+  return true;
+}
 
 // Whether a word is an integer and nothing else.
 bool read_integer(const std::string& word, long long& number);
@@ -150,12 +114,11 @@ inline bool take_count(const char*& p, const char* const end, std::uint32_t& num
   return true;
 }
 
+// Whether a word is a number, finite or not.
+bool is_number(const std::string& word);
+
 // "line 7 (vertex 3)"
 std::string place(std::size_t line, const char* kind, std::size_t element);
-inline std::string place(const Scanner& scanner, const char* const kind, const std::size_t element)
-{
-  return place(scanner.line(), kind, element);
-}
 
 // The coordinate that a word is; refuses the word if it is none.
 double check_coordinate(const std::string& path, const std::string& word, const std::string& where,

@@ -51,17 +51,17 @@ std::uintmax_t check_file(const std::string& path)
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void check_encoding(const std::string& path)
+Text_encoding find_encoding(const std::string& path)
 {
   const std::string head = load_file(path, 1 << 16);
-  if (head.compare(0, 3, "\xef\xbb\xbf") == 0)
-    refuse_file(path, "the file begins with a byte order mark: save it as UTF-8 without one");
   if (head.compare(0, 2, "\xff\xfe") == 0 || head.compare(0, 2, "\xfe\xff") == 0)
     refuse_file(path, "the text is in UTF-16: save it as ASCII or UTF-8");
-  const std::size_t end = head.find('\r');
-  if (end != std::string::npos && head.find('\n') == std::string::npos &&
-      head.find_first_not_of(" \t\r", end) != std::string::npos)
-    refuse_file(path, "the lines end with CR alone, as on old Macintosh computers: convert them to LF");
+  Text_encoding result;
+  if (head.compare(0, 3, "\xef\xbb\xbf") == 0)
+    result.begin = 3;
+  if (head.find('\n') == std::string::npos && head.find('\r') != std::string::npos)
+    result.line_end = '\r';
+  return result;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -123,6 +123,13 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 bool read_coordinate(const std::string& word, double& number)
 {
   return read_number(word, number) == Number_state::GOOD;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool is_number(const std::string& word)
+{
+  double ignored;
+  return read_number(word, ignored) != Number_state::NOT_A_NUMBER;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
