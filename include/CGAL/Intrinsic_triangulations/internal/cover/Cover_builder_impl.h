@@ -75,7 +75,7 @@ private:
     throw Invalid_surface_error(defect, f, 1,
                                 "edge " + std::to_string(triangles()[s / 3][s % 3]) + "-" +
                                   std::to_string(triangles()[s / 3][next_side(s) % 3]) + " of face " +
-                                  std::to_string(f) + " " + what + "; the tufted cover takes it");
+                                  std::to_string(f) + " " + what + "; the tufted cover (Surface_cover::TUFTED, --cover tufted) takes it");
   }
 
   void count_edges()
@@ -323,7 +323,7 @@ Tufted_cover build_cover(const Points& points, const std::vector<Index_triangle>
       const auto& [v, w] = coincident[0];
       throw Invalid_surface_error(Invalid_surface_error::Defect::ZERO_LENGTH_EDGE, v, coincident.size(),
                                   "vertices " + std::to_string(v) + " and " + std::to_string(w) +
-                                    " are at the same place, and faces without area join them; merge them");
+                                    " are at the same place, and faces without area join them; merge them (Coincident_vertices::MERGE, --coincident-vertices merge)");
     }
     merged.insert(merged.end(), coincident.begin(), coincident.end());
   }
