@@ -41,7 +41,7 @@ def version():
 os.makedirs(os.path.join(ROOT, "build"), exist_ok=True)
 setup(
     version=version(),
-    ext_modules=[Extension(f"intrinsic_triangulations.{name}", []) for name in ("_core", "_point_cloud")],
+    ext_modules=[Extension(f"intrinsic_triangulations.{name}", []) for name in ("_core", "_point_cloud", "_repair")],
     cmdclass={"build_ext": BuildByCMake},
     options={"egg_info": {"egg_base": "build"}, "build": {"build_base": "build/setuptools"}},
 )

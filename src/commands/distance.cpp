@@ -111,7 +111,7 @@ void check(const Distance_options& options)
   if (!options.overlay_path.empty() && overlay_format != Mesh_format::PLY && overlay_format != Mesh_format::VTP)
     throw Usage_error(options.overlay_path + ": the overlay with distances is written as a file whose name ends in .ply or .vtp");
   if (options.has_vectors && options.output_path.empty())
-    throw Usage_error("--vectors needs -o");
+    throw Usage_error("--vectors needs -o, the file that they are written to");
   if (!(options.time_coefficient > 0 && std::isfinite(options.time_coefficient)))
     throw Usage_error("--time: T is a positive number");
   const std::string& path = options.output_path;
@@ -154,7 +154,8 @@ void set_number_of_vertices(const Distance_options& options, std::size_t n, Dist
 {
   for (std::uint64_t v : options.sources)
     if (v >= n)
-      throw Usage_error("there is no vertex " + std::to_string(v) + ": the input has " + std::to_string(n));
+      throw Usage_error("--source: there is no vertex " + std::to_string(v) + ": the input has " + std::to_string(n) +
+                        ", counted from 0");
   result.surface.number_of_vertices = n;
 }
 

@@ -115,7 +115,7 @@ IT::Vertex_index vertex(const Triangulation& triangulation, std::uint64_t number
 {
   const std::uint64_t n = triangulation.connectivity().number_of_vertices();
   if (number >= n)
-    throw Usage_error("there is no vertex " + std::to_string(number) + ": the surface has " + std::to_string(n));
+    throw Usage_error("there is no vertex " + std::to_string(number) + ": the surface has " + std::to_string(n) + ", counted from 0");
   return IT::Vertex_index(IT::Vertex_index::size_type(number));
 }
 
@@ -158,7 +158,7 @@ IT::Halfedge_index reference(const IT::Delta_complex& complex, IT::Vertex_index 
 {
   const IT::Halfedge_index first = complex.halfedge(v);
   if (!first.is_valid())
-    throw IT::Invalid_point_error("vertex " + std::to_string(v.idx()) + " belongs to no face");
+    throw IT::Invalid_point_error("vertex " + std::to_string(v.idx()) + " belongs to no face: choose one that does");
   IT::Halfedge_index best = first, h = first;
   if (!complex.is_border(first))
     do {

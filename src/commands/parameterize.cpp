@@ -104,7 +104,7 @@ void find_map(const Parameterize_options& options, Result& result,
     result.uv = result.pattern->uv;
     return;
   }
-  require_finite_weights(complex, numbers.weights, options.input);
+  require_finite_weights(result.triangulation.surface, complex, numbers.weights);
   if (options.boundary == "natural") {
     result.uv =
       IT::natural_parameterization(complex, numbers.weights, numbers.lengths, numbers.areas);
@@ -176,6 +176,38 @@ Json json_value(const Parameterize_options& options, const Result& result)
   json["repair"] = to_json_value(repairs(result.triangulation.surface));
   json["seconds"] = result.seconds;
   return json;
+}
+
+// The options to try if these fail; empty if there are none. Followed again and again, this ends with the map that has the least demands.
+std::string alternative(const Parameterize_options& options)
+{
+  if (options.method == "circle-pattern")
+    return "--method harmonic --boundary natural";
+  if (options.boundary == "natural")
+    return "--boundary disk";
+  return options.Laplacian == "extrinsic" ? "--laplacian intrinsic" : "";
+}
+
+// What a user should know about a map though it can be written; empty if no triangle is turned over or collapsed.
+std::string warning(const Parameterize_options& options, const Result& result)
+{
+  const bool is_intrinsic = options.Laplacian == "intrinsic";
+  const IT::Delta_complex& complex =
+    is_intrinsic ? result.triangulation.outcome.connectivity : result.triangulation.surface.connectivity;
+  const IT::Parameterization_check& check = (is_intrinsic ? result.on_intrinsic : result.on_input).check;
+  if (check.is_locally_injective())
+    return {};
+  const IT::Halfedge_index h = complex.halfedge(check.flipped.empty() ? check.collapsed.front() : check.flipped.front());
+  const std::size_t i = complex.source(h).idx(), j = complex.target(h).idx(), k = complex.target(complex.next(h)).idx();
+  const std::string other = alternative(options);
+  return counted(check.flipped.size(), "triangle", "triangles") + " of the map turned over and " +
+         with_separators(check.collapsed.size()) + " collapsed, first the one with corners " + std::to_string(i) + ", " +
+         std::to_string(j) + " and " + std::to_string(k) + " at (" + in_full(result.uv[i][0]) + ", " +
+         in_full(result.uv[i][1]) + "); " +
+         (other.empty() // no weight is negative and the boundary is convex: the exact map has none
+            ? "they are so small that the last place of coordinates does not tell their corners apart: cut the surface "
+              "open along its length there, or map a part of it"
+            : "try " + other);
 }
 
 std::string text(const Quality& quality)
@@ -268,13 +300,17 @@ Exit_status run_parameterize(Parameterize_options options)
       throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(),
                                       path + ": " + error.what());
     } catch (const IT::Numerical_error& error) {
-      throw IT::Numerical_error(path + ": " + error.what());
+      const std::string other = alternative(options);
+      throw IT::Numerical_error(path + ": " + error.what() +
+                                (other.empty() ? "; cut the surface open along its length, or map a part of it" : "; try " + other));
     } catch (const IT::Cancelled_error& error) {
       throw IT::Cancelled_error(path + ": " + error.what());
     }
     result.seconds = stopwatch.seconds();
     result.on_input = quality(surface.connectivity, outcome.input_numbers, result.uv);
     result.on_intrinsic = quality(outcome.connectivity, outcome.numbers, result.uv);
+    if (const std::string text = warning(options, result); !text.empty())
+      std::cerr << "idt: " << path << ": " << text << std::endl;
     write_files(options, result);
     write_report(std::cout, options, result);
     flush_standard_output();

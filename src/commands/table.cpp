@@ -170,10 +170,10 @@ void write_table(std::ostream& os, const std::vector<Row>& rows)
   write_aligned(os, lines);
 }
 
-Operator_summary summarize(const IT::Delta_complex& complex, const std::vector<double>& weights,
-                           const Weight_summary& weight_summary, const std::string& path)
+Operator_summary summarize(const Surface& surface, const IT::Delta_complex& complex, const std::vector<double>& weights,
+                           const Weight_summary& weight_summary)
 {
-  require_finite_weights(complex, weights, path);
+  require_finite_weights(surface, complex, weights);
   // A weight of an equilateral triangulation is 1.15; far out, only slivers are to be counted.
   return {IT::extreme_eigenvalues(complex, IT::stiffness_matrix(complex, weights)),
           IT::weight_histogram(complex, weights, -10, 10, 80), weight_summary};
@@ -185,10 +185,9 @@ void find_condition(const Triangulation_result& result, Row& row)
   const Outcome& outcome = result.outcome;
   try {
     const Progress progress(result.surface.path, "factoring, and finding eigenvalues");
-    row.before = summarize(result.surface.connectivity, outcome.input_numbers.weights,
-                           *outcome.weights_before, result.surface.path);
-    row.after = summarize(outcome.connectivity, outcome.numbers.weights, *outcome.weights_after,
-                          result.surface.path);
+    row.before =
+      summarize(result.surface, result.surface.connectivity, outcome.input_numbers.weights, *outcome.weights_before);
+    row.after = summarize(result.surface, outcome.connectivity, outcome.numbers.weights, *outcome.weights_after);
   } catch (const IT::Error& error) {
     std::cerr << "idt: " << result.surface.path << ": no condition number: " << error.what()
               << std::endl;

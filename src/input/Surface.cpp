@@ -30,14 +30,12 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// \exception Invalid_surface_error with what is wrong, and the option that would help
+// \exception Invalid_surface_error with what is wrong, and the option that would help, unless it was given
 [[noreturn]] void refuse(const IT::Surface_report& report, const std::string& path, bool is_repaired)
 {
   const IT::Finding& finding = *report.first_fatal();
   std::optional<std::string> advice;
-  if (is_repaired)
-    advice = "--repair was of no use";
-  else if (is_repairable(finding))
+  if (!is_repaired && is_repairable(finding))
     advice = "the option --repair does what can be done";
   const std::string text = IT::message(report, path, advice);
   throw IT::Invalid_surface_error(finding.defect, finding.elements.empty() ? 0 : finding.elements.front(),

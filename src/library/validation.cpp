@@ -3,6 +3,7 @@
 //
 // What is compiled once of the validation.
 
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/reports/Surface_report_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/polygon_texts_impl.h>

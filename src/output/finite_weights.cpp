@@ -6,24 +6,55 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <cmath>
+#include <cstddef>
+#include <string>
 
 namespace idt {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-void require_finite_weights(const IT::Delta_complex& complex, const std::vector<double>& weights,
-                            const std::string& path)
+namespace {
+
+std::string face_text(const IT::Delta_complex& complex, IT::Halfedge_index h)
 {
+  const IT::Halfedge_index next = complex.next(h);
+  return "face " + std::to_string(complex.face(h).idx()) + " (corners " + std::to_string(complex.source(h).idx()) + ", " +
+         std::to_string(complex.source(next).idx()) + ", " + std::to_string(complex.target(next).idx()) + ")";
+}
+
+// Border edges are not flipped: at such an edge, the face of the input has no area if the one that is there now has none.
+std::string message(const Surface& surface, const IT::Delta_complex& complex, const std::vector<double>& weights)
+{
+  const auto is_finite = [&](IT::Halfedge_index h) { return std::isfinite(weights[complex.edge(h).idx()]); };
+  const IT::Delta_complex& input = surface.connectivity;
+  IT::Halfedge_index inner;
+  for (IT::Face_index f : complex.faces()) {
+    const IT::Halfedge_index i = complex.halfedge(f), j = complex.next(i), k = complex.prev(i);
+    if (is_finite(i) || is_finite(j) || is_finite(k))
+      continue;
+    for (IT::Halfedge_index h : {i, j, k})
+      if (complex.is_border(complex.edge(h)) && complex.edge(h).idx() < input.number_of_edges()) {
+        const IT::Halfedge_index side = input.halfedge(complex.edge(h));
+        return face_text(input, input.is_border(side) ? input.opposite(side) : side) +
+               " has no area and lies on the border, where no flip removes it, so that its cotangents are infinite: remove it from the mesh";
+      }
+    inner = i;
+  }
+  if (inner.is_valid() && &complex == &input)
+    return face_text(input, inner) + " has no area, so that its cotangents are infinite: the flips of the intrinsic Delaunay triangulation remove it";
+  return "the triangulation has a face without area, so that its cotangents are infinite: it is not Delaunay";
+}
+
+} // namespace
+
+void require_finite_weights(const Surface& surface, const IT::Delta_complex& complex, const std::vector<double>& weights)
+{
+  std::size_t count = 0;
   for (IT::Edge_index e : complex.edges())
-    if (!std::isfinite(weights[e.idx()])) {
-      const IT::Halfedge_index h = complex.halfedge(e);
-      throw IT::Invalid_surface_error(
-        IT::Invalid_surface_error::Defect::DEGENERATE_FACE, e.idx(), 1,
-        path + ": a face beside edge " + std::to_string(e.idx()) + " (joins vertices " +
-          std::to_string(complex.source(h).idx()) + " and " +
-          std::to_string(complex.target(h).idx()) +
-          ") has no area, so that its cotangents are infinite: remove it, or try --mollify");
-    }
+    count += !std::isfinite(weights[e.idx()]);
+  if (count > 0)
+    throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::DEGENERATE_FACE, 0, count,
+                                    surface.path + ": " + message(surface, complex, weights));
 }
 
 } // namespace idt

@@ -4,17 +4,20 @@
 #ifndef IDT_FINITE_WEIGHTS_H
 #define IDT_FINITE_WEIGHTS_H
 
+#include "input/Surface.h"
+
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
-#include <string>
 #include <vector>
 
 namespace idt {
 
 // What a kernel says of a weight beside a face of zero area, infinity, is none for a matrix.
-// \exception Invalid_surface_error if a weight is not finite; the message begins with `path`
-void require_finite_weights(const CGAL::Intrinsic_triangulations::Delta_complex& complex,
-                            const std::vector<double>& weights, const std::string& path);
+// \param complex the triangulation of the weights: that of the surface, flipped or not
+// \exception Invalid_surface_error if a weight is not finite; the message begins with the path of the surface, and names the
+//   face of the input that has to be removed
+void require_finite_weights(const Surface& surface, const CGAL::Intrinsic_triangulations::Delta_complex& complex,
+                            const std::vector<double>& weights);
 
 } // namespace idt
 

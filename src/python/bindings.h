@@ -11,6 +11,7 @@
 namespace idt_python {
 
 void add_Laplacian(pybind11::module_& module);
+void add_files(pybind11::module_& module);
 void add_triangulation(pybind11::module_& module);
 void add_subdivision(pybind11::module_& module);
 void add_heat(pybind11::module_& module);

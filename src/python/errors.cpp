@@ -11,6 +11,7 @@
 #include <pybind11/pybind11.h>
 
 #include <exception>
+#include <string>
 
 namespace idt_python {
 
@@ -64,6 +65,25 @@ py::object class_of(const char* name)
   return py::module_::import("intrinsic_triangulations._errors").attr(name);
 }
 
+// What a function of this package can do about it.
+const char* advice(IT::Invalid_surface_error::Defect defect)
+{
+  using Defect = IT::Invalid_surface_error::Defect;
+  switch (defect) {
+  case Defect::INCONSISTENT_ORIENTATION:
+    return " (orient(V, F) does it, or repair(V, F), which cuts where that is impossible)";
+  case Defect::NOT_A_TRIANGLE:
+  case Defect::REPEATED_CORNER:
+  case Defect::DUPLICATE_FACE:
+  case Defect::NON_MANIFOLD_EDGE:
+  case Defect::NON_MANIFOLD_VERTEX:
+  case Defect::ZERO_LENGTH_EDGE:
+    return "; repair(V, F) makes a surface of it";
+  default:
+    return "";
+  }
+}
+
 void raise(const char* name, const IT::Error& error)
 {
   PyErr_SetString(class_of(name).ptr(), error.what());
@@ -77,7 +97,7 @@ void translate(std::exception_ptr exception)
     std::rethrow_exception(exception);
   } catch (const IT::Invalid_surface_error& error) {
     const py::object cls = class_of("InvalidSurfaceError");
-    PyErr_SetObject(cls.ptr(), cls(error.what(), name_of(error.defect()), error.element(), error.count()).ptr());
+    PyErr_SetObject(cls.ptr(), cls(error.what() + std::string(advice(error.defect())), name_of(error.defect()), error.element(), error.count()).ptr());
   } catch (const IT::Invalid_point_error& error) {
     raise("InvalidPointError", error);
   } catch (const IT::Undecided_error& error) {

@@ -11,6 +11,7 @@ PYBIND11_MODULE(_core, module)
 {
   module.doc() = "What the package intrinsic_triangulations calls.";
   idt_python::register_errors();
+  idt_python::add_files(module);
   idt_python::add_Laplacian(module);
   idt_python::add_triangulation(module);
   idt_python::add_subdivision(module);

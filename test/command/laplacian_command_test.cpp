@@ -103,7 +103,8 @@ TEST_F(Laplacian_command, without_a_cover_the_input_has_to_be_a_surface)
   write_fan("fan.off");
   const Command_run run = idt("laplacian fan.off --cover none --stiffness L.mtx");
   EXPECT_EQ(run.status, 3);
-  EXPECT_EQ(run.err, "idt: fan.off: edge 0-1 of face 0 has more than two faces; the tufted cover takes it\n");
+  EXPECT_EQ(run.err, "idt: fan.off: edge 0-1 of face 0 has more than two faces; the tufted cover "
+                     "(Surface_cover::TUFTED, --cover tufted) takes it\n");
   EXPECT_FALSE(fs::exists(folder_ / "L.mtx"));
   // An obtuse corner opposite to the border: only a cover can be flipped there.
   write("cap.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n2 1 0\n3 0 1 2\n");

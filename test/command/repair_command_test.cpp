@@ -111,6 +111,18 @@ TEST_F(Command_repair, says_what_is_lost_of_faces_that_were_cut)
   }
 }
 
+TEST_F(Command_repair, says_what_became_border)
+{
+  write("sheets.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");
+  const Command_run run = idt("triangulate sheets.off --repair --stats s.json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "edge 0-1 of face 0 became border: of its 3 faces, no other one was left that fits, and 2 more "
+                                "edges like it"))
+    << run.err;
+  const Json repairs = Json::parse(content(folder_ / "s.json"))["repair"];
+  EXPECT_EQ(repairs.back(), Json::parse(R"({"kind": "opened edges", "count": 3, "first": [0, 1, 2]})")) << repairs;
+}
+
 TEST_F(Command_repair, has_nothing_to_say_about_a_surface)
 {
   write_kite("kite.off");

@@ -151,9 +151,11 @@ TEST(Repair_polygons, cuts_where_three_faces_meet)
 {
   const Points points = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{0, -1, 0}}};
   const IT::Repaired_polygons repaired =
-    expect_repaired(points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, {{Kind::SPLIT_VERTEX, {0, 1}}});
+    expect_repaired(points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, {{Kind::SPLIT_VERTEX, {0, 1}}, {Kind::OPENED_EDGE, {0, 1, 2}}});
   EXPECT_EQ(repaired.points.size(), 9u);
   EXPECT_EQ(examine(repaired).number_of_components, 3u);
+  EXPECT_EQ(IT::message(repaired.repairs[1]),
+            "edge 0-1 of face 0 became border: of its 3 faces, no other one was left that fits, and 2 more edges like it");
 }
 
 TEST(Repair_polygons, separates_fans_that_touch_at_a_vertex)
@@ -194,6 +196,8 @@ TEST(Repair_polygons, cuts_a_Moebius_strip_open)
   EXPECT_EQ(examine(repaired).first_fatal(), nullptr);
   EXPECT_EQ(examine(repaired).number_of_components, 1u);
   EXPECT_EQ(repaired.points.size(), points.size() + 2);
+  EXPECT_EQ(static_cast<int>(repaired.repairs.back().kind), static_cast<int>(Kind::OPENED_EDGE));
+  EXPECT_EQ(repaired.repairs.back().count, 2u);
   expect_true_map(points, faces, repaired);
 }
 

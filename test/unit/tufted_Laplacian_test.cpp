@@ -335,7 +335,8 @@ TEST(Tufted_Laplacian, vertices_that_triangles_without_area_join_are_merged)
     IT::tufted_Laplacian(points, triangles, options);
     FAIL();
   } catch (const IT::Invalid_surface_error& error) {
-    EXPECT_STREQ(error.what(), "vertices 3 and 4 are at the same place, and faces without area join them; merge them");
+    EXPECT_STREQ(error.what(), "vertices 3 and 4 are at the same place, and faces without area join them; merge them "
+                               "(Coincident_vertices::MERGE, --coincident-vertices merge)");
   }
 }
 

@@ -26,6 +26,7 @@ enum class Repair_kind {
   TRIANGULATED_FACE, ///< a face was cut into triangles
   REVERSED_FACE,     ///< a face was turned over
   SPLIT_VERTEX,      ///< a vertex was copied for each fan of faces after the first
+  OPENED_EDGE,       ///< an edge that had several faces, or lay inside one, became a border edge
   DROPPED_VERTEX     ///< a vertex that belongs to no triangle of the result was removed
 };
 
@@ -36,7 +37,7 @@ struct Repair
 {
   /// the kind of repair.
   Repair_kind kind;
-  /// the smallest indices of faces or vertices of the input, at most ten, increasing.
+  /// the smallest indices of faces or vertices of the input, at most ten, increasing; of an edge, its face.
   std::vector<std::size_t> elements;
   /// the number of elements affected.
   std::size_t count;
@@ -60,12 +61,48 @@ struct Repaired_polygons
   std::vector<Repair> repairs;
 };
 
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief returns what a kind of repair is called in files, for example "reversed faces". Complexity: constant.
+inline const char* name(Repair_kind kind)
+{
+  switch (kind) {
+  case Repair_kind::MERGED_VERTEX:
+    return "merged vertices";
+  case Repair_kind::COLLAPSED_FACE:
+    return "collapsed faces";
+  case Repair_kind::DUPLICATE_FACE:
+    return "duplicate faces";
+  case Repair_kind::DUPLICATE_PART:
+    return "duplicate parts of faces";
+  case Repair_kind::TRIANGULATED_FACE:
+    return "triangulated faces";
+  case Repair_kind::REVERSED_FACE:
+    return "reversed faces";
+  case Repair_kind::SPLIT_VERTEX:
+    return "split vertices";
+  case Repair_kind::OPENED_EDGE:
+    return "opened edges";
+  case Repair_kind::DROPPED_VERTEX:
+    return "dropped vertices";
+  }
+  return "";
+}
+
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-inline bool is_about_faces(Repair_kind kind)
+// What a kind of repair counts, one and several.
+inline std::array<const char*, 2> counted_elements(Repair_kind kind)
 {
-  return kind != Repair_kind::MERGED_VERTEX && kind != Repair_kind::SPLIT_VERTEX &&
-         kind != Repair_kind::DROPPED_VERTEX;
+  switch (kind) {
+  case Repair_kind::MERGED_VERTEX:
+  case Repair_kind::SPLIT_VERTEX:
+  case Repair_kind::DROPPED_VERTEX:
+    return {"vertex", "vertices"};
+  case Repair_kind::OPENED_EDGE:
+    return {"edge", "edges"};
+  default:
+    return {"face", "faces"};
+  }
 }
 } // namespace internal
 /// \endcond

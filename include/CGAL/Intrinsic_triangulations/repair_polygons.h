@@ -54,15 +54,17 @@ inline bool is_repairable(Finding_kind kind)
 ///   is removed.
 /// - Of several faces with the same corners, one is kept.
 /// - Polygons are triangulated.
-/// - Adjacent faces are oriented consistently; the first face of each component keeps its orientation.
-///   Where that is impossible, at edges with more than two faces and at vertices with several fans,
-///   the surface is cut, which copies vertices.
-/// - Cuts whose sides fit together again are closed.
+/// - Faces are oriented consistently; the first of all that edges join keeps its orientation. A one-sided surface is cut.
+/// - At an edge with more than two faces, those that bound the same piece of a solid stay together: they are found by
+///   their exact order around the edge and by their orientation. What is closed and oriented, or the border of a solid whose
+///   faces are turned in any way, stays closed. Where faces do not pair up, as three sheets at an edge, the surface is cut.
+/// - Vertices are copied for each fan of faces.
 /// - Vertices that belong to no triangle are removed.
 ///
 /// No vertex is moved. Faces and vertices keep their order; copies of vertices come last.
-/// Zero-area faces stay. In most cases the result has no fatal finding, but check it with
-/// `examine_polygons()`: closing a seam can leave edges with more than two faces.
+/// Zero-area faces stay. If an edge had several faces and is border afterwards, there is an entry of `repairs` for
+/// it (`Repair_kind::OPENED_EDGE`): without that entry, the repair has made no border. In most cases the result has no fatal
+/// finding, but check it with `examine_polygons()`: lengths can be zero or out of range.
 ///
 /// \tparam PointRange a model of `RandomAccessRange`, of points whose coordinates are `p[0]`, `p[1]` and `p[2]`
 /// \tparam PolygonRange a model of `ForwardRange`, of ranges of integers of any length
@@ -78,8 +80,7 @@ inline bool is_repairable(Finding_kind kind)
 /// take O(k log k), others O(k<sup>3</sup>) up to 200 corners; with more corners they become fans.
 ///
 /// It uses these functions of `CGAL::Polygon_mesh_processing`: `merge_duplicate_points_in_polygon_soup()`,
-/// `merge_duplicate_polygons_in_polygon_soup()`, `triangulate_hole_polyline()`,
-/// `orient_polygon_soup()` and `stitch_borders()`.
+/// `merge_duplicate_polygons_in_polygon_soup()` and `triangulate_hole_polyline()`.
 template <class PointRange, class PolygonRange>
 Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& polygons,
                                   const Progress_function& progress = {})
@@ -114,9 +115,7 @@ inline std::string message(const Repair& repair)
   std::string text = repair.description;
   if (repair.count > 1)
     text += ", and " + std::to_string(repair.count - 1) + " more " +
-            (internal::is_about_faces(repair.kind) ? (repair.count == 2 ? "face" : "faces")
-                                                   : (repair.count == 2 ? "vertex" : "vertices")) +
-            " like it";
+            internal::counted_elements(repair.kind)[repair.count == 2 ? 0 : 1] + " like it";
   return text;
 }
 

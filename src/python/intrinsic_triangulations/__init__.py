@@ -10,11 +10,12 @@ Arrays of NumPy in, arrays of NumPy and matrices of SciPy out. `laplacian(V, F)`
 Arrays may have any type of integers or floats whose numbers doubles can hold, any order and any strides, and are never changed; what is
 not of the type or the shape that is asked for raises `ValueError`. Long calls let other threads run, and Ctrl-C ends them.
 
-The package is under the LGPL, but for `point_cloud_laplacian`, which is under the GPL.
+The package is under the LGPL, but for `point_cloud_laplacian` and `repair`, which are under the GPL.
 """
 
 from ._errors import (CancelledError, Error, IntegerOverflowError, InvalidPointError, InvalidSurfaceError, NumericalError,
                       UndecidedError)
+from ._files import Repair, RepairedMesh, orient, read_mesh, repair
 from ._geodesics import EdgeFlipGeodesicSolver, GeodesicPath, GeodesicTracer, geodesic_path
 from ._heat import MeshHeatMethodDistanceSolver, compute_distance, compute_distance_multisource
 from ._laplacian import laplacian, mesh_laplacian, point_cloud_laplacian
@@ -38,6 +39,8 @@ __all__ = [
     "MeshVectorHeatSolver",
     "NumericalError",
     "RefinementReport",
+    "Repair",
+    "RepairedMesh",
     "Triangulation",
     "UndecidedError",
     "VerificationReport",
@@ -48,6 +51,9 @@ __all__ = [
     "geodesic_path",
     "laplacian",
     "mesh_laplacian",
+    "orient",
     "point_cloud_laplacian",
+    "read_mesh",
+    "repair",
     "vertex_areas",
 ]

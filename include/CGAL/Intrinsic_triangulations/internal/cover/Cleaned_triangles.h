@@ -10,9 +10,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -22,7 +22,6 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-using Index_triangle = std::array<std::uint32_t, 3>;
 using Vertex_number_pair = std::pair<std::uint32_t, std::uint32_t>;
 
 // Triangles whose corners are at three different places, by the vertices that stand for those given.

@@ -11,9 +11,11 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
 #include <CGAL/Intrinsic_triangulations/internal/cover/Cover_builder.h>
-#include <CGAL/Intrinsic_triangulations/internal/cover/Faces_around_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/cover/Flat_face_remover.h>
-#include <CGAL/Intrinsic_triangulations/internal/cover/Sides_by_edge.h>
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge.h>
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Triangle_pieces.h>
+#include <CGAL/Intrinsic_triangulations/internal/gluing/separate_fans.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
@@ -49,7 +51,7 @@ public:
   {
     check_size(12 * cleaned_.triangles.size());
     // Each takes some tenths of a second for a million triangles.
-    for (const auto step : {&Cover_builder::find_neighbors, &Cover_builder::find_pieces, &Cover_builder::count_nonmanifold_vertices,
+    for (const auto step : {&Cover_builder::count_edges, &Cover_builder::find_pieces, &Cover_builder::count_nonmanifold_vertices,
                             &Cover_builder::make_copies, &Cover_builder::glue}) {
       interruption_.check();
       (this->*step)();
@@ -73,87 +75,41 @@ private:
     throw Invalid_surface_error(defect, f, 1,
                                 "edge " + std::to_string(triangles()[s / 3][s % 3]) + "-" +
                                   std::to_string(triangles()[s / 3][next_side(s) % 3]) + " of face " +
-                                  std::to_string(f) + " " + what + "; the tufted cover takes it");
+                                  std::to_string(f) + " " + what + "; the tufted cover (Surface_cover::TUFTED, --cover tufted) takes it");
   }
 
-  // Of each side the other one of its edge, if there are two.
-  void find_neighbors()
+  void count_edges()
   {
-    neighbor_ = Index_vector(3 * triangles().size(), null);
     sides_.for_each_edge([&](Index, const Side* begin, const Side* end) {
-      if (end - begin == 1) {
+      if (end - begin == 1)
         ++report().border_edges;
-      } else if (end - begin == 2) {
-        const Index s = begin->side(), t = begin[1].side();
-        neighbor_[s] = 2 * t + same_direction(begin[0], begin[1]);
-        neighbor_[t] = 2 * s + same_direction(begin[0], begin[1]);
-      } else {
-        ++report().nonmanifold_edges;
-        if (options_.cover == Surface_cover::NONE)
-          throw_at_edge(Invalid_surface_error::Defect::NON_MANIFOLD_EDGE, *begin, "has more than two faces");
-      }
+      if (end - begin <= 2)
+        return;
+      ++report().nonmanifold_edges;
+      if (options_.cover == Surface_cover::NONE)
+        throw_at_edge(Invalid_surface_error::Defect::NON_MANIFOLD_EDGE, *begin, "has more than two faces");
     });
   }
-  static Index same_direction(const Side& a, const Side& b)
-  {
-    return a.runs_to_smaller_end() == b.runs_to_smaller_end();
-  }
 
-  // A piece is what edges with two faces join. Turns the faces of each so that they agree with its first, and finds out whether
-  // it needs two copies.
+  // Turns the faces of each piece so that they agree with its first, or finds out that it needs two copies.
   void find_pieces()
   {
-    enum : unsigned char {
-      NEW,
-      AS_GIVEN,
-      TURNED
-    };
-    std::vector<unsigned char> state(triangles().size(), NEW);
+    Triangle_pieces all(sides_, triangles().size());
+    is_turned_ = std::move(all.is_turned);
     is_doubled_.assign(triangles().size(), false);
-    is_turned_.assign(triangles().size(), false);
-    std::vector<Index> piece;
-    for (Index first = 0; first < triangles().size(); ++first) {
-      if (state[first] != NEW)
-        continue;
-      bool is_closed = true;
-      Index conflict = null;
-      piece.assign(1, first);
-      state[first] = AS_GIVEN;
-      for (std::size_t i = 0; i < piece.size(); ++i)
-        for (Index s = 3 * piece[i]; s < 3 * piece[i] + 3; ++s) {
-          if (neighbor_[s] == null) {
-            is_closed = false;
-            continue;
-          }
-          const Index g = neighbor_[s] / 6;
-          const bool disagrees = (neighbor_[s] & 1) != 0;
-          const unsigned char wanted = (state[piece[i]] == TURNED) != disagrees ? TURNED : AS_GIVEN;
-          if (state[g] == NEW) {
-            state[g] = wanted;
-            piece.push_back(g);
-          } else if (state[g] != wanted) {
-            conflict = s;
-          }
-        }
-      report().is_orientable = report().is_orientable && conflict == null;
-      finish_piece(piece, is_closed, conflict, [&](Index f) { return state[f] == TURNED; });
-    }
-  }
-
-  template <class IsTurned>
-  void finish_piece(const std::vector<Index>& piece, bool is_closed, Index conflict, const IsTurned& is_turned)
-  {
-    if (options_.cover == Surface_cover::NONE) {
-      if (conflict != null)
-        throw_at_edge(Invalid_surface_error::Defect::INCONSISTENT_ORIENTATION, Side{0, 2 * conflict},
+    for (const Triangle_pieces::Piece& piece : all.pieces) {
+      report().is_orientable = report().is_orientable && piece.is_orientable();
+      if (options_.cover == Surface_cover::NONE && !piece.is_orientable())
+        throw_at_edge(Invalid_surface_error::Defect::INCONSISTENT_ORIENTATION, Side{0, 2 * piece.conflict},
                       "joins a face to itself turned over: the surface is not orientable");
-    } else if (!is_closed || conflict != null) {
-      for (Index f : piece)
-        is_doubled_[f] = true;
-      return;
     }
-    for (Index f : piece)
-      is_turned_[f] = is_turned(f);
+    if (options_.cover == Surface_cover::NONE)
+      return;
+    for (Index f = 0; f < triangles().size(); ++f)
+      if (const auto& piece = all.pieces[all.piece_of[f]]; !piece.is_closed || !piece.is_orientable()) {
+        is_doubled_[f] = true;
+        is_turned_[f] = false;
+      }
   }
 
   // The faces at a vertex form one fan if one gets from each to each other across edges.
@@ -304,42 +260,9 @@ private:
       report().unreferenced_vertices += has_faces[v] == 1;
   }
 
-  // The fans of corners; the first of each input vertex keeps its number.
-  void name_vertices(std::vector<Index>& vertex_of, Index_vector& corner_vertex) const
-  {
-    vertex_of.reserve(2 * points_.size());
-    vertex_of.resize(points_.size());
-    for (Index v = 0; v < points_.size(); ++v)
-      vertex_of[v] = v;
-    const Index_vector &corners = cover_.corners, &glued_to = cover_.glued_to;
-    corner_vertex = Index_vector(corners.size(), null);
-    std::vector<bool> is_named(points_.size(), false);
-    for (Index first = 0; first < corners.size(); ++first) {
-      if (corner_vertex[first] != null)
-        continue;
-      Index name = corners[first];
-      if (is_named[name]) {
-        vertex_of.push_back(name);
-        name = Index(vertex_of.size() - 1);
-      } else {
-        is_named[name] = true;
-      }
-      Index s = first;
-      do { // clockwise
-        corner_vertex[s] = name;
-        s = glued_to[s] == null ? null : next_side(glued_to[s]);
-      } while (s != null && s != first);
-      if (s == null) // the rest, counterclockwise
-        for (s = glued_to[Glued_faces::previous(first)]; s != null; s = glued_to[Glued_faces::previous(s)])
-          corner_vertex[s] = name;
-    }
-  }
-
   Tufted_cover assemble()
   {
-    std::vector<Index> vertex_of;
-    Index_vector corner_vertex;
-    name_vertices(vertex_of, corner_vertex);
+    auto [vertex_of, corner_vertex] = separate_fans(points_.size(), cover_.corners, cover_.glued_to);
     // The halfedge of a face is that of a Surface_mesh: so numbers are rounded in the same way.
     Delta_complex complex =
       Delta_complex_builder::from_glued_sides(vertex_of.size(), std::move(corner_vertex), std::move(cover_.glued_to), 2);
@@ -381,7 +304,6 @@ private:
   const Tufted_cover_options& options_;
   const Interruption interruption_;
   Sides_by_edge sides_;
-  Index_vector neighbor_;                    // of each side twice the other one, plus 1 if both run in the same direction
   std::vector<bool> is_doubled_, is_turned_; // of each triangle
   Index_vector first_copy_;
   Glued_faces cover_;                   // faces are copies of triangles
@@ -401,7 +323,7 @@ Tufted_cover build_cover(const Points& points, const std::vector<Index_triangle>
       const auto& [v, w] = coincident[0];
       throw Invalid_surface_error(Invalid_surface_error::Defect::ZERO_LENGTH_EDGE, v, coincident.size(),
                                   "vertices " + std::to_string(v) + " and " + std::to_string(w) +
-                                    " are at the same place, and faces without area join them; merge them");
+                                    " are at the same place, and faces without area join them; merge them (Coincident_vertices::MERGE, --coincident-vertices merge)");
     }
     merged.insert(merged.end(), coincident.begin(), coincident.end());
   }

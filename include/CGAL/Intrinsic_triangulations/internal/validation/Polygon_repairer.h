@@ -3,27 +3,24 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The steps of a repair, by CGAL::Polygon_mesh_processing, and the thread from each element back
-// to the input.
+// The steps of a repair, and the thread from each element back to the input.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_REPAIRER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_REPAIRER_H
 
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/Repaired_polygons.h>
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Element_collector.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/triangulate_polygon.h>
 
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -99,9 +96,8 @@ public:
     remove_repeated_corners();
     remove_duplicates();
     triangulate(progress);
-    orient();
     ask(progress, 0.9);
-    stitch_cuts();
+    glue();
     collect();
     report();
     ask(progress, 1);
@@ -229,38 +225,56 @@ private:
       remove_duplicates();
   }
 
-  struct Orientation_visitor : Polygon_mesh_processing::Default_orientation_visitor
+  // Turns triangles, and copies vertices for the fans that are left.
+  void glue()
   {
-    Polygon_repairer* repairer = nullptr;
-    void polygon_orientation_reversed(std::size_t f)
-    {
-      repairer->is_reversed_[repairer->polygons_[f].input] = true;
-    }
-  };
-  void orient()
-  {
-    number_of_points_before_cuts_ = points_.size();
-    Orientation_visitor visitor;
-    visitor.repairer = this;
-    Polygon_mesh_processing::orient_polygon_soup(points_, polygons_, parameters::visitor(visitor));
+    Points points;
+    std::vector<Index_triangle> triangles;
+    for (const Numbered_point& p : points_)
+      points.push_back({p.x(), p.y(), p.z()});
+    for (const Numbered_polygon& polygon : polygons_)
+      triangles.push_back({std::uint32_t(polygon[0]), std::uint32_t(polygon[1]), std::uint32_t(polygon[2])});
+    const Surface_gluer gluer(points, triangles);
+
+    for (Index f = 0; f < triangles.size(); ++f)
+      if (gluer.is_turned(f)) {
+        is_reversed_[polygons_[f].input] = true;
+        std::swap(polygons_[f][0], polygons_[f][2]);
+      }
+    find_opened_edges(gluer);
+    points_.reserve(gluer.vertices().size());
+    for (Index v = points_.size(); v < gluer.vertices().size(); ++v)
+      points_.push_back(Numbered_point(points_[gluer.vertices()[v]]));
+    for (Index c = 0; c < 3 * triangles.size(); ++c)
+      polygons_[c / 3][c % 3] = gluer.vertex(c);
   }
 
-  // Along an edge with four faces, two of each of two surfaces, each is whole after this.
-  void stitch_cuts()
+  // Border edges that had several faces in the input, or lay inside one.
+  void find_opened_edges(const Surface_gluer& gluer)
   {
-    if (points_.size() == number_of_points_before_cuts_ || polygons_.empty())
-      return;
-    using Mesh = Surface_mesh<Simple_cartesian<double>::Point_3>;
-    Mesh mesh;
-    std::vector<Simple_cartesian<double>::Point_3> places(points_.begin(), points_.end());
-    Polygon_mesh_processing::polygon_soup_to_polygon_mesh(places, polygons_, mesh);
-    Polygon_mesh_processing::stitch_borders(mesh);
-    Index f = 0;
-    for (Mesh::Face_index face : mesh.faces()) {
-      Index i = 0;
-      for (Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(face)))
-        polygons_[f][i++] = v.idx();
-      ++f;
+    using Edge = std::array<Index, 2>;
+    const auto edge = [](Index v, Index w) { return Edge{(std::min)(v, w), (std::max)(v, w)}; };
+    std::vector<std::pair<Edge, Index>> border; // with the face
+    for (const Numbered_polygon& triangle : polygons_)
+      for (Index i = 0; i < 3; ++i)
+        if (gluer.is_border(3 * Index(&triangle - polygons_.data()) + i))
+          border.emplace_back(edge(points_[triangle[i]].input, points_[triangle[(i + 1) % 3]].input), triangle.input);
+    std::sort(border.begin(), border.end());
+    std::vector<Index> number_of_faces(border.size(), 0);
+    for (const std::vector<Index>& polygon : input_polygons_)
+      for (Index i = 0; i < polygon.size() && !border.empty(); ++i) {
+        const std::pair<Edge, Index> key(
+          edge(representative_[polygon[i]], representative_[polygon[i + 1 < polygon.size() ? i + 1 : 0]]), 0);
+        for (auto it = std::lower_bound(border.begin(), border.end(), key); it != border.end() && it->first == key.first; ++it)
+          ++number_of_faces[Index(it - border.begin())];
+      }
+    for (Index i = 0; i < border.size(); ++i) {
+      const auto& [ends, face] = border[i];
+      if (number_of_faces[i] == 1)
+        continue;
+      if (opened_.count() == 0 || face < opened_.first())
+        first_opened_edge_ = {ends[0], ends[1], number_of_faces[i]};
+      opened_.add(face);
     }
   }
 
@@ -356,8 +370,14 @@ private:
     });
     add(Repair_kind::REVERSED_FACE, reversed, [&](Index f) { return face(f) + " was turned over"; });
     add(Repair_kind::SPLIT_VERTEX, split, [&](Index v) {
-      return vertex(v) + " became " + std::to_string(vertex_count[v]) +
-             " vertices, as its faces form that many fans or the surface had to be cut there";
+      return vertex(v) + " became " + std::to_string(vertex_count[v]) + " vertices, one for each fan of its faces";
+    });
+    add(Repair_kind::OPENED_EDGE, opened_, [&](Index f) {
+      const auto [v, w, n] = first_opened_edge_;
+      return "edge " + std::to_string(v) + "-" + std::to_string(w) + " of " + face(f) +
+             (n == 0   ? " became border: it was inside a face, of which a part was removed"
+              : n == 2 ? " became border: its two faces do not fit, or one was removed"
+                       : " became border: of its " + std::to_string(n) + " faces, no other one was left that fits");
     });
     add(Repair_kind::DROPPED_VERTEX, dropped, [&](Index v) {
       return vertex(v) + (representative_[v] == none ? " was dropped, as no face names it"
@@ -382,7 +402,8 @@ private:
   std::vector<bool> is_kept_, is_reversed_; // of each input face
   std::vector<bool> has_lost_part_;         // of each input face of which several parts were left
   Element_collector collapsed_;
-  std::size_t number_of_points_before_cuts_ = 0;
+  Element_collector opened_;
+  std::array<Index, 3> first_opened_edge_ = {}; // ends, and how many faces it had
   Repaired_polygons result_;
 };
 

@@ -5,10 +5,10 @@
 //
 // The order of faces around an edge in space.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FACES_AROUND_EDGE_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FACES_AROUND_EDGE_IMPL_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_FACES_AROUND_EDGE_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_FACES_AROUND_EDGE_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/internal/cover/Faces_around_edge.h>
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 
@@ -145,4 +145,4 @@ bool Faces_around_edge::is_on_edge_line(std::uint32_t w) const
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FACES_AROUND_EDGE_IMPL_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_FACES_AROUND_EDGE_IMPL_H

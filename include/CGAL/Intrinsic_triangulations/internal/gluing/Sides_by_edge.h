@@ -5,13 +5,13 @@
 //
 // The sides of triangles, those of one edge together. Side 3f + i runs from corner i of face f to corner i + 1.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_SIDES_BY_EDGE_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_SIDES_BY_EDGE_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SIDES_BY_EDGE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SIDES_BY_EDGE_H
 
 #include <CGAL/Intrinsic_triangulations/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/cover/Cleaned_triangles.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -19,6 +19,8 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+using Index_triangle = std::array<std::uint32_t, 3>;
 
 class Sides_by_edge
 {
@@ -91,4 +93,4 @@ private:
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_SIDES_BY_EDGE_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SIDES_BY_EDGE_H

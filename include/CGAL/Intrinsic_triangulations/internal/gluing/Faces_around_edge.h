@@ -5,8 +5,8 @@
 //
 // The order of faces around an edge in space.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FACES_AROUND_EDGE_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FACES_AROUND_EDGE_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_FACES_AROUND_EDGE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_FACES_AROUND_EDGE_H
 
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
@@ -45,6 +45,9 @@ public:
 
   void sort(std::vector<Face>& faces);
 
+  // Whether no turn leads from one face to the other. A face without area is in every half-plane.
+  bool are_in_one_half_plane(const Face& a, const Face& b) const { return sector(a.third_vertex, b.third_vertex) == SAME; }
+
 private:
   // Where a half-plane is, seen from the first: in front means counterclockwise, by less than π.
   enum Sector {
@@ -77,7 +80,7 @@ private:
 } // namespace CGAL
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/cover/Faces_around_edge_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge_impl.h>
 #endif
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FACES_AROUND_EDGE_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_FACES_AROUND_EDGE_H

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Meshes from files, and faces that are turned to agree.
+
+#include "python/Signal_watch.h"
+#include "python/arrays.h"
+#include "python/bindings.h"
+
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
+#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace idt_python {
+
+namespace {
+
+// Points, corners of all faces, and where those of each begin; no beginnings if all are triangles.
+py::tuple read_mesh(const std::string& file_name)
+{
+  IT::Polygon_soup soup =
+    without_lock([&] { return IT::read_polygon_soup(file_name, [](double) { return Signal_watch::goes_on(); }); });
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * soup.points.size());
+  for (const auto& p : soup.points)
+    coordinates.insert(coordinates.end(), p.begin(), p.end());
+  std::vector<std::int64_t> corners;
+  for (std::size_t f = 0; f < soup.number_of_faces(); ++f)
+    corners.insert(corners.end(), soup.polygon(f).begin(), soup.polygon(f).end());
+  std::vector<std::int64_t> first_corner(soup.first_corner.begin(), soup.first_corner.end());
+  return py::make_tuple(to_array(std::move(coordinates), 3), to_array(std::move(corners)), to_array(std::move(first_corner)));
+}
+
+// Which triangles are turned so that they agree.
+py::array turned_faces(const Doubles& points, const Indices& triangles)
+{
+  const auto rows = copied_rows(points);
+  const auto faces = copied_rows(triangles);
+  return to_array(without_lock([&] {
+    const IT::internal::Points places(rows.begin(), rows.end());
+    const IT::internal::Surface_gluer gluer(places, faces);
+    std::vector<std::int64_t> result;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      if (gluer.is_turned(f))
+        result.push_back(std::int64_t(f));
+    return result;
+  }));
+}
+
+} // namespace
+
+void add_files(py::module_& module)
+{
+  module.def("read_mesh", &read_mesh, py::arg("file_name"));
+  module.def("turned_faces", &turned_faces, py::arg("points").noconvert(), py::arg("triangles").noconvert());
+}
+
+} // namespace idt_python

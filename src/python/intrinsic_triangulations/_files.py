@@ -1,0 +1,198 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# Meshes from files, and what makes a surface of one.
+
+"""Meshes from files, and what makes a surface of one."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, List, NamedTuple, Tuple, Union
+
+import numpy
+
+from . import _arrays, _core
+from ._errors import InvalidSurfaceError
+
+
+class Repair(NamedTuple):
+    """One kind of repair that `repair` or `orient` made."""
+
+    #: What was done, as in the files of the command: "reversed faces", "opened edges" and so on.
+    kind: str
+    #: How many faces, vertices or edges are concerned.
+    count: int
+    #: The smallest of their numbers in the input, at most ten; of an edge, that of its face.
+    first: List[int]
+    #: A sentence about the first one.
+    message: str
+
+
+class RepairedMesh(NamedTuple):
+    """The result of `repair`."""
+
+    #: (n, 3) array: the positions of the vertices.
+    V: numpy.ndarray
+    #: (m, 3) array of int64: the corners of the triangles.
+    F: numpy.ndarray
+    #: (n,) array of int64: for each vertex, which one of the input it is.
+    vertices: numpy.ndarray
+    #: (m,) array of int64: for each triangle, which face of the input it is, or is a part of.
+    faces: numpy.ndarray
+    #: What was done; an empty list if nothing had to be.
+    repairs: List[Repair]
+
+
+def read_mesh(file_name: Union[str, "os.PathLike[str]"]) -> Tuple[numpy.ndarray, Any]:
+    """The points and faces of an OFF, OBJ, PLY, STL or TS file, as the command reads it.
+
+    Nothing is merged, turned or left out, but corners at the same place in STL files, which have no vertices.
+
+    Parameters
+    ----------
+    file_name : str or path
+        Its extension tells the format.
+
+    Returns
+    -------
+    V : (n, 3) array
+        The positions of the vertices.
+    F : (m, 3) array of int64, or list of lists
+        The corners of the faces: an array if all of them are triangles; if not, a list for each, which `repair` takes.
+
+    Raises
+    ------
+    InvalidSurfaceError
+        If the file cannot be read. The message names the line or the element at fault.
+    """
+    V, corners, first = _core.read_mesh(os.fspath(file_name))
+    if len(first) == 0:
+        return V, corners.reshape(-1, 3)
+    return V, [corners[begin:end].tolist() for begin, end in zip(first[:-1], first[1:])]
+
+
+def orient(V: Any, F: Any) -> Tuple[numpy.ndarray, List[Repair]]:
+    """The triangles, turned so that any two that share an edge agree.
+
+    The first triangle of all that edges join stays as it is. At an edge with more than two triangles, directions alternate, as they do
+    around a solid. No vertex is copied: edges with more than two triangles stay, and only `repair` makes a surface of them.
+
+    Parameters
+    ----------
+    V : (n, 3) array of integers or floats
+        The positions of the vertices.
+    F : (m, 3) array of integers
+        The corners of the triangles, counted from 0.
+
+    Returns
+    -------
+    F : (m, 3) array of int64
+        The same triangles, some of them with their corners in reverse order.
+    repairs : list of Repair
+        What was done: one entry, or none if no triangle was turned.
+
+    Raises
+    ------
+    InvalidSurfaceError
+        If the surface is one-sided, so that no choice of directions fits. `repair` cuts it open.
+
+    Examples
+    --------
+    >>> import intrinsic_triangulations as it
+    >>> F, repairs = it.orient([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 1]], [[0, 1, 2], [1, 2, 3]])
+    >>> F.tolist(), repairs[0].message
+    ([[0, 1, 2], [3, 2, 1]], 'face 1 was turned over')
+    """
+    points, faces = _arrays.points_and_faces(V, F)
+    _arrays.finite(points, "V", (None, 3))
+    is_bad = (faces[:, 0] == faces[:, 1]) | (faces[:, 1] == faces[:, 2]) | (faces[:, 2] == faces[:, 0])
+    if is_bad.any():
+        row = int(numpy.argmax(is_bad))
+        raise InvalidSurfaceError(f"F[{row}] names a vertex twice; repair(V, F) removes it", "REPEATED_CORNER", row,
+                                  int(is_bad.sum()))
+    result = faces.astype(numpy.int64)
+    turned = _core.turned_faces(points, faces)
+    result[turned] = result[turned][:, ::-1]
+    _check_orientation(result)
+    if len(turned) == 0:
+        return result, []
+    message = f"face {turned[0]} was turned over"
+    if len(turned) > 1:
+        message += f", and {len(turned) - 1} more face{'s' if len(turned) > 2 else ''} like it"
+    return result, [Repair("reversed faces", len(turned), turned[:10].tolist(), message)]
+
+
+def _check_orientation(faces: numpy.ndarray) -> None:
+    """raises if the two triangles of an edge traverse it in the same direction."""
+    sides = numpy.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    ends = numpy.sort(sides, axis=1)
+    edges, number, count = numpy.unique(ends, axis=0, return_inverse=True, return_counts=True)
+    forward = numpy.bincount(number.ravel(), weights=(sides[:, 0] < sides[:, 1]), minlength=len(edges))
+    is_bad = (count == 2) & (forward != 1)
+    if is_bad.any():
+        edge = int(numpy.argmax(is_bad))
+        face = int(numpy.flatnonzero(number.ravel() == edge)[0] % len(faces))
+        raise InvalidSurfaceError(
+            f"the surface is one-sided: the triangles at edge {edges[edge][0]}-{edges[edge][1]} of face {face} cannot be turned to "
+            "agree; repair(V, F) cuts it open", "INCONSISTENT_ORIENTATION", face, int(is_bad.sum()))
+
+
+def repair(V: Any, F: Any) -> RepairedMesh:
+    """An oriented surface of triangles, made of any polygons as far as their connectivity is at fault.
+
+    Polygons become triangles, seams are closed, faces oriented, duplicate faces and unused vertices removed. At an edge with more than two
+    faces, those that bound the same piece of a solid stay together, so that what is closed stays closed. No vertex is moved. This function is
+    under the GPL, as the parts of CGAL that it uses. It does the same as the option ``--repair`` of the command.
+
+    Parameters
+    ----------
+    V : (n, 3) array of integers or floats
+        The positions of the vertices.
+    F : (m, k) array of integers, or sequence of sequences
+        The corners of the faces, of any number of corners, counted from 0.
+
+    Returns
+    -------
+    RepairedMesh
+
+    Raises
+    ------
+    InvalidSurfaceError
+        If there is no face, an index is out of range, or a coordinate is not finite.
+
+    Examples
+    --------
+    >>> import intrinsic_triangulations as it
+    >>> mesh = it.repair([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2, 3], [0, 1, 4]])
+    >>> for r in mesh.repairs:
+    ...     print(r.message)
+    face 0 (4 corners) was cut into triangles
+    face 1 was turned over
+    >>> mesh.faces.tolist()
+    [0, 0, 1]
+    """
+    from . import _repair
+
+    points = _arrays.doubles(V, "V", (None, 3))
+    if isinstance(F, numpy.ndarray):
+        array = _arrays.as_array(F, "F", "iu", "integers")
+        _arrays.check_shape(array, "F", (None, None))
+        lengths = [array.shape[1]] * len(array)
+        corners = array.ravel()
+    else:
+        try:
+            polygons = [_arrays.as_array(face, f"F[{i}]", "iu", "integers").ravel() for i, face in enumerate(F)]
+        except TypeError:
+            raise ValueError("F has to be a sequence of faces") from None
+        lengths = [len(face) for face in polygons]
+        corners = numpy.concatenate([face.astype(numpy.int64) for face in polygons]) if polygons else numpy.zeros(0, numpy.int64)
+    is_bad = (corners < 0) | (corners >= len(points))
+    if is_bad.any():
+        where = int(numpy.argmax(is_bad))
+        row = int(numpy.searchsorted(numpy.cumsum(lengths), where, side="right"))
+        raise InvalidSurfaceError(f"F[{row}] names vertex {int(corners[where])}, but there are only {len(points)}, counted from 0",
+                                  "BAD_INDEX", row, int(is_bad.sum()))
+    first = numpy.concatenate([[0], numpy.cumsum(lengths, dtype=numpy.int64)]).tolist()
+    V, F, vertices, faces, repairs = _repair.repair(points, corners.astype(numpy.uint32), first)
+    return RepairedMesh(V, F, vertices, faces, [Repair(*entry) for entry in repairs])

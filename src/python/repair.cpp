@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The repair of polygons: an extension module of its own, as it includes a GPL header.
+
+#include "python/Signal_watch.h"
+#include "python/arrays.h"
+#include "python/errors.h"
+
+#include <CGAL/Intrinsic_triangulations/repair_polygons.h>
+
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace idt_python {
+
+namespace {
+
+// \param first_corner where the corners of each face begin, and where those of the last end
+py::tuple repair(const Doubles& points, const Indices& corners, const std::vector<std::size_t>& first_corner)
+{
+  const Rows<double> rows(points);
+  const std::vector<std::uint32_t> all = copied(corners);
+  std::vector<std::vector<std::size_t>> polygons;
+  for (std::size_t f = 0; f + 1 < first_corner.size(); ++f) {
+    require(first_corner[f] <= first_corner[f + 1] && first_corner[f + 1] <= all.size(), "a face has no corners");
+    polygons.emplace_back(all.begin() + std::ptrdiff_t(first_corner[f]), all.begin() + std::ptrdiff_t(first_corner[f + 1]));
+  }
+  IT::Repaired_polygons repaired = without_lock(
+    [&] { return IT::repair_polygons(rows, polygons, [](double) { return Signal_watch::goes_on(); }); });
+  std::vector<double> coordinates;
+  for (const auto& p : repaired.points)
+    coordinates.insert(coordinates.end(), p.begin(), p.end());
+  std::vector<std::int64_t> faces;
+  for (const auto& t : repaired.triangles)
+    faces.insert(faces.end(), t.begin(), t.end());
+  py::list repairs;
+  for (const IT::Repair& r : repaired.repairs)
+    repairs.append(py::make_tuple(IT::name(r.kind), r.count, r.elements, IT::message(r)));
+  return py::make_tuple(
+    to_array(std::move(coordinates), 3), to_array(std::move(faces), 3),
+    to_array(std::vector<std::int64_t>(repaired.input_vertices.begin(), repaired.input_vertices.end())),
+    to_array(std::vector<std::int64_t>(repaired.input_faces.begin(), repaired.input_faces.end())), repairs);
+}
+
+} // namespace
+
+} // namespace idt_python
+
+PYBIND11_MODULE(_repair, module)
+{
+  module.doc() = "The repair of the package intrinsic_triangulations, which is under the GPL.";
+  idt_python::register_errors();
+  module.def("repair", &idt_python::repair, pybind11::arg("points").noconvert(), pybind11::arg("corners").noconvert(),
+             pybind11::arg("first_corner"));
+}
