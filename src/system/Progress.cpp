@@ -3,7 +3,7 @@
 
 #include "system/Progress.h"
 
-#include <unistd.h>
+#include "system/system_calls.h"
 
 #include <algorithm>
 #include <atomic>
@@ -32,7 +32,7 @@ std::string short_name(const std::string& path)
 } // namespace
 
 Progress::Progress(const std::string& path, const char* phase)
-  : name_(short_name(path)), is_shown_(::isatty(STDERR_FILENO) == 1), phase_(phase)
+  : name_(short_name(path)), is_shown_(is_error_output_a_terminal()), phase_(phase)
 {
   if (is_shown_)
     try {
