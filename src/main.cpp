@@ -6,6 +6,7 @@
 #include "system/Exit_status.h"
 #include "system/Interruption.h"
 #include "system/Progress.h"
+#include "system/system_calls.h"
 #include "output/Output_file.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
@@ -19,7 +20,7 @@
 int main(int argc, char** argv)
 {
   using idt::Exit_status;
-  idt::occupy_standard_descriptors();
+  idt::prepare_standard_streams();
   idt::install_signal_handlers();
 
   Exit_status status = Exit_status::DONE;

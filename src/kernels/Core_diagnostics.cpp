@@ -3,10 +3,12 @@
 
 #include "kernels/Core_diagnostics.h"
 
-#include "system/temporary_folder.h"
+#include "system/system_calls.h"
 
+#ifndef _WIN32
 #include <fcntl.h>
 #include <unistd.h>
+#endif
 
 #include <cstdlib>
 #include <filesystem>
@@ -14,6 +16,11 @@
 
 namespace idt {
 
+#ifdef _WIN32
+// The file stays where it is.
+Discarded_core_diagnostics::Discarded_core_diagnostics() = default;
+Discarded_core_diagnostics::~Discarded_core_diagnostics() = default;
+#else
 // Where no such folder can be made, everything stays as it is.
 Discarded_core_diagnostics::Discarded_core_diagnostics()
 {
@@ -35,5 +42,6 @@ Discarded_core_diagnostics::~Discarded_core_diagnostics()
   if (!folder_.empty())
     std::filesystem::remove_all(folder_, error);
 }
+#endif
 
 } // namespace idt

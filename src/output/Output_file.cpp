@@ -3,9 +3,7 @@
 
 #include "output/Output_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include "system/system_calls.h"
 
 #include <cerrno>
 #include <cstring>
@@ -43,18 +41,17 @@ int create_beside(const std::string& target, std::string& temporary)
   for (int attempt = 0; attempt < 1000; ++attempt) {
     // A name may have 255 bytes.
     const fs::path path(target);
-    temporary = (path.parent_path() / path.filename().string().substr(0, 200)).string() + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
-    const int descriptor = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, is_old ? 0600 : 0666);
-    if (descriptor >= 0) {
-      ::close(descriptor);
+    temporary = (path.parent_path() / path.filename().string().substr(0, 200)).string() + ".part-" + std::to_string(process_number()) + "-" + std::to_string(attempt);
+    const int error_number = create_new_file(temporary, is_old);
+    if (error_number == 0)
       return 0;
+    if (error_number != EEXIST) {
+      temporary.clear();
+      return error_number;
     }
-    if (errno != EEXIST)
-      break;
   }
-  const int error_number = errno;
   temporary.clear();
-  return error_number;
+  return EEXIST;
 }
 
 // Where results for "-" go, and reports as long as nothing else was said.
@@ -101,7 +98,7 @@ Output_file::Output_file(const std::string& path) : path_(path), target_(path)
   }
   // To open a pipe that nobody reads from would wait for ever. What is open until the stream is, keeps the
   // reader of any other from seeing an end.
-  const int pipe = fs::is_fifo(status) ? ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC) : -1;
+  const int pipe = fs::is_fifo(status) ? open_pipe_with_reader(path) : -1;
   if (fs::is_fifo(status) && pipe < 0) {
     if (errno == ENXIO)
       throw Output_error(path_ + ": cannot be written: this is a pipe from which no program reads");
@@ -111,7 +108,7 @@ Output_file::Output_file(const std::string& path) : path_(path), target_(path)
   stream_.open(temporary_.empty() ? target_ : temporary_, std::ios::binary | std::ios::trunc);
   const int error_number = errno;
   if (pipe >= 0)
-    ::close(pipe);
+    close_descriptor(pipe);
   if (!stream_) {
     remove_temporary();
     fail(error_number);
@@ -127,8 +124,9 @@ Output_file::~Output_file()
 
 void Output_file::remove_temporary() const
 {
+  std::error_code error;
   if (!temporary_.empty())
-    ::unlink(temporary_.c_str());
+    fs::remove(temporary_, error);
 }
 
 std::ostream& Output_file::stream() { return path_ == "-" ? standard_output() : stream_; }
@@ -144,11 +142,15 @@ void Output_file::commit()
   stream_.close();
   if (!stream_)
     fail(errno == 0 ? reason : errno);
-  struct stat old = {};
-  if (!temporary_.empty() && ::stat(target_.c_str(), &old) == 0)
-    static_cast<void>(::chmod(temporary_.c_str(), old.st_mode & 07777));
-  if (!temporary_.empty() && std::rename(temporary_.c_str(), target_.c_str()) != 0)
-    fail(errno);
+  if (!temporary_.empty()) {
+    std::error_code error;
+    const fs::file_status old = fs::status(target_, error);
+    if (fs::exists(old))
+      fs::permissions(temporary_, old.permissions(), error);
+    fs::rename(temporary_, target_, error);
+    if (error)
+      fail(error.value());
+  }
   is_committed_ = true;
 }
 

@@ -3,7 +3,7 @@
 
 #include "output/Triangulation_result.h"
 
-#include "system/peak_memory.h"
+#include "system/system_calls.h"
 #include "input/repair.h"
 
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 
 #include "output/Triangulation_result.h"
 
-#include "system/peak_memory.h"
+#include "system/system_calls.h"
 #include "system/text.h"
 
 #include <iomanip>

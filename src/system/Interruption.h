@@ -13,7 +13,7 @@
 
 namespace idt {
 
-// Lets SIGINT, SIGTERM and SIGHUP ask for an orderly end. If it has not come after six tenths of a second, the
+// Lets SIGINT, SIGTERM and SIGHUP ask for an orderly end. If it has not come after half a second, the
 // process ends without it, with the status NOT_FINISHED; a second signal of the same kind ends it at once. Either
 // way, what is Unfinished is undone. Broken pipes and file size limits become write errors.
 void install_signal_handlers();
@@ -23,10 +23,6 @@ void install_signal_handlers_in_copy();
 
 // The process is about to end by itself: nothing ends it sooner any more, unless its end takes long.
 void end_in_good_order();
-
-// Occupies the standard descriptors that are closed, lest a file that is opened later is
-// taken for one of them; writing to them fails as it should.
-void occupy_standard_descriptors();
 
 // Whether an end was asked for.
 bool is_interrupted();

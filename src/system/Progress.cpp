@@ -3,7 +3,7 @@
 
 #include "system/Progress.h"
 
-#include <unistd.h>
+#include "system/system_calls.h"
 
 #include <algorithm>
 #include <atomic>
@@ -36,7 +36,7 @@ bool is_any_shown = true;
 void Progress::set_shown(bool is_shown) { is_any_shown = is_shown; }
 
 Progress::Progress(const std::string& path, const char* phase)
-  : name_(short_name(path)), is_shown_(is_any_shown && ::isatty(STDERR_FILENO) == 1), phase_(phase)
+  : name_(short_name(path)), is_shown_(is_any_shown && is_error_output_a_terminal()), phase_(phase)
 {
   if (is_shown_)
     try {

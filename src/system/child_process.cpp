@@ -6,14 +6,17 @@
 #include "system/Exit_status.h"
 #include "system/Interruption.h"
 #include "system/Stopwatch.h"
-#include "system/temporary_folder.h"
+#include "system/system_calls.h"
 
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 #include <atomic>
 #include <cerrno>
@@ -110,8 +113,10 @@ private:
     std::cout.flush();
     std::cerr.flush();
     int ends[2];
-    if (::pipe2(ends, O_CLOEXEC) != 0)
+    if (::pipe(ends) != 0)
       fail(errno);
+    for (int end : ends)
+      ::fcntl(end, F_SETFD, FD_CLOEXEC);
     process_ = ::fork();
     if (process_ == 0) {
       ::close(ends[0]);
@@ -145,8 +150,10 @@ private:
 
   [[noreturn]] void be_the_child(const std::function<void(int out)>& function, int out) const
   {
+#ifdef __linux__
     // Not to outlive the parent.
     ::prctl(PR_SET_PDEATHSIG, writes_files_ ? SIGTERM : SIGKILL);
+#endif
     install_signal_handlers_in_copy();
     if (!writes_files_)
       for (int signal_number : {SIGINT, SIGTERM, SIGHUP})

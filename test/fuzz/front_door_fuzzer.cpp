@@ -7,7 +7,7 @@
 #include "input/Surface.h"
 #include "check_core.h"
 #include "fuzz_target.h"
-#include "system/temporary_folder.h"
+#include "system/system_calls.h"
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>

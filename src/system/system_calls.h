@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the command asks of the system and C++ has no function for; other processes are in child_process.h. There is a
+// source for POSIX and one for Windows.
+
+#ifndef IDT_SYSTEM_CALLS_H
+#define IDT_SYSTEM_CALLS_H
+
+#include <cstdint>
+#include <string>
+
+namespace idt {
+
+// Has the standard streams take bytes as they are, and occupies the descriptors of those that are closed, lest a file that
+// is opened later is taken for one of them; writing to them fails as it should.
+void prepare_standard_streams();
+
+bool is_error_output_a_terminal();
+
+// Writes to the standard error, whatever other threads do.
+void write_error_output(const std::string& text);
+
+int process_number();
+
+// The most memory that the process has had so far, all inputs together.
+std::uint64_t peak_memory_bytes();
+
+// Creates an empty file that was not there. \param is_private whether only its owner may read it
+// \return 0, or what errno was
+int create_new_file(const std::string& path, bool is_private);
+
+// Opens a named pipe for writing if a program reads from it; does not wait for one.
+// \return a descriptor, or -1 and errno is ENXIO if there is no reader
+int open_pipe_with_reader(const std::string& path);
+void close_descriptor(int descriptor);
+
+// A new folder for this process alone; empty if there can be none.
+std::string make_temporary_folder();
+
+// Has each request for an end, by Ctrl-C or another program, call a function that is allowed to do what signal handlers are, and
+// then wake wait_for_request(). Requests that the parent of this process ignores stay ignored. Broken pipes and limits of the size of
+// files become errors of writing.
+// \param is_once whether the second request of a kind ends the process
+void catch_requests(void (*function)(), bool is_once);
+
+// To be called before, and again in a copy of this process. \return false if nobody can wait for requests
+bool prepare_to_wait_for_requests();
+// Returns the kind of the next request, which is positive, or 0 if there is none in time. \param milliseconds negative: waits for ever
+int wait_for_request(long milliseconds);
+// As a request of this kind ends a process that does not catch it.
+[[noreturn]] void end_by_request(int kind);
+
+} // namespace idt
+
+#endif // IDT_SYSTEM_CALLS_H
