@@ -4,7 +4,7 @@
 #include "input/standard_input.h"
 
 #include "system/Interruption.h"
-#include "system/temporary_folder.h"
+#include "system/system_calls.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
