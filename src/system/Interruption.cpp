@@ -26,7 +26,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Then the process is ended, and the rest of the second is for the system, which takes its memory back.
-constexpr std::chrono::milliseconds time_for_an_orderly_end(600);
+constexpr std::chrono::milliseconds time_for_an_orderly_end(500);
 
 std::atomic<bool> interrupted{false};
 std::atomic<Clock::rep> interruption_time{0};

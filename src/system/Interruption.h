@@ -13,7 +13,7 @@
 
 namespace idt {
 
-// Lets SIGINT, SIGTERM and SIGHUP ask for an orderly end. If it has not come after six tenths of a second, the
+// Lets SIGINT, SIGTERM and SIGHUP ask for an orderly end. If it has not come after half a second, the
 // process ends without it, with the status NOT_FINISHED; a second signal of the same kind ends it at once. Either
 // way, what is Unfinished is undone. Broken pipes and file size limits become write errors.
 void install_signal_handlers();

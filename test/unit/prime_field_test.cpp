@@ -4,6 +4,7 @@
 // Fields with p² elements keep the laws of a field, agree with integers modulo p, and have square roots.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/upper_product.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <gtest/gtest.h>
@@ -55,6 +56,20 @@ std::vector<Gaussian_residue> elements(const Prime_field& f, Random_bits& random
     result.push_back({parts[i], parts[(i + 3) % parts.size()]});
   }
   return result;
+}
+
+TEST(Upper_product, is_the_quotient_of_exact_integers)
+{
+  Random_bits random(1);
+  std::vector<std::uint64_t> numbers = {0, 1, 2, 0xffffffffu, 0x100000000u, 0x100000001u, ~std::uint64_t(0), ~std::uint64_t(0) - 1};
+  for (int i = 0; i < 200; ++i)
+    numbers.push_back(random() >> i % 64);
+  for (std::uint64_t a : numbers)
+    for (std::uint64_t b : numbers) {
+      const auto expected = static_cast<std::uint64_t>(Integer(Integer(a) * b >> 64));
+      EXPECT_EQ(IT::internal::upper_product(a, b), expected) << a << ' ' << b;
+      EXPECT_EQ(IT::internal::upper_product_by_halves(a, b), expected) << a << ' ' << b;
+    }
 }
 
 TEST(Prime_field, primes_are_random_and_have_the_size_and_residue_that_are_promised)

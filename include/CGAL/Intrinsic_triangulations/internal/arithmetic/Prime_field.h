@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_PRIME_FIELD_H
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/upper_product.h>
 
 #include <array>
 #include <cmath>
@@ -76,7 +77,7 @@ public:
 
   Number from_integer(mpz_srcptr n) const
   {
-    return product(mpz_fdiv_ui(n, p_), square_of_unit_);
+    return product(remainder(n), square_of_unit_);
   }
 
   Number from_double(double x) const
@@ -104,9 +105,9 @@ public:
   // The product or p more, of numbers below 2 p: as 4 p < 2^64, (a b + m p) / 2^64 < 2 p. So in chains of products only the last is reduced.
   Number unreduced_product(Number a, Number b) const
   {
-    const Wide t = Wide(a) * b;
-    const std::uint64_t m = std::uint64_t(t) * minus_inverse_;
-    return Number((t + Wide(m) * p_) >> 64);
+    // The lower halves of a b and m p sum to 2^64, or both are zero.
+    const std::uint64_t lower = a * b;
+    return upper_product(a, b) + upper_product(lower * minus_inverse_, p_) + (lower != 0);
   }
   Number power(Number a, std::uint64_t exponent) const
   {
@@ -120,7 +121,17 @@ public:
   std::uint64_t exponent_of_inverse() const { return p_ - 2; }
 
 private:
-  __extension__ using Wide = unsigned __int128;
+  // Of n divided by p, not negative.
+  std::uint64_t remainder(mpz_srcptr n) const
+  {
+    if constexpr (sizeof(unsigned long) >= sizeof(std::uint64_t)) {
+      return mpz_fdiv_ui(n, static_cast<unsigned long>(p_));
+    } else { // as on Windows
+      Integer r;
+      mpz_fdiv_r(r.backend().data(), n, data(Integer(p_)));
+      return static_cast<std::uint64_t>(r);
+    }
+  }
 
   std::uint64_t p_ = 0;
   std::uint64_t minus_inverse_ = 0; // of p modulo 2^64

@@ -11,6 +11,7 @@
 
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/from_chars.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 
 #include <charconv>
@@ -130,7 +131,7 @@ bool read_coordinate(const std::string& word, double& number);
 template <class Real>
 bool take_real(const char*& p, const char* const end, Real& number)
 {
-  const std::from_chars_result result = std::from_chars(p, end, number);
+  const std::from_chars_result result = internal::from_chars(p, end, number);
   if (result.ec != std::errc() || !(result.ptr == end || is_white(*result.ptr) || *result.ptr == '#') ||
       !std::isfinite(number))
     return false;

@@ -85,7 +85,7 @@ enum class Number_state {
 inline Number_state read_number(const std::string& word, double& number)
 {
   const char* const begin = word.data() + (word.size() > 1 && word[0] == '+' && word[1] != '-' ? 1 : 0);
-  const std::from_chars_result result = std::from_chars(begin, word.data() + word.size(), number);
+  const std::from_chars_result result = internal::from_chars(begin, word.data() + word.size(), number);
   if (result.ptr != word.data() + word.size() || result.ec == std::errc::invalid_argument)
     return Number_state::NOT_A_NUMBER;
   if (result.ec == std::errc::result_out_of_range) {
