@@ -11,6 +11,7 @@
 
 #include <pybind11/stl.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -23,7 +24,7 @@ namespace {
 // \param first_corner where the corners of each face begin, and where those of the last end
 py::tuple repair(const Doubles& points, const Indices& corners, const std::vector<std::size_t>& first_corner)
 {
-  const Rows<double> rows(points);
+  const std::vector<std::array<double, 3>> rows = copied_rows(points);
   const std::vector<std::uint32_t> all = copied(corners);
   std::vector<std::vector<std::size_t>> polygons;
   for (std::size_t f = 0; f + 1 < first_corner.size(); ++f) {
