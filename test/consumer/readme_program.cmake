@@ -16,7 +16,7 @@ if(NOT text MATCHES "\n\n((    [-0-9.e]+ [-0-9.e]+\n)+)\n")
 endif()
 string(REPLACE "    " "" expected "${CMAKE_MATCH_1}")
 
-if(PACKAGE STREQUAL "README")
+if(PACKAGE STREQUAL "headers")
   if(NOT text MATCHES "\n    g\\+\\+ ([^\n]* program.cpp[^\n]*)\n")
     message(FATAL_ERROR "README.md does not say how to compile with the headers alone")
   endif()
