@@ -87,6 +87,8 @@ int main()
   for (int i = 0; i < 100; ++i)
     step(intrinsic, IT::intrinsic_Delaunay_Laplacian(intrinsic));
   std::cout << "intrinsic: area " << start << " -> " << area(intrinsic) << " in 100 steps\n";
-  const bool is_fine = area(intrinsic) < 0.75 * start && area(extrinsic) >= 2 * start;
+  // Whether folded triangles explode or collapse depends on the last bits; the catenoid is not found either way.
+  const bool is_lost = area(extrinsic) >= 2 * start || area(extrinsic) < 0.9 * area(intrinsic);
+  const bool is_fine = area(intrinsic) < 0.75 * start && is_lost;
   return is_fine ? EXIT_SUCCESS : EXIT_FAILURE;
 }
