@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A file of any content, in any format that the command reads: it is refused with a message
-// that names it, or it is a surface that can be made Delaunay.
+// that names it, or it is a surface that can be made Delaunay and has the faces that the file holds.
 
 #include "input/Surface.h"
 #include "check_core.h"
+#include "faces_of_file.h"
 #include "fuzz_target.h"
 #include "system/system_calls.h"
 
@@ -13,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <array>
@@ -120,6 +122,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(message.size() > path.size() + 2 && message.compare(0, path.size() + 2, path + ": ") == 0,
             "a message begins with the name of the file: " + message);
     return 0;
+  }
+  if (const std::string extension = extensions[data[0] % extensions.size()]; extension != "gluing") {
+    const std::string bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
+    const std::string difference = faces_of_file::difference(extension, bytes, IT::read_polygon_soup(path));
+    require(difference.empty(), "what was read is what the file holds: " + difference);
   }
   require(surface.connectivity.is_valid(true), "what was read is a surface");
   require(surface.connectivity.number_of_faces() > 0, "a surface has a face");

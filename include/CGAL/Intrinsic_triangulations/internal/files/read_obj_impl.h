@@ -206,8 +206,11 @@ private:
   void add_corner(const std::uint32_t index)
   {
     corners_.push_back(index - 1);
-    if (index <= greatest_index_)
-      return;
+    if (index > greatest_index_)
+      see_greatest_index(index);
+  }
+  void see_greatest_index(const std::uint32_t index)
+  {
     if (limit_ == no_limit)
       greatest_index_ = index;
     else if (index > limit_ && !is_bad_) {

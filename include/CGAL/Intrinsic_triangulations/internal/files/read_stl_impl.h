@@ -119,20 +119,23 @@ public:
     const char line_end = encoding.line_end;
     File_blocks file(path_, size, encoding.begin, progress);
     reserve(soup_, size / 256, size / 128); // a guess: the usual file has fewer
-    while (file.take_words())
+    while (file.take_words()) {
+      const char *p = file.first, *const last = file.last;
       for (;;) {
-        for (; file.first != file.last && is_white(*file.first); ++file.first)
-          number_ += *file.first == line_end;
-        if (file.first == file.last)
+        for (; p != last && is_white(*p); ++p)
+          number_ += *p == line_end;
+        if (p == last)
           break;
         if (coordinates_ < 3)
-          take_coordinate(file.first, file.last);
+          take_coordinate(p, last);
         else {
-          const char* const begin = file.first;
-          file.first = skip_word(begin, file.last);
-          take_word(std::string_view(begin, static_cast<std::size_t>(file.first - begin)));
+          const char* const begin = p;
+          p = skip_word(begin, last);
+          take_word(std::string_view(begin, static_cast<std::size_t>(p - begin)));
         }
       }
+      file.first = last;
+    }
     if (state_ != SOLID && state_ != OUTSIDE)
       refuse_file(path_, "the file ends within facet " + std::to_string(facet()) + ", without a line endsolid", Defect::UNREADABLE, facet());
     if (soup_.triangles.empty())
@@ -155,65 +158,110 @@ private:
   {
     if (number_ == line_of_rest_)
       return take_rest(word);
-    if (state_ == CORNERS && number_of_corners_ < 3 && prefix_.empty() && word == "vertex") { // most lines
-      coordinates_ = 0;
-      line_of_vertex_ = number_;
+    if (take_usual_word(word))
       return;
-    }
-    if (!prefix_.empty()) {
-      const std::string whole = prefix_ + std::string(word);
-      prefix_.clear();
-      return take_keyword(whole);
-    }
-    if (normal_ > 0 && state_ == FACET && !is_keyword(word, "outer") && !is_keyword(word, "vertex"))
-      --normal_;
-    else if (word[0] == '#')
-      begin_rest(false);
-    else if (is_keyword(word, "outer"))
-      prefix_ = "outer ";
-    else if (is_keyword(word, "end"))
-      prefix_ = "end";
-    else
-      take_keyword(word);
+    if (prefix_.empty() && word[0] == '#')
+      return begin_rest(false);
+    const std::string whole = std::string(prefix_) + std::string(word);
+    prefix_ = {};
+    std::string lower = whole;
+    for (char& c : lower)
+      c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (!take_usual_word(lower))
+      take_unusual_word(lower, whole);
   }
 
-  void take_keyword(const std::string_view word)
+  // The words of a facet, one after the other.
+  bool take_usual_word(const std::string_view word)
   {
-    if (state_ == CORNERS && is_keyword(word, "vertex")) {
-      if (number_of_corners_ == 3)
-        refuse("the facet does not have three vertices", Defect::NOT_A_TRIANGLE);
-      coordinates_ = 0;
-      line_of_vertex_ = number_;
-    } else if (state_ == FACET && is_keyword(word, "vertex")) {
-      state_ = CORNERS;
-      take_keyword(word);
-    } else if (state_ == FACET && is_keyword(word, "outer loop")) {
-      state_ = CORNERS;
-      has_loop_ = true;
-    } else if (state_ == CORNERS && has_loop_ && is_keyword(word, "endloop")) {
-      state_ = LOOP;
-    } else if ((state_ == LOOP || (state_ == CORNERS && !has_loop_)) && is_keyword(word, "endfacet")) {
-      if (number_of_corners_ != 3)
-        refuse("the facet does not have three vertices", Defect::NOT_A_TRIANGLE);
-      soup_.triangles.push_back(triangle_);
-      state_ = SOLID;
-    } else if (state_ == SOLID && is_keyword(word, "facet")) {
+    switch (state_) {
+    case SOLID:
+      if (word != "facet" || !prefix_.empty())
+        return false;
       begin_facet();
-    } else if (state_ == FACET && !has_normal_ && is_keyword(word, "normal")) {
-      has_normal_ = true;
-      normal_ = 3;
-    } else if ((state_ == SOLID || state_ == OUTSIDE) && is_keyword(word, "solid")) {
+      return true;
+    case FACET:
+      if (normal_ > 0) {
+        if (!is_digit(word[0]) && word[0] != '-')
+          return false;
+        --normal_;
+      } else if (!prefix_.empty()) {
+        if (word != "loop" || prefix_ != "outer ")
+          return false;
+        prefix_ = {};
+        state_ = CORNERS;
+        has_loop_ = true;
+      } else if (word == "outer")
+        prefix_ = "outer ";
+      else if (word == "normal" && !has_normal_) {
+        has_normal_ = true;
+        normal_ = 3;
+      } else
+        return false;
+      return true;
+    case CORNERS:
+      if (!prefix_.empty())
+        return false;
+      if (word == "vertex" && number_of_corners_ < 3) {
+        coordinates_ = 0;
+        line_of_vertex_ = number_;
+      } else if (word == "endloop" && has_loop_)
+        state_ = LOOP;
+      else
+        return false;
+      return true;
+    case LOOP:
+      if (word != "endfacet" || !prefix_.empty())
+        return false;
+      end_facet();
+      return true;
+    case OUTSIDE:
+      break;
+    }
+    return false;
+  }
+
+  // \param word in small letters
+  // \param shown as it stands in the file
+  void take_unusual_word(const std::string& word, const std::string& shown)
+  {
+    const bool is_before_corners = state_ == FACET && (word == "outer" || word == "outer loop" || word == "vertex");
+    if (is_before_corners && word == "outer") {
+      normal_ = 0; // of which words are missing
+      prefix_ = "outer ";
+    } else if (is_before_corners) {
+      state_ = CORNERS;
+      has_loop_ = word != "vertex";
+      if (!has_loop_)
+        take_usual_word(word);
+    } else if (state_ == FACET && normal_ > 0)
+      --normal_; // NaN, for example
+    else if (word == "end")
+      prefix_ = "end";
+    else if (state_ == CORNERS && word == "vertex")
+      refuse_corners();
+    else if (state_ == CORNERS && word == "endfacet" && !has_loop_)
+      end_facet();
+    else if (word == "solid" && (state_ == SOLID || state_ == OUTSIDE)) {
       if (state_ == SOLID)
         soup_.warnings.push_back("line " + std::to_string(number_) + ": a solid begins where the one before has no line endsolid");
       state_ = SOLID;
       begin_rest(true);
-    } else if (state_ == SOLID && is_keyword(word, "endsolid")) {
+    } else if (word == "endsolid" && state_ == SOLID) {
       state_ = OUTSIDE;
       begin_rest(true);
-    } else if (state_ != OUTSIDE && (is_keyword(word, "color") || is_keyword(word, "colour"))) {
+    } else if (state_ != OUTSIDE && (word == "color" || word == "colour"))
       begin_rest(false);
-    } else
-      refuse_word(std::string(word));
+    else
+      refuse_word(shown);
+  }
+
+  void end_facet()
+  {
+    if (number_of_corners_ != 3)
+      refuse_corners();
+    soup_.triangles.push_back(triangle_);
+    state_ = SOLID;
   }
 
   void begin_facet()
@@ -271,10 +319,11 @@ private:
   {
     refuse_file(path_, place(number_, "facet", facet()) + ": " + text, defect, facet());
   }
+  [[noreturn]] void refuse_corners() const { refuse("the facet does not have three vertices", Defect::NOT_A_TRIANGLE); }
   [[noreturn]] void refuse_word(const std::string& word) const
   {
     const bool is_within_facet = [&word] {
-      for (const char* const part : {"outer loop", "vertex", "normal", "endloop", "endfacet"})
+      for (const char* const part : {"outer", "vertex", "normal", "endloop", "endfacet"})
         if (is_keyword(word, part))
           return true;
       return false;
@@ -297,7 +346,7 @@ private:
   bool has_loop_ = false, has_normal_ = false;          // of the facet
   int normal_ = 0;                                      // how many of its words are to come
   std::size_t number_of_corners_ = 0, coordinates_ = 3; // coordinates of the corner
-  std::string prefix_;                                  // the first half of a keyword of two words
+  std::string_view prefix_;                             // the first half of a keyword of two words
   std::size_t line_of_rest_ = 0, line_of_vertex_ = 0;   // the rest of that line is a name or a comment
   int facet_words_ = 0;                                 // in a name, one more than there are words of a facet
   std::array<double, 3> point_{};
