@@ -15,10 +15,10 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
-std::string face_text(const IT::Delta_complex& complex, IT::Halfedge_index h)
+std::string face_text(const IT::Delta_complex& complex, IT::Face_index f)
 {
-  const IT::Halfedge_index next = complex.next(h);
-  return "face " + std::to_string(complex.face(h).idx()) + " (corners " + std::to_string(complex.source(h).idx()) + ", " +
+  const IT::Halfedge_index h = complex.halfedge(f), next = complex.next(h);
+  return "face " + std::to_string(f.idx()) + " (corners " + std::to_string(complex.source(h).idx()) + ", " +
          std::to_string(complex.source(next).idx()) + ", " + std::to_string(complex.target(next).idx()) + ")";
 }
 
@@ -35,13 +35,13 @@ std::string message(const Surface& surface, const IT::Delta_complex& complex, co
     for (IT::Halfedge_index h : {i, j, k})
       if (complex.is_border(complex.edge(h)) && complex.edge(h).idx() < input.number_of_edges()) {
         const IT::Halfedge_index side = input.halfedge(complex.edge(h));
-        return face_text(input, input.is_border(side) ? input.opposite(side) : side) +
+        return face_text(input, input.face(input.is_border(side) ? input.opposite(side) : side)) +
                " has no area and lies on the border, where no flip removes it, so that its cotangents are infinite: remove it from the mesh";
       }
     inner = i;
   }
   if (inner.is_valid() && &complex == &input)
-    return face_text(input, inner) + " has no area, so that its cotangents are infinite: the flips of the intrinsic Delaunay triangulation remove it";
+    return face_text(input, input.face(inner)) + " has no area, so that its cotangents are infinite: the flips of the intrinsic Delaunay triangulation remove it";
   return "the triangulation has a face without area, so that its cotangents are infinite: it is not Delaunay";
 }
 
