@@ -352,6 +352,14 @@ TEST(Repaired_solids, of_two_rooms_one_stays_closed)
   EXPECT_EQ(volumes(repaired).size(), 2u);
 }
 
+TEST(Repaired_solids, of_three_sheets_two_that_meet_leave_no_slit)
+{
+  // The first and the fifth face meet at edge 2-5, where four faces pair up, and at edge 2-4.
+  expect_surface({{{66, 79, 47}, {70, 34, 33}, {84, 30, 29}, {27, 76, 5}, {98, 82, 55}, {41, 74, 10}, {25, 18, 14}},
+                  {{2, 5, 3}, {5, 0, 2}, {2, 6, 5}, {2, 4, 3}, {4, 5, 2}, {0, 5, 6}, {4, 2, 0}}},
+                 7, 1);
+}
+
 TEST(Repaired_solids, a_hole_stays_the_only_hole)
 {
   std::mt19937 random(9);

@@ -35,7 +35,7 @@ namespace internal {
 //   glued where solids overlap, faces of the same piece are.
 // - If the solid is inside out, which its volume tells, material is on the other sides.
 // - Pieces that hang on others by one edge alone, as a fin does, are glued after all others. If their number at an edge is odd, as of three sheets,
-//   only faces of the same piece are.
+//   only faces are that belong to the same piece, or to pieces that were glued elsewhere: else they would be left as a slit in the surface.
 // - If so many faces run forward at an edge as backward, nothing is turned there. If not, pieces are turned so that directions alternate
 //   around each edge with an even number of faces, as they do around each solid.
 // - Where faces lie in one half-plane, their order tells nothing about directions: no piece is turned because of that.
@@ -116,6 +116,7 @@ private:
   std::vector<bool> is_hanging_; // of each piece
   // Piece p is 2p as its first face is given and 2p + 1 turned over. The smallest number of a set is even, and so what is with it is not turned.
   Disjoint_sets turns_;
+  Disjoint_sets joined_;        // pieces that were glued
   Large_vector<Index> corners_; // of the turned triangles
   std::pair<std::vector<Index>, Large_vector<Index>> fans_;
 };

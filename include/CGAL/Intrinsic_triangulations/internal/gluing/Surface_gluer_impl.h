@@ -32,15 +32,17 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Surface_gluer::Surface_gluer(const Points& points, const std::vector<Index_triangle>& triangles)
   : points_(points), triangles_(triangles), sides_(points.size(), triangles), pieces_(sides_, triangles.size()),
     is_turned_(pieces_.is_turned), glued_to_(3 * triangles.size(), none), is_hanging_(pieces_.pieces.size(), false),
-    turns_(2 * pieces_.pieces.size())
+    turns_(2 * pieces_.pieces.size()), joined_(pieces_.pieces.size())
 {
   glue_simple_edges();
   find_crowded_edges();
   find_hanging_pieces();
   for (const bool are_hanging : {false, true}) {
     turn_pieces(are_hanging);
-    for (Crowded_edge& edge : crowded_edges_)
-      glue(edge, are_hanging);
+    for (const bool is_odd : {false, true})
+      for (Crowded_edge& edge : crowded_edges_)
+        if (entries_left(edge, are_hanging).size() % 2 == is_odd)
+          glue(edge, are_hanging);
   }
   turn_triangles();
   separate_edges();
@@ -178,6 +180,7 @@ void Surface_gluer::glue(Crowded_edge& edge, bool are_hanging)
 {
   const Entries entries = entries_left(edge, are_hanging);
   const bool may_join_pieces = !are_hanging || entries.size() % 2 == 0;
+  const auto group = [&](const Entry& entry) { return may_join_pieces ? entry.piece : joined_.find(entry.piece); };
   const bool is_material_forward = edge.is_inside_out != (edge.rule == VOID);
   // Begins of material that has not ended: all of them, and those of each piece. Around the edge twice, as it may begin in material.
   Entries begun;
@@ -189,7 +192,7 @@ void Surface_gluer::glue(Crowded_edge& edge, bool are_hanging)
       if (runs_backward(*end) != is_material_forward) {
         if (!is_second_time) {
           begun.push_back(end);
-          begun_of_piece[end->piece].push_back(end);
+          begun_of_piece[group(*end)].push_back(end);
         }
         continue;
       }
@@ -197,15 +200,16 @@ void Surface_gluer::glue(Crowded_edge& edge, bool are_hanging)
         begun.pop_back();
       if (begun.empty())
         continue;
-      const auto same = begun_of_piece.find(end->piece);
+      const auto same = begun_of_piece.find(group(*end));
       const bool is_same = same != begun_of_piece.end() && !same->second.empty();
       if (!is_same && !may_join_pieces)
         continue;
-      Entries& candidates = is_same ? same->second : begun_of_piece[begun.back()->piece];
+      Entries& candidates = is_same ? same->second : begun_of_piece[group(*begun.back())];
       Entry* const begin = candidates.back();
       candidates.pop_back();
       begin->is_glued = end->is_glued = true;
       glue_sides(begin->side, end->side);
+      joined_.unite(begin->piece, end->piece);
       tie(begin->piece, end->piece, turns(begin->piece) != turns(end->piece));
     }
 }
