@@ -185,7 +185,8 @@ private:
   BOOST_NOINLINE void shorten_walks(Halfedge_index h)
   {
     for (Halfedge_index side : {h, input_.opposite(h)})
-      shorten_walk(side);
+      if (coordinates_.roundabout(side).steps > longest_walk)
+        shorten_walk(side);
   }
   void shorten_walk(Halfedge_index h);
 

@@ -247,7 +247,7 @@ private:
   std::uint32_t record_number(Halfedge_index h) const { return record_of_[h.idx() >> 1]; }
   const Record& record(Edge_index e) const { return records_[record_of_[e.idx()]]; }
 
-  void set_record(Halfedge_index h, const Record& record)
+  BOOST_FORCEINLINE void set_record(Halfedge_index h, const Record& record)
   {
     const std::uint32_t e = h.idx() >> 1;
     std::uint32_t& i = record_of_[e];

@@ -105,9 +105,15 @@ public:
   // The product or p more, of numbers below 2 p: as 4 p < 2^64, (a b + m p) / 2^64 < 2 p. So in chains of products only the last is reduced.
   Number unreduced_product(Number a, Number b) const
   {
+#if defined(__SIZEOF_INT128__)
+    __extension__ using Wide = unsigned __int128;
+    const Wide t = Wide(a) * b;
+    return Number((t + Wide(std::uint64_t(t) * minus_inverse_) * p_) >> 64);
+#else
     // The lower halves of a b and m p sum to 2^64, or both are zero.
     const std::uint64_t lower = a * b;
     return upper_product(a, b) + upper_product(lower * minus_inverse_, p_) + (lower != 0);
+#endif
   }
   Number power(Number a, std::uint64_t exponent) const
   {
