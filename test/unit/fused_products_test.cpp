@@ -79,6 +79,18 @@ TEST_F(Fused_products, products_of_parts_are_exact)
   });
 }
 
+// GCC makes fused operations of the differences from a multiple that nothing else needs: the head would be the whole number.
+TEST_F(Fused_products, parts_have_half_of_the_digits)
+{
+  for_random_numbers([](double a, double, double, double) {
+    double head, tail;
+    split(a, head, tail);
+    ASSERT_EQ(head + tail, a);
+    for (double x : {head, tail})
+      ASSERT_EQ(std::fma(head, x, -product(head, x)), 0);
+  });
+}
+
 TEST_F(Fused_products, products_of_products_are_error_free)
 {
   for_random_numbers([](double a, double b, double c, double d) {
