@@ -37,11 +37,7 @@ IT::Exact_gluing read_exact_gluing_file(const std::string& name, const IT::Progr
   const std::uintmax_t size = IT::internal::check_file(path);
   if (size == 0)
     IT::internal::refuse_file(path, "the file is empty");
-  const IT::internal::Text_encoding encoding = IT::internal::find_encoding(path);
-  if (encoding.begin != 0)
-    IT::internal::refuse_file(path, "the file begins with a byte order mark: save it as UTF-8 without one");
-  if (encoding.line_end == '\r')
-    IT::internal::refuse_file(path, "the lines end with CR alone, as on old Macintosh computers: convert them to LF");
+  IT::internal::find_encoding(path); // refuses UTF-16
   Watched_file file(path, size, progress);
   const auto stop_if_cancelled = [&] {
     if (file.is_cancelled())

@@ -73,7 +73,7 @@ TEST_F(Hostile_files, words_that_only_begin_as_numbers)
     {"a.obj", v + "# C:\\\nf 1 2 3\n", "line 5: \"f 1 2 3\" belongs to the line before, which ends with a backslash"},
     {"a.obj", v + "f 1 2 3\nf 0 1 2\n", "line 5 (face 1): \"0\" names vertex 0, but vertices are counted from 1",
      Defect::BAD_INDEX},
-    {"a.obj", v + "f -4 1 2\n", "line 4 (face 0): the face names vertex -4, but 3 vertices come before it",
+    {"a.obj", v + "f -4 1 2\n", "line 4 (face 0): the face names vertex -4, and there are 3 vertices before it",
      Defect::BAD_INDEX},
     {"a.obj", v + "f 1 2 4", "line 4 (face 0): the face names vertex 4, but there are 3 vertices", Defect::BAD_INDEX},
     {"a.obj", v + "f 1/" + std::string(300, '1') + " 2 3\n", "line 4 (face 0): \"1/1111"},
@@ -81,8 +81,8 @@ TEST_F(Hostile_files, words_that_only_begin_as_numbers)
     {"a.obj", "v 0 1 0x1p3\n" + v, "line 1 (vertex 0): \"0x1p3\" is not a number"},
     {"a.obj", "v 0 0 1abc\n" + v, "line 1 (vertex 0): \"1abc\" is not a number"},
     {"a.obj", "v 0 0 1e400\n" + v, "line 1 (vertex 0): the coordinate \"1e400\" is too large", Defect::OUT_OF_RANGE},
-    {"a.obj", v + "f 1 2 3\nk 1 2\n", "line 5: \"k 1 2\" is not understood (after 3 vertices and 1 faces)"},
-    {"a.obj", v + "f 1 2 3\nk 1 2", "line 5: \"k 1 2\" is not understood (after 3 vertices and 1 faces)"},
+    {"a.obj", v + "f 1 2 3\nk 1 2\n", "line 5: \"k 1 2\" is not understood (after 3 vertices and 1 face)"},
+    {"a.obj", v + "f 1 2 3\nk 1 2", "line 5: \"k 1 2\" is not understood (after 3 vertices and 1 face)"},
     {"a.off", "OFF\n3 1 0\n0 1 0,75\n1 0 0\n0 1 0\n3 0 1 2\n",
      "line 3 (vertex 0): \"0,75\" is not a number: write a point for the decimal comma"},
     {"a.off", "OFF\n3 1 0\n0 1 0x1p3\n1 0 0\n0 1 0\n3 0 1 2\n", "line 3 (vertex 0): \"0x1p3\" is not a number"},
@@ -240,18 +240,39 @@ TEST_F(Hostile_files, encodings)
     SCOPED_TRACE(name);
     std::string with_returns = text;
     std::replace(with_returns.begin(), with_returns.end(), '\n', '\r');
-    const std::pair<std::string, std::string> table[] = {
-      {"\xff\xfe" + text, "the text is in UTF-16"},
-      {"\xef\xbb\xbf" + text, "the file begins with a byte order mark: save it as UTF-8 without one"},
-      {with_returns, "the lines end with CR alone"}};
-    for (const auto& [content, message] : table)
-      if (std::string(name) == "a.gluing")
-        refused_gluing(write(name, content), message);
-      else if (content[0] == '\xff')
-        refused(name, content, message);
-      else
-        EXPECT_EQ(idt::read_surface(write(name, content)).triangles.size(), 1u) << message;
+    const bool is_gluing = idt::is_gluing_file(name);
+    const std::string utf16 = "\xff\xfe" + text;
+    if (is_gluing)
+      refused_gluing(write(name, utf16), "the text is in UTF-16");
+    else
+      refused(name, utf16, "the text is in UTF-16");
+    for (const std::string& content : {"\xef\xbb\xbf" + text, with_returns}) {
+      const std::string file = write(name, content);
+      EXPECT_EQ(is_gluing ? idt::read_exact_gluing_file(file).complex.number_of_faces() : idt::read_surface(file).triangles.size(), 1u);
+    }
   }
+}
+
+TEST_F(Hostile_files, what_is_no_mesh)
+{
+  for (const char* const name : {"a.off", "a.obj", "a.ply", "a.stl", "a.ts"}) {
+    refused(name, "\x1f\x8b\x08\x01 and so on", "the file is compressed: unpack it first");
+    refused(name, "PK\3\4 and so on", "the file is compressed");
+    refused(name, "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 9\n", "get it with git lfs pull");
+    refused(name, "\n<!DOCTYPE html>\n<html></html>\n", "the file is a page of the web");
+  }
+}
+
+TEST_F(Hostile_files, numbers_that_are_nearly_some)
+{
+  const auto with_number = [](const std::string& number) { return "OFF\n3 1 0\n0 0 " + number + "\n1 0 0\n0 1 0\n3 0 1 2\n"; };
+  const std::pair<const char*, const char*> table[] = {{"0,5", ": write a point for the decimal comma"},
+                                                       {"0.5,", ": separate numbers by blanks alone"},
+                                                       {"0.5;", ": separate numbers by blanks alone"},
+                                                       {"0.5D+00", ": write e before the exponent"},
+                                                       {"0.5x", ""}};
+  for (const auto& [number, advice] : table)
+    refused("a.off", with_number(number), "line 3 (vertex 0): \"" + std::string(number) + "\" is not a number" + advice);
 }
 
 TEST_F(Hostile_files, gluings_are_files)

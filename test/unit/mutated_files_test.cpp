@@ -6,6 +6,7 @@
 
 #include "Surface_file_test.h"
 #include "faces_of_file.h"
+#include "input/gluing_file.h"
 #include "valid_files.h"
 
 #include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
@@ -194,6 +195,76 @@ TEST_F(Mutated_files, are_read_with_their_faces_or_refused)
   EXPECT_GT(read, valid_files().size());
   EXPECT_GT(refused, read / 10);
   std::cout << read << " were read, " << refused << " refused, " << losses << " lost faces or gained some" << std::endl;
+}
+
+// What is wrong with a gluing that was read; empty if nothing is. A row is a face or an edge, and there is none but those.
+std::string difference_of_gluing(std::string content, const IT::Exact_gluing& gluing)
+{
+  using namespace faces_of_file;
+  std::replace(content.begin(), content.end(), '\r', '\n');
+  const std::vector<Row> all = rows(content, '#');
+  const IT::Delta_complex& complex = gluing.complex;
+  if (all.size() < 2 || all.size() != 2 + complex.number_of_faces() + complex.number_of_edges())
+    return std::to_string(all.size()) + " rows";
+  std::size_t r = 2;
+  const auto number = [&](std::size_t i) { return integer(all[r].at(i)); };
+  for (IT::Face_index f : complex.faces()) {
+    IT::Halfedge_index h = complex.halfedge(f);
+    for (std::size_t i = 0; i < 3; ++i, h = complex.next(h))
+      if (number(i) != (long long)(complex.source(h).idx()))
+        return "face " + std::to_string(f.idx());
+    ++r;
+  }
+  for (IT::Edge_index e : complex.edges()) {
+    IT::Halfedge_index h = complex.halfedge(e);
+    for (std::size_t i = 0; i < 2; ++i, h = complex.opposite(h)) {
+      long long side = -1;
+      if (!complex.is_border(h)) {
+        const IT::Halfedge_index first = complex.halfedge(complex.face(h));
+        side = 3 * (long long)(complex.face(h).idx()) + (h == first ? 0 : h == complex.next(first) ? 1
+                                                                                                   : 2);
+      }
+      if (number(i) != side)
+        return "side " + std::to_string(i) + " of edge " + std::to_string(e.idx());
+    }
+    if (gluing.squared_lengths.empty() && real(all[r].at(2)) != gluing.lengths[e.idx()])
+      return "the length of edge " + std::to_string(e.idx());
+    ++r;
+  }
+  return std::string();
+}
+
+TEST_F(Mutated_files, gluings_are_read_with_their_sides_or_refused)
+{
+  const std::string plain = "INTRINSIC_GLUING 1\n4 5 2\n0 1 2\n3 2 1\n# edges\n0 -1 1.5\n4 1 2\n2 -1 1\n3 -1 2.5e0\n5 -1 2\n";
+  std::string exact = plain;
+  exact[17] = '2';
+  exact.replace(exact.find("1.5"), 3, "9/4");
+  exact.replace(exact.find("2.5e0"), 5, "25/4");
+  std::size_t read = 0, refused = 0;
+  const auto attempt = [&](const std::string& content) {
+    IT::Exact_gluing gluing;
+    try {
+      gluing = idt::read_exact_gluing_file(write("a.gluing", content));
+    } catch (const IT::Invalid_surface_error& error) {
+      ++refused;
+      EXPECT_TRUE(says_where(error.what()) || contains(error.what(), "at vertex ")) << error.what() << "\n"
+                                                                                    << content;
+      return;
+    }
+    ++read;
+    EXPECT_EQ(difference_of_gluing(content, gluing), "") << content;
+  };
+  unsigned seed = 0;
+  for (const std::string& file : {plain, "\xef\xbb\xbf" + plain, exact, with_line_ends(plain, "\r"), with_line_ends(plain, "\r\n")}) {
+    const std::size_t before = read;
+    attempt(file);
+    EXPECT_EQ(read, before + 1);
+    Mutator mutator(++seed);
+    for (int i = 0; i < 300; ++i)
+      attempt(mutator.mutate(file, false));
+  }
+  EXPECT_GT(refused, read / 10);
 }
 
 } // namespace

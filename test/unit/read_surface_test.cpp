@@ -357,7 +357,7 @@ TEST_F(Read_surface, unusual_numbers)
 TEST_F(Read_surface, other_elements_of_obj)
 {
   const idt::Surface_input input = idt::read_surface(
-    write("a.obj", "f 2 3 4\nmg 1 0.5\ncall a.obj\nv 0 0 0 1 0.5\nv 1 0 0 # a comment\nvp 1 2 3 \\\n4\n"
+    write("a.obj", "f 2 3 4\nmg 1 0.5\nusemtl a\nv 0 0 0 1 0.5\nv 1 0 0 # a comment\nvp 1 2 3 \\\n4\n"
                    "vt 0 \\\n 0\nv 0 1 0\n\tv 0 0 1\nf 1/1 2//1 3/1/1 4\nf\n# f 7\n#f\n"));
   EXPECT_EQ(input.points.size(), 4u);
   EXPECT_EQ(input.first_corner, (std::vector<std::size_t>{0, 3, 7, 7}));
@@ -415,7 +415,7 @@ TEST_F(Read_surface, broken_off)
   refused("a.off", head + "0 0 0\n1 0,5 0\n0 1 0\n3 0 1 2\n", "line 4 (vertex 1): \"0,5\" is not a number");
   refused("a.off", head + "0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "line 4 (vertex 1): there are 2 numbers where 3 are needed");
   refused("a.off", "OFF\n7 1 0\n" + points + "3 0 1 2\n4 0 1 2 2\n",
-          "line 6 (vertex 3): there are 4 numbers where the vertices before have 3; the header announces 7 vertices and 1 faces on line 2");
+          "line 6 (vertex 3): there are 4 numbers where the vertices before have 3; the header announces 7 vertices and 1 face on line 2");
   refused("a.off", "OFF\n7 1 0\n" + points + "3 0 1\n4 0 1\n", "the file ends after 5 of 7 vertices");
   refused("a.off", "CNOFF\n3 1 0\n" + points + "3 0 1 2\n",
           "line 3 (vertex 0): there are 3 numbers where 6 are needed");
@@ -448,7 +448,7 @@ TEST_F(Read_surface, broken_obj)
   refused("a.obj", points + "f 1 2 3\nlines 1 2\n", "\"lines 1 2\" is not understood");
   refused("a.obj", points + "l 1 2 \\\n\n3 1\nf 1 2 3\n", "\"3 1\" is not understood");
   refused("a.obj", points + "f 1 2 3\nrubbish\nf 1 2 3\n",
-          "line 5: \"rubbish\" is not understood (after 3 vertices and 1 faces)");
+          "line 5: \"rubbish\" is not understood (after 3 vertices and 1 face)");
   const IT::Invalid_surface_error error =
     refused("a.obj", points + "f 1 2 3\nf 1 2 9\nf 1 8 3\n",
             "line 5 (face 1): the face names vertex 9, but there are 3 vertices (counted from 1), and 1 more face"
@@ -469,7 +469,9 @@ TEST_F(Read_surface, broken_ply)
   refused("a.ply", "ply\nformat ascii 1.0\nelement vertex x\nend_header\n", "has no number of elements");
   refused("a.ply", "ply\nformat ascii 1.0\nend_header\n", "the file has no element vertex", Defect::EMPTY);
   refused("a.ply", header("half", "uchar int"), "line 4 of the header: \"property half x\" has a type");
-  refused("a.ply", header("int", "uchar int"), "the vertices have no coordinate x of type float or double");
+  EXPECT_EQ(idt::read_surface(write("a.ply", header("int", "uchar int") + points + "3 0 1 2\n")).points[1], (std::array<double, 3>{1, 0, 0}));
+  refused("a.ply", header("int", "uchar int") + "0 0 0.5\n" + points + "3 0 1 2\n", "line 10, element vertex 0: \"0.5\" is not an integer, which is needed for z");
+  refused("a.ply", header("list uchar float", "uchar int"), "by the header the vertices have no coordinate x");
   refused("a.ply", header("float", "uchar float"), "has the type float, which is none of integers");
   refused("a.ply", header("double", "uchar int") + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
           "line 11, element vertex 1: the coordinate \"nan\" is not finite", Defect::NOT_FINITE);

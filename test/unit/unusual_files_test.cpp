@@ -244,6 +244,8 @@ std::vector<Case> cases()
     {"obj", "a vertex missing", [](S& s, E& e) { e.error = "the face names vertex " + s.number_of_points() + ", but there are " + std::to_string(s.v() - 1); return without_line(obj_text(s), 3); }},
     {"obj", "two vertices in a line", [](S& s, E& e) { e.error = at(3, "vertex", 0) + ": \"v\" is behind the coordinates"; return with_line(obj_text(s), 3, "v 0 0 0 v 1 1 1"); }},
     {"obj", "two faces in a line", [](S& s, E& e) { e.error = at(s.obj_face(s.middle()), "face", s.middle()) + ": \"f\" is not a corner"; return with_line(obj_text(s), s.obj_face(s.middle()), "f 1 2 3 f 2 3 4"); }},
+    {"obj", "another file", [](S& s, E& e) { e.error = "line 1: \"call b.obj\" runs another file or program"; return "call b.obj\n" + obj_text(s); }},
+    {"obj", "curved surfaces", [](S& s, E& e) { e.warning = "line 1: this and all other curved surfaces are left out"; return "surf 0 1 0 1 1 2 3 4\nend\nbzp 1 2 3\n" + obj_text(s); }},
     {"obj", "index 0", [](S& s, E& e) { e.error = at(s.obj_face(s.middle()), "face", s.middle()) + ": \"0\" names vertex 0, but vertices are counted from 1"; return with_line(obj_text(s), s.obj_face(s.middle()), "f 0 1 2"); }},
     {"obj", "a vertex that is NaN and has no face", [](S& s, E& e) { e.error = "(vertex " + s.number_of_points() + "): the coordinate \"nan\" is not finite"; return obj_text(s) + "v nan nan nan\n"; }},
     // ---- PLY, text
@@ -265,6 +267,17 @@ std::vector<Case> cases()
     {"ply", "a property twice", [](S& s, E& e) { e.error = "line 8 of the header: \"property float y\" names a property for the second time"; return replaced(ply_text(s, {}), "float z", "float y"); }},
     {"ply", "an element twice", [](S& s, E& e) { e.error = "names an element for the second time"; return doubled(ply_text(s, {}), 9); }},
     {"ply", "end_headr", [](S& s, E& e) { e.error = "line 11 of the header: \"end_headr\" is not understood"; return replaced(ply_text(s, {}), "end_header", "end_headr"); }},
+    {"ply", "numbers of any kind in properties that are skipped", [](S& s, E&) {
+       std::string text = ply_text(s, {"ascii", "float", "uchar", "int", "uchar", "vertex_indices"});
+       for (const auto& [place, number] : {std::pair{s.ply_vertex(0), "nan"}, {s.ply_vertex(1), "-inf"}, {s.ply_face(0), "300.5"}, {s.ply_face(1), "1e999"}})
+         text = with_line(text, place + 2, [number = number](const std::string& l) { return l.substr(0, l.rfind(' ') + 1) + number; });
+       return text; }},
+    {"ply", "a word in a property that is skipped", [](S& s, E& e) {
+       e.error = ply_at(s.ply_face(1) + 2, "face", 1) + ": \"none\" is not a number, which is needed for extra";
+       return with_line(ply_text(s, {"ascii", "float", "uchar", "int", "uchar", "vertex_indices"}), s.ply_face(1) + 2,
+                        [](const std::string& l) { return l.substr(0, l.rfind(' ')) + " none"; }); }},
+    {"ply", "binary, coordinates that are integers", [](S& s, E&) { return ply_text(s, {"binary_big_endian", "short"}); }},
+    {"ply", "binary, coordinates that are integers without a sign", [](S& s, E&) { return ply_text(s, {"binary_little_endian", "uint"}); }},
     {"ply", "strips", [](S& s, E&) { return strips(s, "ascii", "int"); }},
     {"ply", "a strip of two", [](S& s, E& e) { e.error = "element tristrips 0: a strip of triangles ends after 2 vertices"; return strips(s, "ascii", "int", " 0 1 -1"); }},
     {"ply", "faces before vertices, lists in vertices, other elements", [](S& s, E&) {
@@ -278,7 +291,7 @@ std::vector<Case> cases()
     {"ply", "binary, fewer faces announced", [](S& s, E& e) { e.error = "on there are 13 bytes behind the elements that the header announces (" + s.number_of_points() + " vertex, " + std::to_string(s.f() - 1) + " face)"; return ply_with_count(ply_text(s, {"binary_little_endian"}), "face", s.f(), s.f() - 1); }},
     {"ply", "binary, more faces announced", [](S& s, E& e) { e.error = "element face " + s.number_of_faces() + ": the file ends within vertex_indices"; return ply_with_count(ply_text(s, {"binary_little_endian"}), "face", s.f(), s.f() + 1); }},
     {"ply", "binary, cut off", [](S& s, E& e) { e.error = "element face " + std::to_string(s.f() - 1) + ": the file ends within vertex_indices"; std::string t = ply_text(s, {"binary_big_endian"}); t.pop_back(); return t; }},
-    {"ply", "binary, a line end behind it", [](S& s, E& e) { e.warning = "on there are 1 bytes behind the elements"; return ply_text(s, {"binary_little_endian"}) + "\n"; }},
+    {"ply", "binary, a line end behind it", [](S& s, E& e) { e.warning = "on there is 1 byte behind the elements"; return ply_text(s, {"binary_little_endian"}) + "\n"; }},
     {"ply", "binary strips", [](S& s, E&) { return strips(s, "binary_big_endian", "int"); }},
     // ---- TS
     {"ts", "small letters", [](S& s, E&) { return replaced(replaced(ts_text(s), "TRGL", "trgl"), "VRTX", "Vrtx"); }},

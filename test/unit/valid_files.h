@@ -164,16 +164,18 @@ struct Valid_file
   bool is_binary = false;
 };
 
+inline std::string with_line_ends(const std::string& text, const std::string& line_end)
+{
+  std::string result;
+  for (const char c : text)
+    result += c == '\n' ? line_end : std::string(1, c);
+  return result;
+}
+
 inline std::vector<Valid_file> valid_files(std::uint32_t n = 2)
 {
   const Sheet sheet(n);
-  const auto with_returns = [](std::string text, const std::string& line_end) {
-    std::string result;
-    for (const char c : text)
-      result += c == '\n' ? line_end : std::string(1, c);
-    return result;
-  };
-  const std::string stl = stl_text(sheet), one_line = with_returns(stl, " ");
+  const std::string stl = stl_text(sheet), one_line = with_line_ends(stl, " ");
   std::string capitals = stl;
   std::transform(capitals.begin(), capitals.end(), capitals.begin(), [](char c) { return c >= 'a' && c <= 'z' && c != 'e' ? char(c - 'a' + 'A') : c; });
   std::string many = stl + stl_text(Sheet(1));
@@ -184,12 +186,12 @@ inline std::vector<Valid_file> valid_files(std::uint32_t n = 2)
     {"off", "normals and textures", off_text(sheet, "STNOFF # a comment\n\n", " 0 0 1 0.5 0.5")},
     {"off", "fourth coordinate", off_text(sheet, "4OFF\n", " 1")},
     {"off", "dimension", off_text(sheet, "nOFF 3\n")},
-    {"off", "CR LF", with_returns(off_text(sheet), "\r\n")},
-    {"off", "CR", with_returns(off_text(sheet), "\r")},
+    {"off", "CR LF", with_line_ends(off_text(sheet), "\r\n")},
+    {"off", "CR", with_line_ends(off_text(sheet), "\r")},
     {"obj", "plain", obj_text(sheet)},
     {"obj", "textures", obj_text(sheet, " 1 0 0", "/1/1")},
-    {"obj", "goes on", with_returns(obj_text(sheet, " \\\n 1 # a color"), "\n")},
-    {"obj", "CR LF", with_returns(obj_text(sheet), "\r\n")},
+    {"obj", "goes on", with_line_ends(obj_text(sheet, " \\\n 1 # a color"), "\n")},
+    {"obj", "CR LF", with_line_ends(obj_text(sheet), "\r\n")},
     {"ts", "plain", ts_text(sheet)},
     {"ts", "properties", ts_text(sheet, "PROPERTIES a\nTRGL_PROPERTIES b c\nTRGL_ESIZES 1 1\n", "PVRTX ", " 1.5", " 2 3")},
     {"ts", "two parts", ts_text(sheet) + ts_text(Sheet(1))},
@@ -197,7 +199,7 @@ inline std::vector<Valid_file> valid_files(std::uint32_t n = 2)
     {"stl", "capitals", capitals},
     {"stl", "one line", one_line},
     {"stl", "two solids", many},
-    {"stl", "CR LF", with_returns(stl, "\r\n")},
+    {"stl", "CR LF", with_line_ends(stl, "\r\n")},
     {"stl", "binary", stl_bytes(sheet, "a sheet", std::uint32_t(sheet.triangles.size())), true},
     {"stl", "binary with attributes", stl_bytes(sheet, "solid COLOR=rgba", std::uint32_t(sheet.triangles.size()), 0x7fff), true}};
   for (const std::string format : {"ascii", "binary_little_endian", "binary_big_endian"})

@@ -17,11 +17,13 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <ios>
 #include <istream>
 #include <limits>
 #include <locale>
 #include <ostream>
 #include <sstream>
+#include <streambuf>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -121,9 +123,8 @@ private:
     number_of_faces_ = count(fields_[2]);
     // Each side is that of an edge, and an edge has one or two.
     if (number_of_edges_ > 3 * number_of_faces_ || 2 * number_of_edges_ < 3 * number_of_faces_)
-      fail(Defect::INVALID_GLUING, "has " + std::to_string(number_of_edges_) + " edges for the " +
-                                     std::to_string(3 * number_of_faces_) +
-                                     " sides of its faces");
+      fail(Defect::INVALID_GLUING, "has " + counted(number_of_edges_, "edge", "edges") + " for the " +
+                                     counted(3 * number_of_faces_, "side", "sides") + " of its faces");
     if (number_of_vertices_ > 3 * number_of_faces_ + maximum_number_of_isolated_vertices)
       fail(Defect::OUT_OF_RANGE, "has too many isolated vertices");
   }
@@ -135,8 +136,7 @@ private:
       for (const std::string& field : fields_) {
         const std::int64_t v = integer(field);
         if (v < 0 || std::size_t(v) >= number_of_vertices_)
-          fail(Defect::BAD_INDEX, "names vertex " + shown_text(field) + ", but there are " +
-                                    std::to_string(number_of_vertices_) + " vertices");
+          fail(Defect::BAD_INDEX, "names vertex " + shown_text(field) + ", but there " + are_counted(number_of_vertices_, "vertex", "vertices"));
         corner_vertex_.push_back(std::uint32_t(v));
       }
     }
@@ -172,8 +172,9 @@ private:
   bool read_line()
   {
     std::string line;
-    while (std::getline(is_, line)) {
-      ++line_number_;
+    while (get_line(line)) {
+      if (++line_number_ == 1 && line.compare(0, 3, "\xef\xbb\xbf") == 0)
+        line.erase(0, 3);
       const std::size_t comment = line.find('#');
       if (comment != std::string::npos)
         line.resize(comment);
@@ -190,6 +191,25 @@ private:
     return false;
   }
 
+  // Takes what is before LF, CR LF or CR.
+  bool get_line(std::string& line)
+  {
+    typedef std::char_traits<char> Traits;
+    line.clear();
+    if (!is_.good())
+      return false;
+    std::streambuf& buffer = *is_.rdbuf();
+    for (Traits::int_type c; !Traits::eq_int_type(c = buffer.sbumpc(), Traits::eof());) {
+      if (c == '\r' && buffer.sgetc() == '\n')
+        continue;
+      if (c == '\n' || c == '\r')
+        return true;
+      line += Traits::to_char_type(c);
+    }
+    is_.setstate(std::ios_base::eofbit);
+    return !line.empty();
+  }
+
   void next_line(const std::string& expected, std::size_t number_of_fields)
   {
     if (!read_line())
@@ -197,7 +217,7 @@ private:
                                   "the text ends after line " + std::to_string(line_number_) +
                                     ", where " + expected + " should follow");
     if (fields_.size() != number_of_fields)
-      fail(Defect::UNREADABLE, "has " + std::to_string(fields_.size()) + " fields instead of " +
+      fail(Defect::UNREADABLE, "has " + counted(fields_.size(), "field", "fields") + " instead of " +
                                  std::to_string(number_of_fields) + ": " + expected);
   }
 
@@ -227,8 +247,7 @@ private:
     if (s == -1)
       return null;
     if (s < 0 || std::size_t(s) >= halfedge_of_.size())
-      fail(Defect::INVALID_GLUING, "names side " + shown_text(field) + ", but there are " +
-                                     std::to_string(halfedge_of_.size()) + " sides");
+      fail(Defect::INVALID_GLUING, "names side " + shown_text(field) + ", but there " + are_counted(halfedge_of_.size(), "side", "sides"));
     if (halfedge_of_[std::size_t(s)] != null)
       fail(Defect::INVALID_GLUING, "names side " + shown_text(field) + ", which already has an edge");
     halfedge_of_[std::size_t(s)] = std::uint32_t(halfedge);

@@ -152,7 +152,7 @@ inline Ply_header read_ply_header(const std::string& path, const Text_encoding& 
   return header;
 }
 
-// That properties have types that are known, and that x, y and z are real numbers.
+// That properties have types that are known, and that there are x, y and z.
 inline void check_types(const std::string& path, const std::vector<Ply_element>& elements)
 {
   bool has_vertices = false, has_faces = false;
@@ -162,8 +162,8 @@ inline void check_types(const std::string& path, const std::vector<Ply_element>&
     if (element.is_vertex())
       for (const char* const name : {"x", "y", "z"}) {
         const Ply_property* const property = element.find(name);
-        if (property == nullptr || !property->size_type.empty() || !is_real(property->type))
-          refuse_file(path, std::string("by the header the vertices have no coordinate ") + name + " of type float or double");
+        if (property == nullptr || !property->size_type.empty())
+          refuse_file(path, std::string("by the header the vertices have no coordinate ") + name);
       }
     if (element.is_face() || element.is_strips()) {
       const Ply_property* const property = element.find_corners();
@@ -189,11 +189,11 @@ inline void check_counts(const std::string& path, const Ply_header& header, cons
     for (const Ply_property& property : element.properties)
       least += is_text ? 2 : ply_type_size(property.size_type.empty() ? property.type : property.size_type);
     const std::string announced =
-      "the header announces " + std::to_string(element.count) + " elements " + quote(element.name);
+      "the header announces " + counted(element.count, "element", "elements") + " " + quote(element.name);
     if (element.count > 0 && least == 0)
       refuse_file(path, announced + ", which have no property: remove them from the header");
     if (element.count > 0 && element.count > room / least)
-      refuse_file(path, announced + ", more than fit into the " + std::to_string(file_size) + " bytes of the file");
+      refuse_file(path, announced + ", more than fit into the " + counted(file_size, "byte", "bytes") + " of the file");
   }
 }
 

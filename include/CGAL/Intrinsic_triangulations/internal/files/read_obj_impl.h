@@ -39,8 +39,6 @@ inline bool is_other_obj_keyword(const std::string_view word)
     // curves and surfaces
     "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end", "con",
     "surf_1", "q0_1", "q1_1", "curv2d_1", "surf_2", "q0_2", "q1_2", "curv2d_2",
-    // other files and programs
-    "call", "csh",
     // those that were superseded
     "bsp", "bzp", "cdc", "cdp", "res"};
   return std::any_of(std::begin(keywords), std::end(keywords), [word](std::string_view keyword) { return is_keyword(word, keyword); });
@@ -125,8 +123,21 @@ private:
       take_vertex(end, last);
     else if (end - p == 1 && (*p == 'f' || *p == 'F'))
       take_face(end, last);
-    else if (!is_other_obj_keyword(std::string_view(p, static_cast<std::size_t>(end - p))))
-      refuse_line(first, last);
+    else
+      take_other(std::string_view(p, static_cast<std::size_t>(end - p)), first, last);
+  }
+
+  void take_other(const std::string_view keyword, const char* const first, const char* const last)
+  {
+    const auto is = [keyword](const std::string_view word) { return is_keyword(keyword, word); };
+    if (is("call") || is("csh"))
+      refuse_line(first, last, "runs another file or program, which is not done: put what comes from there in its place");
+    if (!is_other_obj_keyword(keyword))
+      refuse_line(first, last, "is not understood (after " + so_far() + ")");
+    if (has_curved_surfaces_ || !(is("surf") || is("bsp") || is("bzp") || is("cdp")))
+      return;
+    has_curved_surfaces_ = true;
+    soup_.warnings.push_back("line " + std::to_string(number_) + ": this and all other curved surfaces are left out, as they are no polygons");
   }
 
   // Three coordinates, and perhaps a weight and a color.
@@ -138,7 +149,7 @@ private:
       if (take_real(p, last, point[i]))
         continue;
       if (p == last || *p == '#')
-        refuse_file(path_, where("vertex", soup_.points.size()) + ": there are " + std::to_string(i) + " numbers where 3 are needed",
+        refuse_file(path_, where("vertex", soup_.points.size()) + ": there " + are_counted(i, "number", "numbers") + " where 3 are needed",
                     Defect::UNREADABLE, soup_.points.size());
       const char* const end = std::find(p, skip_word(p, last), '#');
       point[i] = check_coordinate(path_, std::string(p, end), where("vertex", soup_.points.size()), soup_.points.size());
@@ -196,8 +207,8 @@ private:
       return add_corner(static_cast<std::uint32_t>(index));
     if (static_cast<std::size_t>(-index) > vertices)
       refuse_file(path_,
-                  where("face", face) + ": the face names vertex " + std::to_string(index) + ", but " +
-                    std::to_string(vertices) + " vertices come before it",
+                  where("face", face) + ": the face names vertex " + std::to_string(index) + ", and there " +
+                    are_counted(vertices, "vertex", "vertices") + " before it",
                   Defect::BAD_INDEX, face);
     corners_.push_back(static_cast<std::uint32_t>(vertices - static_cast<std::size_t>(-index)));
   }
@@ -218,7 +229,7 @@ private:
       if (bad_faces_++ == 0) {
         first_bad_face_ = soup_.number_of_faces();
         first_bad_index_ = where("face", first_bad_face_) + ": the face names vertex " + std::to_string(index) +
-                           ", but there are " + std::to_string(limit_) + " vertices (counted from 1)";
+                           ", but there " + are_counted(limit_, "vertex", "vertices") + " (counted from 1)";
       }
     }
   }
@@ -251,25 +262,26 @@ private:
                 Defect::UNREADABLE, face);
   }
 
-  [[noreturn]] void refuse_line(const char* const first, const char* last) const
+  [[noreturn]] void refuse_line(const char* const first, const char* last, const std::string& text) const
   {
     while (last != first && is_white(last[-1]))
       --last;
     std::string line(first, last);
     std::replace(line.begin(), line.end(), '\t', ' ');
-    refuse_file(path_, "line " + std::to_string(number_) + ": " + quote(line) + " is not understood (after " + so_far() + ")");
+    refuse_file(path_, "line " + std::to_string(number_) + ": " + quote(line) + " " + text);
   }
 
   std::string so_far() const
   {
-    return std::to_string(soup_.points.size()) + " vertices and " + std::to_string(soup_.number_of_faces()) + " faces";
+    return counted(soup_.points.size(), "vertex", "vertices") + " and " + counted(soup_.number_of_faces(), "face", "faces");
   }
 
   std::string where(const char* const kind, const std::size_t element) const { return place(number_, kind, element); }
 
   std::string path_;
   Polygon_soup& soup_;
-  std::size_t number_ = 0;             // of the line, counted from 1
+  std::size_t number_ = 0; // of the line, counted from 1
+  bool has_curved_surfaces_ = false;
   std::vector<std::uint32_t> corners_; // of a face
   std::size_t greatest_index_ = 0;
   std::size_t limit_ = no_limit; // faces with greater indices are counted

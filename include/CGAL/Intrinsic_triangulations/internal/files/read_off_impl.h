@@ -89,11 +89,11 @@ private:
     take_count_word(word, "edges");
     if (lines_.number() > header_line_ && lines_.find_word_on_line())
       refuse_file(path_, "line " + std::to_string(header_line_) + ": the number of edges is missing behind those of " +
-                           std::to_string(vertices) + " vertices and " + std::to_string(faces) + " faces: write 0");
+                           counted(vertices, "vertex", "vertices") + " and " + counted(faces, "face", "faces") + ": write 0");
     // A vertex takes at least "0 0 0" and a line end, a face at least "0" and one.
     if (vertices > size_ / 6 + 1 || faces > size_ / 2 + 1)
-      refuse_file(path_, "the header announces " + std::to_string(vertices) + " vertices and " + std::to_string(faces) +
-                           " faces, more than fit into the " + std::to_string(size_) + " bytes of the file");
+      refuse_file(path_, "the header announces " + counted(vertices, "vertex", "vertices") + " and " +
+                           counted(faces, "face", "faces") + ", more than fit into the " + counted(size_, "byte", "bytes") + " of the file");
     vertices_ = static_cast<std::size_t>(vertices);
     faces_ = static_cast<std::size_t>(faces);
   }
@@ -117,13 +117,13 @@ private:
   void take_vertex(const std::size_t v)
   {
     if (!lines_.find_word())
-      refuse_file(path_, "the file ends after " + std::to_string(v) + " of " + std::to_string(vertices_) + " vertices",
+      refuse_file(path_, "the file ends after " + std::to_string(v) + " of " + counted(vertices_, "vertex", "vertices"),
                   Defect::UNREADABLE, v);
     const auto where = [&] { return place(lines_.number(), "vertex", v); };
     std::array<double, 3> point;
     for (std::size_t i = 0; i < numbers_per_vertex_; ++i) {
       if (!lines_.find_word_on_line())
-        refuse_file(path_, where() + ": there are " + std::to_string(i) + " numbers where " + std::to_string(numbers_per_vertex_) + " are needed",
+        refuse_file(path_, where() + ": there " + are_counted(i, "number", "numbers") + " where " + std::to_string(numbers_per_vertex_) + " are needed",
                     Defect::UNREADABLE, v);
       double number;
       if (!take_real(lines_.p, lines_.last, number))
@@ -142,7 +142,7 @@ private:
     if (v == 0)
       colors_ = colors;
     else if (colors != colors_ && !has_colors_)
-      refuse_file(path_, where() + ": there are " + std::to_string(numbers_per_vertex_ + colors) + " numbers where the vertices before have " + std::to_string(numbers_per_vertex_ + colors_) + "; " + announced(),
+      refuse_file(path_, where() + ": there " + are_counted(numbers_per_vertex_ + colors, "number", "numbers") + " where the vertices before have " + std::to_string(numbers_per_vertex_ + colors_) + "; " + announced(),
                   Defect::UNREADABLE, v);
   }
 
@@ -160,7 +160,7 @@ private:
   void take_face(const std::size_t f)
   {
     if (!lines_.find_word())
-      refuse_face(f, "the file ends after " + std::to_string(f) + " of " + std::to_string(faces_) + " faces" + hint());
+      refuse_face(f, "the file ends after " + std::to_string(f) + " of " + counted(faces_, "face", "faces") + hint());
     const std::size_t line = lines_.number();
     const auto where = [&] { return place(line, "face", f); };
     std::uint32_t size = 0;
@@ -176,7 +176,7 @@ private:
     std::size_t on_first_line = 0;
     std::string bad_word;
     const auto refuse_size = [&] {
-      refuse_face(f, where() + ": there are " + std::to_string(on_first_line) + " vertices where " + std::to_string(size) +
+      refuse_face(f, where() + ": there " + are_counted(on_first_line, "vertex", "vertices") + " where " + std::to_string(size) +
                        " are announced");
     };
     for (std::uint32_t i = 0, index = 0; i < size; ++i) {
@@ -204,12 +204,12 @@ private:
         first_long_face_ = where() + ", whose " + std::to_string(size) + " corners go on over " +
                            std::to_string(lines_.number() - line + 1) + " lines";
     } else if (const std::size_t colors = take_colors("face", f); size < 3 && first_small_face_.empty())
-      first_small_face_ = where() + ", which has " + std::to_string(size) + " corners and " + std::to_string(colors) +
-                          " numbers behind them";
+      first_small_face_ = where() + ", which has " + counted(size, "corner", "corners") + " and " +
+                          counted(colors, "number", "numbers") + " behind them";
     if (!bad_word.empty() && bad_faces_++ == 0) {
       first_bad_face_ = f;
-      first_bad_index_ = where() + ": the face names vertex " + bad_word + ", but there are " + std::to_string(vertices_) +
-                         " vertices (counted from 0)";
+      first_bad_index_ = where() + ": the face names vertex " + bad_word + ", but there " +
+                         are_counted(vertices_, "vertex", "vertices") + " (counted from 0)";
     }
     soup_.add_face(corners_.data(), corners_.data() + corners_.size());
   }
@@ -251,7 +251,7 @@ private:
 
   std::string announced() const
   {
-    return "the header announces " + std::to_string(vertices_) + " vertices and " + std::to_string(faces_) + " faces on line " +
+    return "the header announces " + counted(vertices_, "vertex", "vertices") + " and " + counted(faces_, "face", "faces") + " on line " +
            std::to_string(header_line_);
   }
   // Where the mistake may be if the numbers of elements are wrong.

@@ -16,14 +16,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace CGAL {
@@ -38,6 +36,7 @@ struct Ply_layout
     Y,
     Z,
     CORNERS,
+    STRIPS, // corners, too
     NONE
   };
 
@@ -62,7 +61,7 @@ struct Ply_layout
       if (element.is_vertex() && element.find(names[i]) == &property)
         role = static_cast<Role>(i);
     if ((element.is_face() || element.is_strips()) && element.find_corners() == &property)
-      role = CORNERS;
+      role = element.is_face() ? CORNERS : STRIPS;
   }
 
   static std::vector<Ply_layout> of(const Ply_element& element)
@@ -74,6 +73,7 @@ struct Ply_layout
   }
 
   bool is_list() const { return size_of_count != 0; }
+  bool has_corners() const { return role == CORNERS || role == STRIPS; }
 
   std::size_t size;          // of a number in bytes
   std::size_t size_of_count; // of the number of entries, 0 if it is no list
@@ -98,7 +98,7 @@ inline void add_strips(const std::string& path, const std::string& where, const 
   for (std::size_t i = 0; i <= corners.size(); ++i) {
     if (i == corners.size() || corners[i] == (std::numeric_limits<std::uint32_t>::max)()) {
       if (length == 1 || length == 2)
-        refuse_file(path, where + ": a strip of triangles ends after " + std::to_string(length) + " vertices, before entry " + std::to_string(i) + " of the list");
+        refuse_file(path, where + ": a strip of triangles ends after " + counted(length, "vertex", "vertices") + ", before entry " + std::to_string(i) + " of the list");
       length = 0;
       continue;
     }
@@ -111,7 +111,7 @@ inline void add_strips(const std::string& path, const std::string& where, const 
       soup.add_face(triangle.data(), triangle.data() + 3);
   }
   if (turns > 0)
-    soup.warnings.push_back(where + ": the strips of triangles turn " + std::to_string(turns) + " times at a vertex that comes twice, which is no triangle");
+    soup.warnings.push_back(where + ": the strips of triangles turn " + counted(turns, "time", "times") + " at a vertex that comes twice, which is no triangle");
 }
 
 template <bool is_big_endian>
@@ -160,9 +160,12 @@ private:
     std::memcpy(&result, bytes, sizeof(T));
     return result;
   }
-  static double load_real(const char* const p, const std::size_t size)
+  static double load_number(const char* const p, const Ply_layout& l)
   {
-    return size == 8 ? load<double>(p) : static_cast<double>(load<float>(p));
+    if (l.is_real)
+      return l.size == 8 ? load<double>(p) : static_cast<double>(load<float>(p));
+    const std::uint32_t bits = load_index(p, l);
+    return l.range.least < 0 ? static_cast<double>(static_cast<std::int32_t>(bits)) : static_cast<double>(bits);
   }
 
   // An index of any type; -1 if it is negative.
@@ -190,8 +193,8 @@ private:
     std::string announced;
     for (const Ply_element& element : header_.elements)
       announced += (announced.empty() ? "" : ", ") + std::to_string(element.count) + " " + element.name;
-    const std::string text = "from byte " + std::to_string(begin) + " on there are " + std::to_string(count) +
-                             " bytes behind the elements that the header announces (" + announced + ")";
+    const std::string text = "from byte " + std::to_string(begin) + " on there " + are_counted(count, "byte", "bytes") +
+                             " behind the elements that the header announces (" + announced + ")";
     if (!is_empty)
       refuse_file(path_, text);
     soup_.warnings.push_back(text + ", which are zeros or blanks");
@@ -201,14 +204,18 @@ private:
   std::size_t take_vertices(const Ply_element& element, const std::vector<Ply_layout>& layout)
   {
     std::size_t stride = 0;
-    std::array<std::size_t, 3> offset{}, size{};
+    std::array<std::size_t, 3> offset{};
+    std::array<const Ply_layout*, 3> coordinate{};
     for (const Ply_layout& l : layout) {
       if (l.role < 3) {
         offset[l.role] = stride;
-        size[l.role] = l.size;
+        coordinate[l.role] = &l;
       }
       stride += l.size;
     }
+    const auto are_reals_of = [&coordinate](const std::size_t size) {
+      return std::all_of(coordinate.begin(), coordinate.end(), [size](const Ply_layout* l) { return l->is_real && l->size == size; });
+    };
     const auto take = [&](const std::size_t n, auto real) {
       using Real = decltype(real);
       const char* p = file_.first;
@@ -219,14 +226,14 @@ private:
     std::size_t done = 0;
     while (done < element.count && file_.require(stride)) {
       const std::size_t n = (std::min)(element.count - done, file_.available() / stride);
-      if (size[0] == 8 && size[1] == 8 && size[2] == 8)
+      if (are_reals_of(8))
         take(n, double());
-      else if (size[0] == 4 && size[1] == 4 && size[2] == 4)
+      else if (are_reals_of(4))
         take(n, float());
       else
         for (std::size_t i = 0; i < n; ++i, file_.first += stride)
-          soup_.points.push_back({load_real(file_.first + offset[0], size[0]), load_real(file_.first + offset[1], size[1]),
-                                  load_real(file_.first + offset[2], size[2])});
+          soup_.points.push_back({load_number(file_.first + offset[0], *coordinate[0]), load_number(file_.first + offset[1], *coordinate[1]),
+                                  load_number(file_.first + offset[2], *coordinate[2])});
       done += n;
     }
     return done;
@@ -288,16 +295,16 @@ private:
         refuse("the file ends within " + name);
       if (l.role == Ply_layout::NONE)
         continue;
-      if (l.role == Ply_layout::CORNERS) {
+      if (l.has_corners()) {
         corners_.clear();
         for (std::size_t i = 0; i < count; ++i)
           corners_.push_back(load_index(file_.first + l.size * i, l));
-        if (element.is_face())
+        if (l.role == Ply_layout::CORNERS)
           soup_.add_face(corners_.data(), corners_.data() + corners_.size());
         else
           add_strips(path_, "element " + element.name + " " + std::to_string(index), corners_, soup_);
       } else
-        point[l.role] = load_real(file_.first, l.size);
+        point[l.role] = load_number(file_.first, l);
       file_.first += bytes;
     }
     if (element.is_vertex())
@@ -327,17 +334,20 @@ public:
       element_ = &element;
       reserve_ply(element, file_.left(), soup_);
       const std::vector<Ply_layout> layout = Ply_layout::of(element);
+      const bool is_vertex = element.is_vertex();
       for (index_ = 0; index_ < element.count; ++index_) {
         if (!find_word())
           refuse_end();
         if (begin_ == 0)
           first_ = number_;
-        if (number_ == end && surplus_.empty())
+        if (number_ == end && surplus_.empty()) {
           surplus_ = line_of_two();
+          last_line_ = number_;
+        }
         if (number_ == end && number_ != first_)
           refuse_file(path_, surplus_, Defect::UNREADABLE, index_);
         begin_ = number_;
-        take_element(layout);
+        take_element(layout, is_vertex);
         end = number_;
       }
     }
@@ -358,19 +368,20 @@ private:
       names += (names.empty() ? "" : ", ") + property.name;
     return "line " + std::to_string(begin_) + ", element " + before.name + " " + std::to_string(is_first ? before.count - 1 : index_ - 1) +
            (begin_ == number_ ? std::string() : ", which goes on over line " + std::to_string(number_)) + ": " +
-           quote(std::string(word, skip_word(word, file_.last))) + " is behind the numbers that the header names (" + names + ")";
+           quote(std::string(word, skip_word(word, file_.last))) + " is behind the numbers that the header names (" + names + "); name it there, or begin each element on a line of its own";
   }
 
-  void take_element(const std::vector<Ply_layout>& layout)
+  void take_element(const std::vector<Ply_layout>& layout, const bool is_vertex)
   {
     std::array<double, 3> point{};
     for (std::size_t k = 0; k < layout.size(); ++k) {
       const Ply_layout& l = layout[k];
       const Ply_property& property = element_->properties[k];
       if (!l.is_list()) {
-        const double value = take_value(l, property);
         if (l.role < 3)
-          point[l.role] = value;
+          point[l.role] = take_value(l, property);
+        else
+          skip_value(property);
         continue;
       }
       const long long count = take_integer(l.range_of_count, property.size_type, [&] { return "the size of the list " + property.name; });
@@ -381,18 +392,18 @@ private:
         refuse_file(path_, where() + ": the list " + property.name + " claims more entries than the file has");
       corners_.clear();
       for (long long i = 0; i < count; ++i)
-        if (l.role == Ply_layout::CORNERS)
+        if (l.has_corners())
           corners_.push_back(static_cast<std::uint32_t>(take_integer(l.range, property.type, [&] { return property.name; })));
         else
-          take_value(l, property);
-      if (l.role != Ply_layout::CORNERS)
+          skip_value(property);
+      if (!l.has_corners())
         continue;
-      if (element_->is_face())
+      if (l.role == Ply_layout::CORNERS)
         soup_.add_face(corners_.data(), corners_.data() + corners_.size());
       else
         add_strips(path_, where(), corners_, soup_);
     }
-    if (element_->is_vertex())
+    if (is_vertex)
       soup_.points.push_back(point);
   }
 
@@ -400,14 +411,12 @@ private:
   bool find_word()
   {
     for (;;) {
-      for (; file_.first != file_.last && is_white(*file_.first); ++file_.first)
-        if (*file_.first == line_end_) {
-          ++number_;
-          if (!surplus_.empty())
-            is_line_over_ = true;
-        }
-      if (file_.first != file_.last) {
-        if (is_line_over_)
+      const char* p = file_.first;
+      for (; p != file_.last && is_white(*p); ++p)
+        number_ += *p == line_end_;
+      file_.first = p;
+      if (p != file_.last) {
+        if (number_ > last_line_)
           refuse_file(path_, surplus_, Defect::UNREADABLE, index_);
         return true;
       }
@@ -426,7 +435,7 @@ private:
   }
   std::string so_far() const
   {
-    return std::to_string(soup_.points.size()) + " vertices and " + std::to_string(soup_.number_of_faces()) + " faces";
+    return counted(soup_.points.size(), "vertex", "vertices") + " and " + counted(soup_.number_of_faces(), "face", "faces");
   }
   // Goes over that word.
   std::string take_word()
@@ -462,25 +471,34 @@ private:
     return static_cast<float>(number);
   }
 
+  // Goes over what nobody wants, which may be any number: not finite, or out of the range of its type.
+  void skip_value(const Ply_property& property)
+  {
+    require_word();
+    const char* p = file_.first;
+    if (double ignored = 0; take_real(p, file_.last, ignored) && (p == file_.last || *p != '#'))
+      file_.first = p;
+    else if (const std::string word = take_word(); !is_number(word))
+      refuse_file(path_, where() + ": " + quote(word) + " is not a number, which is needed for " + property.name, Defect::UNREADABLE, index_);
+  }
+
   // \param what says what it is
   template <class What>
   long long take_integer(const Ply_layout::Range& range, const std::string& type, const What& what)
   {
     require_word();
     const char* p = file_.first;
-    long long number = 0;
-    const std::from_chars_result result = std::from_chars(p, file_.last, number);
-    if (result.ec == std::errc() && (result.ptr == file_.last || is_white(*result.ptr)) && number >= range.least &&
-        number <= range.greatest) {
-      file_.first = result.ptr;
-      return number;
+    if (std::uint32_t count = 0; take_count(p, file_.last, count) && (p == file_.last || is_white(*p)) && count <= range.greatest) {
+      file_.first = p;
+      return count;
     }
+    long long number = 0;
     const std::string word = take_word();
     if (!read_integer(word, number) && !is_beyond_integers(word))
       refuse_file(path_, where() + ": " + quote(word) + " is not an integer, which is needed for " + what());
     if (is_beyond_integers(word) || number < range.least || number > range.greatest)
       refuse_file(path_, where() + ": " + quote(word) + " is out of range for " + what() + ", which is of type " + type);
-    return number; // with a sign that from_chars() does not take
+    return number;
   }
 
   std::string where() const
@@ -493,10 +511,10 @@ private:
   Polygon_soup& soup_;
   File_blocks& file_;
   const char line_end_;
-  std::size_t number_;                // of the line, counted from 1
-  std::size_t first_ = 0, begin_ = 0; // the lines on which the first element begins, and this one
-  std::string surplus_;               // what is wrong with the line if there is another behind it
-  bool is_line_over_ = false;
+  std::size_t number_;                                                // of the line, counted from 1
+  std::size_t first_ = 0, begin_ = 0;                                 // the lines on which the first element begins, and this one
+  std::string surplus_;                                               // what is wrong with the line if there is another behind it
+  std::size_t last_line_ = (std::numeric_limits<std::size_t>::max)(); // there must be no other then
   std::uintmax_t most_entries_;
   const Ply_element* element_ = nullptr;
   std::size_t index_ = 0;              // of the element among those of its kind

@@ -18,6 +18,9 @@
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 #include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <exception>
 #include <new>
 
@@ -59,6 +62,23 @@ void require_triangles(const std::string& file_name, const Polygon_soup& soup)
               Defect::NOT_A_TRIANGLE, first, count);
 }
 
+// Refuses what is often found under the name of a mesh.
+inline void check_contents(const std::string& path)
+{
+  const std::string head = load_file(path, 100);
+  const std::size_t text = (std::min)(head.find_first_not_of(" \t\r\n"), head.size());
+  const auto begins_with = [&](const char* const word, const std::size_t at) { return head.compare(at, std::strlen(word), word) == 0; };
+  if (begins_with("\x1f\x8b", 0) || begins_with("PK\3\4", 0) || begins_with("\xfd"
+                                                                            "7zXZ",
+                                                                            0) ||
+      begins_with("7z\xbc\xaf", 0))
+    refuse_file(path, "the file is compressed: unpack it first");
+  if (begins_with("version https://git-lfs", 0))
+    refuse_file(path, "the file stands for another one, which Git LFS has: get it with git lfs pull");
+  if (begins_with("<!DOCTYPE", text) || begins_with("<!doctype", text) || begins_with("<html", text))
+    refuse_file(path, "the file is a page of the web and no mesh: it was not downloaded as a file");
+}
+
 } // namespace internal
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -71,6 +91,7 @@ Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_func
     internal::refuse_file(file_name, "the name does not end with .off, .obj, .ply, .stl or .ts, which tells the format" + internal::conversion_advice(file_name));
   if (size == 0)
     internal::refuse_file(file_name, "the file is empty");
+  internal::check_contents(file_name);
   Polygon_soup soup;
   try {
     switch (format) {

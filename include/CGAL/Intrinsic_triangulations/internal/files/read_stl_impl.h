@@ -116,19 +116,19 @@ public:
   void read(const std::uintmax_t size, const Progress_function& progress)
   {
     const Text_encoding encoding = find_encoding(path_);
-    const char line_end = encoding.line_end;
+    line_end_ = encoding.line_end;
     File_blocks file(path_, size, encoding.begin, progress);
     reserve(soup_, size / 256, size / 128); // a guess: the usual file has fewer
     while (file.take_words()) {
       const char *p = file.first, *const last = file.last;
       for (;;) {
         for (; p != last && is_white(*p); ++p)
-          number_ += *p == line_end;
+          number_ += *p == line_end_;
         if (p == last)
           break;
         if (coordinates_ < 3)
           take_coordinate(p, last);
-        else {
+        else if (state_ != SOLID || !prefix_.empty() || number_ == line_of_rest_ || !take_usual_facet(p, last)) {
           const char* const begin = p;
           p = skip_word(begin, last);
           take_word(std::string_view(begin, static_cast<std::size_t>(p - begin)));
@@ -153,6 +153,53 @@ private:
     CORNERS,
     LOOP // before the end of a facet
   };
+
+  // Goes over a facet that is written as nearly all are; at any other it stays.
+  bool take_usual_facet(const char*& begin, const char* const last)
+  {
+    const char* p = begin;
+    std::size_t lines = 0;
+    const auto skip = [&] {
+      for (; p != last && is_white(*p); ++p)
+        lines += *p == line_end_;
+    };
+    const auto take = [&](const auto& word) {
+      constexpr std::size_t size = sizeof word - 1; // without the zero
+      skip();
+      if (static_cast<std::size_t>(last - p) <= size || std::memcmp(p, word, size) != 0 || !is_white(p[size]))
+        return false;
+      p += size;
+      return true;
+    };
+    if (!take("facet") || !take("normal"))
+      return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      skip();
+      if (p == last || !(is_digit(*p) || *p == '-'))
+        return false;
+      p = skip_word(p, last);
+    }
+    if (!take("outer") || !take("loop"))
+      return false;
+    std::array<std::array<double, 3>, 3> points;
+    for (std::array<double, 3>& point : points) {
+      if (!take("vertex"))
+        return false;
+      for (double& coordinate : point) {
+        skip();
+        if (!take_real(p, last, coordinate) || p == last || *p == '#')
+          return false;
+      }
+    }
+    if (!take("endloop") || !take("endfacet"))
+      return false;
+    for (std::size_t i = 0; i < 3; ++i)
+      triangle_[i] = corners_.vertex(points[i]);
+    soup_.triangles.push_back(triangle_);
+    number_ += lines;
+    begin = p;
+    return true;
+  }
 
   void take_word(const std::string_view word)
   {
@@ -304,8 +351,7 @@ private:
       const std::string word(begin, p);
       if (number_ != line_of_vertex_)
         refuse_file(path_,
-                    place(line_of_vertex_, "facet", facet()) + ": a vertex has " + std::to_string(coordinates_) +
-                      " numbers where 3 are needed",
+                    place(line_of_vertex_, "facet", facet()) + ": a vertex has " + counted(coordinates_, "number", "numbers") + " where 3 are needed",
                     Defect::UNREADABLE, facet());
       coordinate = check_coordinate(path_, word, place(number_, "facet", facet()), facet());
     }
@@ -341,6 +387,7 @@ private:
   std::string path_;
   Polygon_soup& soup_;
   Stl_corners corners_;
+  char line_end_ = '\n';
   std::size_t number_ = 1; // of the line
   State state_ = OUTSIDE;
   bool has_loop_ = false, has_normal_ = false;          // of the facet
@@ -363,21 +410,20 @@ inline void read_binary_stl(const std::string& path, const std::string& head, co
   std::uint32_t announced = 0;
   std::memcpy(&announced, &head[80], 4);
   const std::uintmax_t stored = (size - 84) / 50, surplus = (size - 84) % 50;
-  const std::string both = "the header announces " + std::to_string(announced) + " facets, the file has room for " + std::to_string(stored);
+  const std::string both = "the header announces " + counted(announced, "facet", "facets") + ", the file has room for " + std::to_string(stored);
   // Who writes facets as they come may not know their number in time.
   const bool is_unknown = (announced == 0 || announced == unknown_number) && stored > 0 && surplus == 0;
   const std::uintmax_t facets = is_unknown ? stored : announced;
   if (facets > stored)
     refuse_neither(path, head, both + ": it ends within facet " + std::to_string(stored) + ", which begins at byte " + std::to_string(84 + 50 * stored));
   if (is_unknown) {
-    soup.warnings.push_back("the header announces " + std::to_string(announced) + " facets; all " + std::to_string(stored) +
+    soup.warnings.push_back("the header announces " + counted(announced, "facet", "facets") + "; all " + std::to_string(stored) +
                             " that are in the file were read");
   } else if (facets < stored)
     refuse_file(path, both + ": facet " + std::to_string(facets) + ", at byte " + std::to_string(84 + 50 * facets) +
                         ", is the first behind them; correct the number, of four bytes at byte 80, or cut off what is behind");
   else if (surplus > 0)
-    soup.warnings.push_back("there are " + std::to_string(surplus) + " bytes behind the " + std::to_string(facets) +
-                            " facets, too few for a facet");
+    soup.warnings.push_back("there " + are_counted(surplus, "byte", "bytes") + " behind the " + counted(facets, "facet", "facets") + ", too few for a facet");
 
   File_blocks file(path, size, 84, progress);
   Stl_corners corners(soup);

@@ -42,10 +42,12 @@ public:
     end_part();
     if (brace_line_ != 0)
       refuse_file(path_, "the brace on line " + std::to_string(brace_line_) + " is not closed");
+    if (vertices_ == 0 && !soup_.warnings.empty())
+      refuse_file(path_, soup_.warnings.front() + "; there is no other part", Defect::EMPTY);
     if (vertices_ == 0 || triangles_ == 0)
       refuse_file(path_,
                   "there is no " + std::string(vertices_ == 0 ? "vertex" : "face") + " in the file (" +
-                    std::to_string(vertices_) + " vertices and " + std::to_string(triangles_) + " faces)",
+                    counted(vertices_, "vertex", "vertices") + " and " + counted(triangles_, "face", "faces") + ")",
                   Defect::EMPTY);
     if (!is_ended_)
       refuse_file(path_, "the file has no line END, or not as many as it has parts");
@@ -117,7 +119,7 @@ private:
     std::array<double, 3> point;
     for (std::size_t i = 0; i < 3; ++i) {
       if (!lines_.find_word_on_line())
-        refuse_file(path_, where("vertex", vertices_) + ": there are " + std::to_string(i) + " numbers where 3 are needed",
+        refuse_file(path_, where("vertex", vertices_) + ": there " + are_counted(i, "number", "numbers") + " where 3 are needed",
                     Defect::UNREADABLE, vertices_);
       if (!take_real(lines_.p, lines_.last, point[i]))
         point[i] = check_coordinate(path_, std::string(lines_.take_word()), where("vertex", vertices_), vertices_);
@@ -158,7 +160,7 @@ private:
     if (properties_ == 0 ? lines_.find_word_on_line() : take_properties("face", triangles_) != properties_)
       refuse_file(path_,
                   where("face", triangles_) + (properties_ == 0 ? ": there is more in the line than three vertices"
-                                                                : ": three vertices are not followed by " + std::to_string(properties_) + " properties, as TRGL_PROPERTIES announces"),
+                                                                : ": three vertices are not followed by " + counted(properties_, "property", "properties") + ", as TRGL_PROPERTIES announces"),
                   Defect::NOT_A_TRIANGLE, triangles_);
     triangles_of_part_.push_back(triangle);
     ++triangles_;

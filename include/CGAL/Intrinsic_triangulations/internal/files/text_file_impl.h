@@ -154,11 +154,17 @@ double check_coordinate(const std::string& path, const std::string& word, const 
   case Number_state::NOT_A_NUMBER:
     break;
   }
-  std::string with_point = word;
-  std::replace(with_point.begin(), with_point.end(), ',', '.');
-  const bool has_comma = with_point != word && read_number(with_point, number) == Number_state::GOOD;
-  refuse_file(path, where + ": " + quote(word) + " is not a number" + (has_comma ? ": write a point for the decimal comma" : ""),
-              Defect::UNREADABLE, vertex);
+  const auto would_be_a_number = [&](const std::string& characters, const char replacement) {
+    std::string other = word;
+    std::replace_if(
+      other.begin(), other.end(), [&](char c) { return characters.find(c) != std::string::npos; }, replacement);
+    return other != word && read_number(other, number) == Number_state::GOOD;
+  };
+  const char* const advice = word.find_first_of(",;") + 1 == word.size() ? ": separate numbers by blanks alone"
+                             : would_be_a_number(",", '.')               ? ": write a point for the decimal comma"
+                             : would_be_a_number("dD", 'e')              ? ": write e before the exponent"
+                                                                         : "";
+  refuse_file(path, where + ": " + quote(word) + " is not a number" + advice, Defect::UNREADABLE, vertex);
 }
 
 } // namespace internal

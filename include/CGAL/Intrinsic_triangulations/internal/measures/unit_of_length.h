@@ -125,14 +125,14 @@ bool scale(FT& x, int exponent)
   return is_exact;
 }
 
-inline void throw_if_underflow(const char* what, const Defect_tally& offenders)
+inline void throw_if_underflow(const char* what, const Defect_tally& offenders, const char* advice = "remove the outliers")
 {
   if (offenders.count > 0)
     throw Invalid_surface_error(Defect::OUT_OF_RANGE, offenders.first, offenders.count,
                                 what + std::to_string(offenders.first) +
                                   " underflows beside the size of the surface: the range of the "
                                   "number type does not hold both" +
-                                  offenders.and_more());
+                                  offenders.and_more() + "; " + advice);
 }
 
 // Is zero for finite numbers and NaN otherwise, and needs no branch. An exact number may be
@@ -286,7 +286,7 @@ int normalize_points(PointVector& points, const IsUsed& is_used)
       points[v] = {FT(0), FT(0), FT(0)};
     else if (!scale_point(points[v], box, exponent))
       offenders.add(v);
-  throw_if_underflow("a coordinate of vertex ", offenders);
+  throw_if_underflow("a coordinate of vertex ", offenders, "round it to zero, or remove the outliers");
   return exponent;
 }
 

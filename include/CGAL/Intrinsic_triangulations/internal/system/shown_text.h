@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_SHOWN_TEXT_H
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 namespace CGAL {
@@ -22,6 +23,17 @@ inline std::string shown_text(const std::string& text)
   std::replace_if(
     result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   return result + (text.size() > 40 ? "..." : "");
+}
+
+// "1 vertex", "2 vertices"
+inline std::string counted(const std::uintmax_t n, const char* const singular, const char* const plural)
+{
+  return std::to_string(n) + " " + (n == 1 ? singular : plural);
+}
+// "is 1 vertex", "are 2 vertices"
+inline std::string are_counted(const std::uintmax_t n, const char* const singular, const char* const plural)
+{
+  return (n == 1 ? "is " : "are ") + counted(n, singular, plural);
 }
 
 } // namespace internal

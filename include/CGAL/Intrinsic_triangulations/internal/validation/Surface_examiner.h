@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Element_collector.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/polygon_texts.h>
@@ -107,7 +108,7 @@ private:
     if (number_of_faces == 0) {
       add(Finding_kind::EMPTY, 1, {},
           n == 0 ? "there is no vertex and no face"
-                 : "there are " + std::to_string(n) + " vertices but no face");
+                 : "there " + are_counted(n, "vertex", "vertices") + " but no face");
       return false;
     }
     if (n >= none_ || number_of_faces >= none_ / 3) {
@@ -144,7 +145,7 @@ private:
     if (bad_index_.count() != 0)
       add(Finding_kind::BAD_INDEX, bad_index_.count(), bad_index_.elements(),
           "face " + std::to_string(bad_index_.first()) + " names vertex " + index_text(bad_value) +
-            ", but there are " + std::to_string(n) + " vertices");
+            ", but there " + are_counted(n, "vertex", "vertices"));
     return true;
   }
 
