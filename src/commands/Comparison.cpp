@@ -166,6 +166,7 @@ private:
     result_.counts = count_elements(exact.connectivity);
     result_.ties = exact.tessellation->ties;
     result_.repairs = repairs(surface_);
+    result_.warnings = surface_.warnings;
   }
 
   Outcome flip(const Compared_type& type, const Requested_results& wanted) const

@@ -56,6 +56,7 @@ Json to_json_value(const Surface_comparison& comparison)
           {"faces", comparison.counts.faces},
           {"ties", comparison.ties},
           {"repair", to_json_value(comparison.repairs)},
+          {"warnings", comparison.warnings},
           {"number_types", std::move(rows)}};
 }
 

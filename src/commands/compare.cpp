@@ -4,6 +4,7 @@
 // `idt compare`: robustness and time, number type by number type.
 
 #include "commands/Comparison.h"
+#include "commands/command_line.h"
 #include "output/write_json.h"
 #include "commands/commands.h"
 #include "system/text.h"

@@ -23,6 +23,7 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
@@ -78,6 +79,7 @@ struct Distance_result
   std::optional<IT::Common_subdivision> subdivision; // for the overlay
   Named_values overlay_distances{"distance", {}};
   double read_seconds = 0, triangulation_seconds = 0, distance_seconds = 0;
+  std::vector<std::string> warnings;
 
   std::size_t number_of_unreachable_vertices() const
   {
@@ -237,6 +239,7 @@ void find_on_cover(const Distance_options& options, Distance_result& result)
     find_on_cover(options, IT::make_tufted_cover(soup.points, soup.triangles), progress, stopwatch, result);
     result.surface.points = std::move(soup.points);
     result.surface.triangles = std::move(soup.triangles);
+    result.warnings = std::move(soup.warnings);
   }
   result.distance_seconds = stopwatch.seconds();
 }
@@ -278,6 +281,7 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
       {complex.source(h).idx(), complex.target(h).idx(), complex.target(complex.next(h)).idx()});
   }
   result.surface.points = std::move(surface.points);
+  result.warnings = std::move(surface.warnings);
 }
 
 Json statistics(const Distance_options& options, const Distance_result& result)
@@ -290,6 +294,7 @@ Json statistics(const Distance_options& options, const Distance_result& result)
           {"mean_edge_length", result.mean_edge_length},
           {"largest_distance", result.largest_distance()},
           {"unreachable", result.number_of_unreachable_vertices()},
+          {"warnings", result.warnings},
           {"status", "done"},
           {"time",
            {{"read", result.read_seconds},
@@ -313,10 +318,14 @@ Exit_status run_distance(const Distance_options& options)
   check(options);
   return for_each_input({options.input}, [&](const std::string& path) {
     Distance_result result;
-    if (options.cover == "tufted")
-      find_on_cover(options, result);
-    else
-      find_on_surface(options, result);
+    try {
+      if (options.cover == "tufted")
+        find_on_cover(options, result);
+      else
+        find_on_surface(options, result);
+    } catch (const IT::Numerical_error& error) {
+      throw IT::Numerical_error(error.what() + std::string(options.time_coefficient > 1 ? "; try a smaller --time" : ""));
+    }
     const std::string& output = options.output_path;
     const std::string type = std::filesystem::path(name_with_format(output, options.format)).extension().string();
     if (result.surface.points.empty() && result.surface.number_of_vertices > 0 && !type.empty() && type != ".csv")
@@ -353,6 +362,7 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
   command.add_option("--source", options->sources, "the vertices with distance zero")
     ->type_name("V[,V...]")
     ->delimiter(',')
+    ->allow_extra_args(false)
     ->transform(whole_number())
     ->required();
   command

@@ -264,7 +264,7 @@ void write_csv(std::ostream& os, const IT::Delta_complex& input, const Curve& cu
   }
 }
 
-Json json_value(const Geodesic_options& options, const Curve& curve, double seconds)
+Json json_value(const Geodesic_options& options, const Surface& surface, const Curve& curve, double seconds)
 {
   Json json;
   json["input"] = options.input;
@@ -275,6 +275,7 @@ Json json_value(const Geodesic_options& options, const Curve& curve, double seco
   json["flips"] = curve.report.flips;
   json["segments"] = curve.points.empty() ? 0 : curve.points.size() - 1;
   json["vertex"] = curve.vertex ? Json(curve.vertex->idx()) : Json(nullptr);
+  json["warnings"] = surface.warnings;
   json["seconds"] = seconds;
   return json;
 }
@@ -320,7 +321,7 @@ Exit_status run_geodesic(const Geodesic_options& options)
       else
         write_csv(os, surface.connectivity, curve, points);
     });
-    write_json(options.stats_path, json_value(options, curve, seconds));
+    write_json(options.stats_path, json_value(options, surface, curve, seconds));
     write_report(std::cout, options, curve, seconds);
     flush_standard_output();
     return curve.is_geodesic && curve.status != "unfinished" ? Exit_status::DONE : Exit_status::NOT_FINISHED;

@@ -52,6 +52,7 @@ struct Laplacian_result
   IT::Tufted_Laplacian Laplacian;
   std::size_t number_of_faces = 0, triangulated_faces = 0, small_faces = 0; // of the file
   std::vector<double> eigenvalues;
+  std::vector<std::string> warnings;
   double read_seconds = 0, seconds = 0;
 
   std::size_t dropped_faces() const { return small_faces + Laplacian.report.dropped_faces(); }
@@ -94,6 +95,7 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     result.number_of_faces = soup.number_of_faces;
     result.triangulated_faces = soup.triangulated_faces;
     result.small_faces = soup.small_faces;
+    result.warnings = soup.warnings;
     result.read_seconds = stopwatch.restart();
     Progress progress(options.input, "building matrices");
     result.Laplacian =
@@ -130,6 +132,7 @@ Json statistics(const Laplacian_options& options, const Laplacian_result& result
                {"minimum_weight", result.Laplacian.minimum_weight}};
   if (options.number_of_eigenvalues > 0)
     json["eigenvalues"] = result.eigenvalues;
+  json["warnings"] = result.warnings;
   json["status"] = "done";
   json["time"] = {{"read", result.read_seconds}, {"laplacian", result.seconds}};
   return json;

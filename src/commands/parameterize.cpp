@@ -11,6 +11,7 @@
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "output/finite_weights.h"
+#include "input/mesh_file.h"
 #include "input/repair.h"
 #include "system/text.h"
 #include "commands/triangulate.h"
@@ -174,6 +175,7 @@ Json json_value(const Parameterize_options& options, const Result& result)
   json["over_intrinsic"] = json_value(result.on_intrinsic);
   json["circle_pattern"] = json_value(result.pattern);
   json["repair"] = to_json_value(repairs(result.triangulation.surface));
+  json["warnings"] = result.triangulation.surface.warnings;
   json["seconds"] = result.seconds;
   return json;
 }

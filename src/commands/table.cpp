@@ -57,6 +57,7 @@ struct Row
   std::optional<double> minimum_angle; // of the result, in degrees
   std::optional<double> seconds;       // to build and to flip
   std::optional<std::vector<IT::Repair>> repairs;
+  std::vector<std::string> warnings;
   const Paper_row* paper = nullptr;
   // Of the Laplace-Beltrami operators before and after the flips.
   std::optional<Operator_summary> before;
@@ -153,6 +154,7 @@ Json json_row(const Row& row)
           {"minimum_angle_degrees", json_value(row.minimum_angle)},
           {"seconds", json_value(row.seconds)},
           {"repair", to_json_value(row.repairs)},
+          {"warnings", row.warnings},
           {"paper", json_value(row.paper)},
           {"extrinsic", json_value(row.before)},
           {"intrinsic", json_value(row.after)}};
@@ -190,7 +192,7 @@ void find_condition(const Triangulation_result& result, Row& row)
     row.after = summarize(result.surface, outcome.connectivity, outcome.numbers.weights, *outcome.weights_after);
   } catch (const IT::Error& error) {
     std::cerr << "idt: " << result.surface.path << ": no condition number: " << error.what()
-              << std::endl;
+              << "; --without-condition leaves it out" << std::endl;
   }
 }
 
@@ -220,6 +222,7 @@ Exit_status run_table(const Table_options& options)
     row.seconds =
       result.surface.build_seconds + result.outcome.build_seconds + result.outcome.flip_seconds;
     row.repairs = repairs(result.surface);
+    row.warnings = result.surface.warnings;
     row.paper = find_paper_row(row.model, result.counts.vertices);
     if (!options.without_condition)
       find_condition(result, row);

@@ -46,7 +46,7 @@ void load_mesh(Surface& surface, bool is_repaired)
 {
   Stopwatch stopwatch;
   Surface_input input = read_and_warn(surface.path);
-  surface.notes = input.warnings;
+  surface.warnings = input.warnings;
   surface.read_seconds = stopwatch.restart();
   if (is_repaired) {
     surface.repair = repair(input);
@@ -75,7 +75,7 @@ void load_mesh(Surface& surface, bool is_repaired)
     for (IT::Finding_kind kind :
          {IT::Finding_kind::ZERO_AREA_FACE, IT::Finding_kind::UNREFERENCED_VERTEX})
       if (const IT::Finding* finding = report.find(kind))
-        surface.notes.push_back(IT::message(*finding));
+        surface.warnings.push_back(IT::message(*finding));
     if (!is_built)
       build();
   }

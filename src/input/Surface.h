@@ -59,7 +59,7 @@ struct Surface
   std::optional<std::vector<std::size_t>> input_vertices; // where the vertices come from, if flat ones were removed
   std::size_t number_of_removed_vertices = 0;
   // What a user should know though the surface can be used.
-  std::vector<std::string> notes;
+  std::vector<std::string> warnings;
   Stopwatch stopwatch; // since loading began
   double read_seconds = 0;
   double build_seconds = 0;

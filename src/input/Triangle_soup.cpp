@@ -47,6 +47,7 @@ Triangle_soup read_triangle_soup(const std::string& path)
       add_polygon(input, f, soup);
   }
   soup.points = std::move(input.points);
+  soup.warnings = std::move(input.warnings);
   return soup;
 }
 

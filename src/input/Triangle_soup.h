@@ -21,6 +21,7 @@ struct Triangle_soup
   std::size_t number_of_faces = 0;    // of the file
   std::size_t triangulated_faces = 0; // those with more than three corners
   std::size_t small_faces = 0;        // those with fewer, which are left out
+  std::vector<std::string> warnings;
 };
 
 // Reads a mesh file, and cuts faces with more than three corners into triangles.

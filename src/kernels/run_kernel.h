@@ -91,7 +91,7 @@ void require_usable_faces(const IT::Intrinsic_triangulation<IT::Half_angle_trait
     throw IT::Invalid_surface_error(
       IT::Invalid_surface_error::Defect::DEGENERATE_FACE, offenders.first, offenders.count,
       "face " + std::to_string(offenders.first) + " has zero area" + offenders.and_more() +
-        ", which half-angle tangents cannot handle: choose another number type");
+        ", which half-angle tangents cannot handle; try --number-type filtered");
 }
 
 // Asks the caller whether to go on, and remembers how far the flips are in case that an

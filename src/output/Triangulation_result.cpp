@@ -35,7 +35,8 @@ std::string describe_refinement(const Outcome& outcome)
   case IT::Refinement_status::REFINED:
     return report.unrefined.empty() ? "refined, " : "refined but for " + counted(report.unrefined.size(), "face", "faces") + ", ";
   case IT::Refinement_status::BUDGET_EXHAUSTED:
-    return "not refined: the budget of " + with_separators(report.insertions + report.segment_splits) + " new vertices is spent; ";
+    return "not refined: the budget of " + counted(report.insertions + report.segment_splits, "new vertex", "new vertices") +
+           " is spent (try a larger --maximum-points); ";
   case IT::Refinement_status::CANCELLED:
     return "not refined: cancelled; ";
   }
@@ -145,22 +146,22 @@ std::string describe_status(const Triangulation_result& result)
                                             : "not Delaunay: ") +
            "near a tie the rounded decisions contradict each other: " +
            first_of(report.inconsistent, outcome.connectivity) +
-           " failed the test again after the flip";
+           " failed the test again after the flip; try --number-type " + name(Number_type::FILTERED);
   case IT::Flip_status::NOT_FLIPPABLE:
     // Exact numbers come to that beside faces of zero area, and CORE where roots are below 2^-1075.
     if (result.options.number_type == Number_type::CORE ||
         result.options.number_type == Number_type::HALF_ANGLE_CORE)
       return "not Delaunay: beside a face whose area is zero, or too small for CORE, " +
              first_of(report.not_flippable, outcome.connectivity) +
-             " should be flipped and cannot; the number type " + name(Number_type::FILTERED) + " passes such faces";
+             " should be flipped and cannot; try --number-type " + name(Number_type::FILTERED) + ", which passes such faces";
     return "not Delaunay: rounding leaves " +
            first_of(report.not_flippable, outcome.connectivity) +
-           " that should be flipped and cannot";
+           " that should be flipped and cannot; try --number-type " + name(Number_type::FILTERED);
   case IT::Flip_status::UNDECIDED:
     return std::string("undecided: ") + name(result.options.number_type) + " cannot tell for " +
-           first_of(report.undecided, outcome.connectivity);
+           first_of(report.undecided, outcome.connectivity) + "; try --number-type " + name(Number_type::FILTERED);
   case IT::Flip_status::BUDGET_EXHAUSTED:
-    return "not finished: the budget of " + with_separators(report.flips) + " flips is spent";
+    return "not finished: the budget of " + counted(report.flips, "flip", "flips") + " is spent; try a larger --maximum-flips";
   case IT::Flip_status::CANCELLED:
     return "not finished: cancelled";
   }

@@ -134,6 +134,7 @@ Json refinement_statistics(const Triangulation_result& result)
     json["unrefined"][reason] = faces;
   json["verification"] = verification(outcome);
   json["repair"] = to_json_value(repairs(result.surface));
+  json["warnings"] = result.surface.warnings;
   json["status"] = status_word(outcome);
   json["seconds"] = seconds(result);
   json["peak_memory_bytes"] = peak_memory_bytes();
@@ -181,6 +182,7 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   json["verification"] = verification(outcome);
   json["mollification"] = mollification(result.surface);
   json["repair"] = to_json_value(repairs(result.surface));
+  json["warnings"] = result.surface.warnings;
   json["status"] = status_word(outcome);
   json["seconds"] = seconds(result);
   json["peak_memory_bytes"] = peak_memory_bytes();

@@ -84,7 +84,7 @@ void write_report(std::ostream& os, const Triangulation_result& result)
               counted(counts.components, "component", "components") + ", " +
                 counted(counts.boundary_edges, "boundary edge", "boundary edges") +
                 ", Euler characteristic " + std::to_string(counts.euler_characteristic));
-  for (const std::string& note : surface.notes)
+  for (const std::string& note : surface.warnings)
     report.line("note", note);
   if (surface.mollification)
     report.line("mollified",

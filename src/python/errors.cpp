@@ -97,7 +97,11 @@ void translate(std::exception_ptr exception)
     std::rethrow_exception(exception);
   } catch (const IT::Invalid_surface_error& error) {
     const py::object cls = class_of("InvalidSurfaceError");
-    PyErr_SetObject(cls.ptr(), cls(error.what() + std::string(advice(error.defect())), name_of(error.defect()), error.element(), error.count()).ptr());
+    std::string text = error.what();
+    const std::string in_cpp = ", as repair_polygons() does";
+    if (const std::size_t at = text.find(in_cpp); at != std::string::npos)
+      text.erase(at, in_cpp.size());
+    PyErr_SetObject(cls.ptr(), cls(text + advice(error.defect()), name_of(error.defect()), error.element(), error.count()).ptr());
   } catch (const IT::Invalid_point_error& error) {
     raise("InvalidPointError", error);
   } catch (const IT::Undecided_error& error) {

@@ -47,7 +47,7 @@ TEST_F(Compare_command, has_a_row_for_each_number_type)
   ASSERT_EQ(json["surfaces"].size(), 1u);
   const Json& surface = json["surfaces"][0];
   EXPECT_EQ(keys(surface), (std::vector<std::string>{"surface", "vertices", "edges", "faces",
-                                                     "ties", "repair", "number_types"}));
+                                                     "ties", "repair", "warnings", "number_types"}));
   EXPECT_EQ(surface["surface"], "kite.off");
   EXPECT_EQ(surface["edges"], 5);
   EXPECT_EQ(surface["ties"], 0);

@@ -56,6 +56,13 @@ TEST_F(Distance_command, writes_a_table_and_statistics)
   EXPECT_TRUE(stats["time"].contains("distances"));
 }
 
+TEST_F(Distance_command, takes_the_mesh_behind_its_options)
+{
+  write_kite("kite.off");
+  ASSERT_EQ(idt("distance --source 0 --source 2,3 kite.off --stats s.json").status, 0);
+  EXPECT_EQ(json::parse(content(folder_ / "s.json"))["sources"], json({0, 2, 3}));
+}
+
 TEST_F(Distance_command, writes_meshes_with_values)
 {
   write_kite("kite.off");

@@ -98,6 +98,30 @@ TEST_F(Command_repair, stands_in_the_file_of_each_command_in_the_same_form)
   }
 }
 
+// What a reader warns of stands beside the repair.
+TEST_F(Command_repair, stands_beside_the_warnings_of_the_reader)
+{
+  write("cut.stl", "solid\nfacet\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 2 0\nendfacet\n"
+                   "facet\nvertex 2 0 0\nvertex 2 2 0\nvertex 0 2 0\nendfacet\n"
+                   "facet\nvertex 0 0 0\nvertex 0 2 0\nvertex -2 1 0\nendfacet\n"
+                   "facet\nvertex 0 0 0\nvertex -2 1 0\nvertex 0 -2 0\nendfacet\n"
+                   "facet\nvertex 0 0 0\nvertex 0 -2 0\nvertex 2 0 0\nendfacet\n");
+  const Json expected = {"the file ends without a line endsolid, behind facet 4: it may have been cut off"};
+  const auto warnings = [&](const std::string& command, const char* place) {
+    fs::remove(folder_ / "j.json");
+    EXPECT_EQ(idt(command + " j.json").status, 0) << command;
+    return Json::parse(content(folder_ / "j.json")).at(Json::json_pointer(place));
+  };
+  for (const char* const command : {"triangulate cut.stl --stats", "refine cut.stl --stats", "laplacian cut.stl --stats",
+                                    "distance cut.stl --source 0 --stats", "distance cut.stl --source 0 --cover none --stats",
+                                    "geodesic cut.stl --from 0 --to 3 --stats", "parameterize cut.stl --json"})
+    EXPECT_EQ(warnings(command, "/warnings"), expected) << command;
+  EXPECT_EQ(warnings("compare cut.stl --number-types double --json", "/surfaces/0/warnings"), expected);
+  EXPECT_EQ(warnings("table cut.stl --without-condition --json", "/0/warnings"), expected);
+  write_kite("kite.off");
+  EXPECT_EQ(warnings("triangulate kite.off --stats", "/warnings"), Json::array());
+}
+
 TEST_F(Command_repair, says_what_is_lost_of_faces_that_were_cut)
 {
   for (const char* triangle : {"1 2 3", "0 1 2"}) {

@@ -79,7 +79,7 @@ TEST_F(Table_command, has_a_row_for_each_input)
     keys.push_back(item.key());
   EXPECT_EQ(keys,
             (std::vector<std::string>{"model", "vertices", "flips", "simple", "longest",
-                                      "condition_ratio", "crossings", "minimum_angle_degrees", "seconds", "repair", "paper", "extrinsic",
+                                      "condition_ratio", "crossings", "minimum_angle_degrees", "seconds", "repair", "warnings", "paper", "extrinsic",
                                       "intrinsic"}));
   EXPECT_EQ(json[0]["model"], "a");
   EXPECT_EQ(json[0]["vertices"], 4);

@@ -56,7 +56,7 @@ TEST_F(Triangulate_command, writes_the_keys_of_the_statistics_in_order)
                     "stages", "edges_changed", "simple", "longest", "crossings", "loops",
                     "multiple_edges", "min_weight_before", "min_weight_after",
                     "negative_weights_before", "negative_weights_after",
-                    "infinite_weights_before", "infinite_weights_after", "verification", "mollification", "repair", "status", "seconds", "peak_memory_bytes"}));
+                    "infinite_weights_before", "infinite_weights_after", "verification", "mollification", "repair", "warnings", "status", "seconds", "peak_memory_bytes"}));
   EXPECT_EQ(json["vertices"], 4);
   EXPECT_EQ(json["boundary_edges"], 4);
   EXPECT_EQ(json["euler_characteristic"], 1);
