@@ -91,7 +91,6 @@ Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_func
     internal::refuse_file(file_name, "the name does not end with .off, .obj, .ply, .stl or .ts, which tells the format" + internal::conversion_advice(file_name));
   if (size == 0)
     internal::refuse_file(file_name, "the file is empty");
-  internal::check_contents(file_name);
   Polygon_soup soup;
   try {
     switch (format) {
@@ -112,6 +111,9 @@ Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_func
       internal::read_ts(file_name, size, progress, soup);
       break;
     }
+  } catch (const Invalid_surface_error&) {
+    internal::check_contents(file_name); // has a better reason, perhaps
+    throw;
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
