@@ -25,6 +25,7 @@
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
@@ -60,9 +61,11 @@ struct Distance_options
   std::string input;
   std::vector<std::uint64_t> sources;
   std::string output_path, overlay_path, stats_path;
-  std::string cover = "tufted", boundary = "neumann", format = "csv";
-  double time_coefficient = 1;
-  bool is_refined = false, is_repaired = false, has_vectors = false;
+  std::string cover = "tufted", boundary, format = "csv", method;
+  std::optional<double> time_coefficient;
+  bool is_refined = false, is_repaired = false, has_vectors = false, is_compared = false;
+
+  bool is_by_heat() const { return method == "heat" || (method.empty() && (!boundary.empty() || time_coefficient)); }
 
   std::optional<Mesh_format> overlay_format() const
   {
@@ -75,7 +78,9 @@ struct Distance_result
   Surface_with_distances surface;
   std::uint64_t flips = 0;
   std::size_t number_of_inserted_vertices = 0;
-  double mean_edge_length = 0;
+  std::optional<double> mean_edge_length; // by heat
+  bool is_complete = true;
+  std::optional<std::array<double, 2>> errors;       // the mean and the largest one, as parts of the exact distance
   std::optional<IT::Common_subdivision> subdivision; // for the overlay
   Named_values overlay_distances{"distance", {}};
   double read_seconds = 0, triangulation_seconds = 0, distance_seconds = 0;
@@ -99,7 +104,11 @@ struct Distance_result
 
 void check(const Distance_options& options)
 {
-  if (options.cover == "tufted" && options.boundary != "neumann")
+  if (!options.is_by_heat() && !options.boundary.empty())
+    throw Usage_error("--boundary needs --method heat");
+  if (!options.is_by_heat() && options.time_coefficient)
+    throw Usage_error("--time needs --method heat");
+  if (options.cover == "tufted" && !options.boundary.empty() && options.boundary != "neumann")
     throw Usage_error("--boundary needs --cover none: the tufted cover has no border");
   if (options.cover == "tufted" && options.is_refined)
     throw Usage_error("--refine needs --cover none");
@@ -114,7 +123,7 @@ void check(const Distance_options& options)
     throw Usage_error(options.overlay_path + ": the overlay with distances is written as a file whose name ends in .ply or .vtp");
   if (options.has_vectors && options.output_path.empty())
     throw Usage_error("--vectors needs -o, the file that they are written to");
-  if (!(options.time_coefficient > 0 && std::isfinite(options.time_coefficient)))
+  if (options.time_coefficient && !(*options.time_coefficient > 0 && std::isfinite(*options.time_coefficient)))
     throw Usage_error("--time: T is a positive number");
   const std::string& path = options.output_path;
   const std::string type = std::filesystem::path(name_with_format(path, options.format)).extension().string();
@@ -129,8 +138,10 @@ IT::Heat_method_options library_options(const Distance_options& options)
                                                                {"dirichlet", IT::Heat_boundary::DIRICHLET},
                                                                {"average", IT::Heat_boundary::AVERAGED}};
   IT::Heat_method_options result;
-  result.boundary = boundaries.at(options.boundary);
-  result.time_coefficient = options.time_coefficient;
+  if (!options.boundary.empty())
+    result.boundary = boundaries.at(options.boundary);
+  if (options.time_coefficient)
+    result.time_coefficient = *options.time_coefficient;
   result.go_further = [] { return !is_interrupted(); };
   return result;
 }
@@ -161,18 +172,54 @@ void set_number_of_vertices(const Distance_options& options, std::size_t n, Dist
   result.surface.number_of_vertices = n;
 }
 
-// \param surface a triangulation, or a tufted cover
-template <class Heat_surface>
-void find_distances(const Distance_options& options, const Heat_surface& surface, Progress& progress, Distance_result& result)
+// The mean and the largest error, as parts of the exact distance.
+std::array<double, 2> compare(const std::vector<double>& distances, const std::vector<double>& exact)
 {
-  progress.begin("building and factoring the matrix of the heat");
-  IT::Heat_method<> heat(surface, library_options(options));
-  progress.begin("solving for distances");
+  double sum = 0, largest = 0;
+  std::size_t n = 0;
+  for (std::size_t v = 0; v < exact.size(); ++v)
+    if (exact[v] > 0 && std::isfinite(exact[v])) {
+      const double error = std::abs(distances[v] - exact[v]) / exact[v];
+      sum += error;
+      largest = (std::max)(largest, error);
+      ++n;
+    }
+  return {n > 0 ? sum / double(n) : 0, largest};
+}
+
+// \param surface a triangulation, or a tufted cover
+template <class Any_surface>
+void find_distances(const Distance_options& options, const Any_surface& surface, Progress& progress, Distance_result& result)
+{
   const std::size_t n = result.surface.number_of_vertices;
+  std::vector<IT::Vertex_index> sources;
   for (std::uint64_t v : options.sources)
-    heat.add_source(IT::Vertex_index(IT::Vertex_index::size_type(v)));
-  result.mean_edge_length = heat.mean_edge_length();
-  result.surface.distances = heat.distances();
+    sources.push_back(IT::Vertex_index(IT::Vertex_index::size_type(v)));
+  IT::Geodesic_distance_options geodesic_options;
+  geodesic_options.go_further = [] { return !is_interrupted(); };
+  if (options.is_by_heat()) {
+    progress.begin("building and factoring the matrix of the heat");
+    IT::Heat_method<> heat(surface, library_options(options));
+    progress.begin("solving for distances");
+    for (IT::Vertex_index v : sources)
+      heat.add_source(v);
+    result.mean_edge_length = heat.mean_edge_length();
+    result.surface.distances = heat.distances();
+  } else {
+    progress.begin("following straight ways");
+    if (options.method == "exact")
+      geodesic_options.tolerance = 0;
+    IT::Geodesic_distances found = IT::geodesic_distances(surface, sources, geodesic_options);
+    result.is_complete = found.is_complete;
+    result.surface.distances = std::move(found.distances);
+  }
+  if (options.is_compared) {
+    progress.begin("following all straight ways");
+    geodesic_options.tolerance = 0;
+    const IT::Geodesic_distances exact = IT::geodesic_distances(surface, sources, geodesic_options);
+    result.is_complete = result.is_complete && exact.is_complete;
+    result.errors = compare(result.surface.distances, exact.distances);
+  }
   if (result.subdivision)
     result.overlay_distances.values = IT::interpolate_intrinsic_values(*result.subdivision, result.surface.distances);
   result.surface.distances.resize(n); // without the vertices that a refinement inserted
@@ -286,20 +333,39 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
 
 Json statistics(const Distance_options& options, const Distance_result& result)
 {
-  return {{"input", options.input},
-          {"vertices", result.surface.number_of_vertices},
-          {"sources", options.sources},
-          {"inserted", result.number_of_inserted_vertices},
-          {"flips", result.flips},
-          {"mean_edge_length", result.mean_edge_length},
-          {"largest_distance", result.largest_distance()},
-          {"unreachable", result.number_of_unreachable_vertices()},
-          {"warnings", result.warnings},
-          {"status", "done"},
-          {"time",
-           {{"read", result.read_seconds},
-            {"triangulation", result.triangulation_seconds},
-            {"distances", result.distance_seconds}}}};
+  Json json = {{"input", options.input},
+               {"vertices", result.surface.number_of_vertices},
+               {"sources", options.sources},
+               {"inserted", result.number_of_inserted_vertices},
+               {"flips", result.flips},
+               {"method", options.is_by_heat() ? "heat" : options.method.empty() ? "approximate"
+                                                                                 : options.method},
+               {"largest_distance", result.largest_distance()},
+               {"unreachable", result.number_of_unreachable_vertices()},
+               {"is_complete", result.is_complete},
+               {"warnings", result.warnings},
+               {"status", "done"},
+               {"time",
+                {{"read", result.read_seconds},
+                 {"triangulation", result.triangulation_seconds},
+                 {"distances", result.distance_seconds}}}};
+  if (result.mean_edge_length)
+    json["mean_edge_length"] = *result.mean_edge_length;
+  if (result.errors)
+    json["error"] = {{"mean", (*result.errors)[0]}, {"largest", (*result.errors)[1]}};
+  return json;
+}
+
+// What is known of the error.
+std::string accuracy(const Distance_options& options, const Distance_result& result)
+{
+  if (!result.is_complete)
+    return "some distances may be too large, up to those along edges: too many straight ways had to be followed";
+  if (result.errors)
+    return "mean error " + in_short(100 * (*result.errors)[0]) + " %, largest " + in_short(100 * (*result.errors)[1]) + " %";
+  if (options.is_by_heat())
+    return "that of the heat method; --compare-exact tells";
+  return options.method == "exact" ? "exact up to rounding" : "errors of about 0.1 %, seldom more than 1 %";
 }
 
 void write_report(std::ostream& os, const Distance_options& options, const Distance_result& result)
@@ -307,7 +373,8 @@ void write_report(std::ostream& os, const Distance_options& options, const Dista
   os << options.input << "\n  input             " << counted(result.surface.number_of_vertices, "vertex", "vertices");
   if (result.number_of_inserted_vertices > 0)
     os << "\n  inserted          " << counted(result.number_of_inserted_vertices, "vertex", "vertices");
-  os << "\n  flips             " << with_separators(result.flips) << "\n  largest distance  " << in_short(result.largest_distance());
+  os << "\n  flips             " << with_separators(result.flips) << "\n  largest distance  " << in_short(result.largest_distance())
+     << "\n  accuracy          " << accuracy(options, result);
   if (const std::size_t n = result.number_of_unreachable_vertices())
     os << "\n  unreachable       " << counted(n, "vertex", "vertices");
   os << "\n  time              " << seconds_text(result.triangulation_seconds + result.distance_seconds) << '\n';
@@ -356,8 +423,9 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
 {
   const auto options = std::make_shared<Distance_options>();
   CLI::App& command = *app.add_subcommand("distance", "Find the distance of all vertices from some of them");
-  command.footer("Distances are those of the heat method on an intrinsic Delaunay triangulation. They are zero at the\n"
-                 "sources, and infinite where no source is connected. Vertices are counted from zero.\n");
+  command.footer("Distances are the lengths of shortest paths on an intrinsic Delaunay triangulation, or those of the heat\n"
+                 "method. They are zero at the sources, and infinite where no source is connected. Vertices are counted from\n"
+                 "zero.\n");
   command.add_option("INPUT", options->input, "a mesh, or a .gluing file of triangles with lengths; - is the standard input")->required();
   command.add_option("--source", options->sources, "the vertices with distance zero")
     ->type_name("V[,V...]")
@@ -381,16 +449,20 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
                                "oriented surface"),
             {"tufted", "none"})
     ->capture_default_str();
+  set_words(command.add_option("--method", options->method,
+                               "approximate: straight ways are followed over the faces, those that are nearly the same together; exact: all of "
+                               "them; heat: by the spread of heat. approximate by default, and heat with --boundary or --time"),
+            {"approximate", "exact", "heat"});
+  command.add_flag("--compare-exact", options->is_compared, "report the mean and the largest error, against the exact distances");
   set_words(command.add_option("--boundary", options->boundary,
-                               "what heat does at the border: neumann, none leaves; dirichlet, it is cold there; average, the mean of both"),
-            {"neumann", "dirichlet", "average"})
-    ->capture_default_str();
+                               "what heat does at the border: neumann, none leaves, as by default; dirichlet, it is cold there; average, the mean "
+                               "of both"),
+            {"neumann", "dirichlet", "average"});
   command.add_flag("--refine", options->is_refined, "insert vertices first until no angle is below 25 degrees");
   command
     .add_option("--time", options->time_coefficient,
-                "for how long heat spreads, in units of the squared mean length of the edges: the larger, the smoother")
-    ->type_name("T")
-    ->capture_default_str();
+                "for how long heat spreads, in units of the squared mean length of the edges: the larger, the smoother; 1 by default")
+    ->type_name("T");
   command.add_flag("--vectors", options->has_vectors,
                    "also write the first axis of the source, carried parallelly to each vertex, and for one source its logarithmic map");
   add_repair_option(command, options->is_repaired);

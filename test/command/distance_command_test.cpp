@@ -192,10 +192,44 @@ TEST_F(Distance_command, boundary_conditions_differ)
   EXPECT_NE(results[1], results[2]);
 }
 
+// A plane polygon without inner vertices: no mesh is worse for heat.
+TEST_F(Distance_command, methods_and_their_errors)
+{
+  std::ostringstream off;
+  off.precision(17);
+  off << "OFF\n64 62 0\n";
+  for (int i = 0; i < 64; ++i)
+    off << std::cos(i * std::acos(-1.) / 32) << ' ' << std::sin(i * std::acos(-1.) / 32) << " 0\n";
+  for (int i = 1; i < 63; ++i)
+    off << "3 0 " << i << ' ' << i + 1 << '\n';
+  write("polygon.off", off.str());
+  const auto largest_error = [&](const std::string& options) {
+    const Command_run run = idt("distance polygon.off --source 0 -o d.csv --compare-exact --stats s.json " + options);
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(contains(run.out, "accuracy          mean error ")) << run.out;
+    const json error = json::parse(content(folder_ / "s.json"))["error"];
+    EXPECT_LE(error["mean"], error["largest"]);
+    const std::vector<double> d = distances("d.csv");
+    double result = 0;
+    for (int i = 1; i < 64; ++i) {
+      const double exact = 2 * std::sin(i * std::acos(-1.) / 64);
+      result = std::max(result, std::abs(d[std::size_t(i)] / exact - 1));
+    }
+    EXPECT_NEAR(error["largest"].get<double>(), result, 1e-10);
+    return result;
+  };
+  EXPECT_LT(largest_error("--method exact"), 1e-12);
+  EXPECT_LT(largest_error(""), 0.01);
+  EXPECT_LT(largest_error("--method approximate"), 0.01);
+  EXPECT_GT(largest_error("--method heat"), 0.01);
+  EXPECT_TRUE(contains(idt("distance polygon.off --source 0 --method exact").out, "accuracy          exact up to rounding\n"));
+  EXPECT_EQ(json::parse(content(folder_ / "s.json"))["method"], "heat");
+}
+
 TEST_F(Distance_command, refuses_what_makes_no_sense)
 {
   write_kite("kite.off");
-  for (const char* const options : {"", "--source 4", "--source -1", "--source 0 --boundary average", "--source 0 --refine", "--source 0 --repair",
+  for (const char* const options : {"", "--source 4", "--source -1", "--source 0 --boundary average", "--source 0 --method exact --time 1", "--source 0 --cover none --method exact --boundary average", "--source 0 --method best", "--source 0 --refine", "--source 0 --repair",
                                     "--source 0 --time 0", "--source 0 --time nan", "--source 0 -o d.txt", "--source 0 -o d.csv --vectors", "--source 0 --cover none --vectors",
                                     "--source 0 -o kite.off", "--source 0 --cover two"}) {
     const Command_run run = idt(std::string("distance kite.off ") + options);

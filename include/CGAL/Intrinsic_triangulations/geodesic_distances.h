@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Lengths of shortest paths on a surface.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_DISTANCES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_DISTANCES_H
+
+#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Distance_bounds.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Laid_out_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Window_propagation.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief how `geodesic_distances()` looks for shortest paths.
+struct Geodesic_distance_options
+{
+  /// how much the length of a path may be changed at each edge that it crosses, as a part of the length of the edge. With 0,
+  /// distances are exact up to rounding; else far less is to be done on large surfaces
+  double tolerance = 0.001;
+  /// the largest number of bundles of straight ways that are followed from a face to the next; 0 stands for a million, and 500 for each face
+  std::uint64_t maximum_number = 0;
+  /// is asked now and then; if it returns `false`, `Cancelled_error` is thrown
+  std::function<bool()> go_further = {};
+};
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief what `geodesic_distances()` found.
+struct Geodesic_distances
+{
+  std::vector<double> distances;    ///< of all vertices, in the unit of the input; infinite where no source is connected
+  std::uint64_t number_of_ways = 0; ///< how many bundles of straight ways were followed from a face to the next
+  bool is_complete = true;          ///< whether all were. If not, distances may be as large as those along edges
+};
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+template <class Traits, class Row>
+Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& triangulation, const Row& row,
+                                        const std::vector<std::uint32_t>& sources, const Geodesic_distance_options& options)
+{
+  if (!(options.tolerance >= 0 && options.tolerance < 1))
+    throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, 0, 1, "the tolerance of distances has to be at least 0 and less than 1");
+  const Interruption interruption(options.go_further);
+  const Laid_out_faces faces(triangulation, row);
+  Window_propagation windows(faces, options.tolerance);
+  const std::uint64_t most = options.maximum_number > 0 ? options.maximum_number : 1000000 + 500 * std::uint64_t(triangulation.connectivity().number_of_faces());
+  Geodesic_distances result;
+  result.is_complete = windows.run(sources, most, interruption);
+  result.number_of_ways = windows.number_of_steps();
+  std::vector<double> distances = windows.distances();
+  std::map<std::uint32_t, double> pins;
+  for (std::uint32_t source : sources)
+    pins[source] = 0;
+  Distance_bounds(triangulation, row).apply(distances, pins);
+  for (double d : distances)
+    result.distances.push_back(std::ldexp(d, faces.exponent()));
+  return result;
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief returns the length of the shortest path on the surface from the nearest source to each vertex.
+///
+/// Straight ways that cross the same edges are followed together, from face to face, the nearest first. They bend at
+/// vertices whose angles sum to more than 2π, and at the border. With a positive tolerance, bundles of ways that meet at an edge become one
+/// where that changes no length by more. On a Delaunay triangulation there are about ten such bundles for each face; their number
+/// may grow with the square of that of the faces if the tolerance is zero, and with O(size) faces where many thin ones meet.
+///
+/// Distances are zero at the sources alone, never above the shortest path along edges of the triangulation or of its input, and where
+/// the surface lies in space never below the straight line. They depend on nothing in other parts of the surface.
+///
+/// \param triangulation a triangulation, best a Delaunay one: its faces are the least to cross
+/// \param sources vertices
+/// \param options as they say
+/// \exception Invalid_surface_error if there is no such vertex, or the tolerance makes no sense
+/// \exception Cancelled_error as the options say
+///
+/// Source: J. Chen, Y. Han, "Shortest paths on a polyhedron", 1996; V. Surazhsky et al., "Fast exact and approximate geodesics on meshes",
+/// 2005; S. Xin, G. Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem", 2009.
+template <class Traits>
+Geodesic_distances geodesic_distances(const Intrinsic_triangulation<Traits>& triangulation, const std::vector<Vertex_index>& sources,
+                                      const Geodesic_distance_options& options = Geodesic_distance_options())
+{
+  const internal::Row_of_vertex row(triangulation.connectivity());
+  std::vector<std::uint32_t> rows;
+  for (Vertex_index v : sources) {
+    internal::require_vertex(v, row.number_of_rows());
+    rows.push_back(std::uint32_t(v.idx()));
+  }
+  return internal::distances_by_windows(triangulation, row, rows, options);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief as above, for any triangles. The vertices are those of the input; one that was merged with another has the same distance.
+/// \pre the cover was made Delaunay by `flip_to_Delaunay(cover.triangulation)`, or the faces are the given ones
+inline Geodesic_distances geodesic_distances(const Tufted_cover& cover, const std::vector<Vertex_index>& sources,
+                                             const Geodesic_distance_options& options = Geodesic_distance_options())
+{
+  const internal::Row_of_cover_vertex row(cover);
+  std::vector<std::uint32_t> rows;
+  for (Vertex_index v : sources) {
+    internal::require_vertex(v, row.number_of_rows());
+    rows.push_back(cover.representative[v.idx()]);
+  }
+  Geodesic_distances result = internal::distances_by_windows(cover.triangulation, row, rows, options);
+  for (std::size_t v = 0; v < cover.representative.size(); ++v)
+    if (cover.representative[v] != v)
+      result.distances[v] = result.distances[cover.representative[v]];
+  return result;
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_DISTANCES_H

@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// What no distance on a surface can be.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_DISTANCE_BOUNDS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_DISTANCE_BOUNDS_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Accurate_shapes.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Longer than the shortest path along edges, of the triangulation and of its input; or, where the surface lies in space, shorter than the
+// straight line. Lengths are in the unit of Accurate_shapes.
+class Distance_bounds
+{
+public:
+  // \tparam Row gives the row of a vertex, as Row_of_vertex
+  template <class Traits, class Row>
+  Distance_bounds(const Intrinsic_triangulation<Traits>& triangulation, const Row& row) : first_(row.number_of_rows() + 1, 0)
+  {
+    const Accurate_shapes<Traits> shapes(triangulation);
+    std::vector<Edge> edges;
+    const auto add = [&](const Delta_complex& complex, Edge_index e, double length) {
+      const Halfedge_index h = complex.halfedge(e);
+      edges.push_back({std::uint32_t(row(complex.source(h))), std::uint32_t(row(complex.target(h))), length});
+    };
+    for (Edge_index e : triangulation.connectivity().edges())
+      add(triangulation.connectivity(), e, shapes.length(e));
+    if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
+      const Delta_complex& input = triangulation.exact_geometry().correspondence().input();
+      const auto& metric = triangulation.exact_geometry().metric();
+      const int exponent = metric.unit_exponent() - shapes.exponent();
+      for (Edge_index e : input.edges())
+        add(input, e, std::ldexp(std::sqrt((std::max)(0., metric.squared_length_double_double(input, e).hi())), exponent));
+      if (!metric.points().empty()) {
+        points_.resize(row.number_of_rows(), {nowhere, 0, 0});
+        for (Vertex_index v : input.vertices())
+          for (int i = 0; i < 3; ++i)
+            points_[row(v)][i] = std::ldexp(metric.points()[v.idx()][i], exponent);
+      }
+    }
+    index(edges);
+  }
+
+  // \param distances by rows; infinite ones become finite where edges lead
+  // \param sources rows, and how far they are from the source that they stand for
+  template <class Distances>
+  void apply(Distances& distances, const std::map<std::uint32_t, double>& sources) const
+  {
+    std::vector<double> paths(first_.size() - 1, std::numeric_limits<double>::infinity());
+    std::vector<std::uint32_t> origins(paths.size(), 0);
+    std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>> queue;
+    for (const auto& [row, distance] : sources) {
+      paths[row] = distance;
+      origins[row] = row;
+      queue.push({distance, row});
+    }
+    while (!queue.empty()) {
+      const auto [length, row] = queue.top();
+      queue.pop();
+      if (length > paths[row])
+        continue;
+      if (sources.count(row) == 0)
+        distances[row] = within(distances[row], length, row, origins[row], sources);
+      for (std::uint32_t i = first_[row]; i < first_[row + 1]; ++i)
+        if (length + neighbors_[i].second < paths[neighbors_[i].first]) {
+          paths[neighbors_[i].first] = length + neighbors_[i].second;
+          origins[neighbors_[i].first] = origins[row];
+          queue.push({paths[neighbors_[i].first], neighbors_[i].first});
+        }
+    }
+  }
+
+private:
+  static constexpr double nowhere = std::numeric_limits<double>::infinity(); // of rows that the input does not have
+
+  struct Edge
+  {
+    std::uint32_t from, to;
+    double length;
+  };
+
+  void index(const std::vector<Edge>& edges)
+  {
+    for (const Edge& e : edges) {
+      ++first_[e.from + 1];
+      ++first_[e.to + 1];
+    }
+    for (std::size_t v = 0; v + 1 < first_.size(); ++v)
+      first_[v + 1] += first_[v];
+    neighbors_.resize(2 * edges.size());
+    std::vector<std::uint32_t> position(first_.begin(), first_.end() - 1);
+    for (const Edge& e : edges) {
+      neighbors_[position[e.from]++] = {e.to, e.length};
+      neighbors_[position[e.to]++] = {e.from, e.length};
+    }
+  }
+
+  // A distance that is not positive says nothing: then half the path, which no Delaunay triangulation of the plane is further from.
+  double within(double distance, double path, std::uint32_t row, std::uint32_t origin, const std::map<std::uint32_t, double>& sources) const
+  {
+    distance = distance > 0 ? (std::min)(distance, path) : path / 2;
+    if (points_.empty() || points_[row][0] == nowhere || line(row, origin) - sources.at(origin) <= distance)
+      return distance;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& source : sources) {
+      nearest = (std::min)(nearest, line(row, source.first) - source.second);
+      if (nearest <= distance)
+        return distance;
+    }
+    return (std::min)(nearest, path);
+  }
+
+  double line(std::uint32_t v, std::uint32_t w) const
+  {
+    const auto &p = points_[v], &q = points_[w];
+    return q[0] == nowhere ? 0 : std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  }
+
+  std::vector<std::uint32_t> first_; // the neighbors of a row are those from this number on
+  std::vector<std::pair<std::uint32_t, double>> neighbors_;
+  std::vector<std::array<double, 3>> points_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_DISTANCE_BOUNDS_H

@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// All faces of a triangulation, each as its sides see it in the plane.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_LAID_OUT_FACES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_LAID_OUT_FACES_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Accurate_shapes.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Several vertices may stand for one row, as those of a cover.
+class Laid_out_faces
+{
+public:
+  static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+
+  // From (0, 0) to (length, 0); the face lies to the left. Three of a face follow each other.
+  struct Side
+  {
+    std::uint32_t opposite = none; // none on the border
+    std::uint32_t vertex, row;     // where it begins
+    double length, apex_x, apex_y, angle;
+  };
+
+  // \tparam Row gives the row of a vertex, as Row_of_vertex
+  template <class Traits, class Row>
+  Laid_out_faces(const Intrinsic_triangulation<Traits>& triangulation, const Row& row)
+    : angle_sums_(triangulation.connectivity().number_of_vertices(), 0), first_(row.number_of_rows() + 1, 0)
+  {
+    const Delta_complex& complex = triangulation.connectivity();
+    const Accurate_shapes<Traits> shapes(triangulation);
+    exponent_ = shapes.exponent();
+    std::vector<double> lengths;
+    lengths.reserve(complex.number_of_edges());
+    for (Edge_index e : complex.edges())
+      lengths.push_back(shapes.length(e));
+    std::vector<std::uint32_t> side_of(complex.number_of_halfedges(), none);
+    sides_.reserve(3 * complex.number_of_faces());
+    for (Face_index f : complex.faces()) {
+      Halfedge_index base = complex.halfedge(f);
+      for (Halfedge_index h : {complex.next(base), complex.prev(base)})
+        if (lengths[complex.edge(h).idx()] > lengths[complex.edge(base).idx()])
+          base = h;
+      const std::array<Halfedge_index, 3> around{base, complex.next(base), complex.prev(base)};
+      std::array<double, 3> length;
+      for (int i = 0; i < 3; ++i) {
+        side_of[around[i].idx()] = std::uint32_t(sides_.size() + std::size_t(i));
+        length[i] = lengths[complex.edge(around[i]).idx()];
+      }
+      const std::array<double, 2> apex = shapes.has_area(f) ? apex_of_shape(length[0], shapes.cotangent(around[1]), shapes.cotangent(around[2]))
+                                                            : apex_of_flat_face(length);
+      add_face(complex, row, around, length, apex);
+    }
+    for (Halfedge_index h : complex.halfedges())
+      if (side_of[h.idx()] != none)
+        sides_[side_of[h.idx()]].opposite = side_of[complex.opposite(h).idx()];
+    index_corners();
+  }
+
+  std::size_t number_of_rows() const { return first_.size() - 1; }
+  const std::vector<Side>& sides() const { return sides_; }
+  const Side& side(std::uint32_t i) const { return sides_[i]; }
+  static std::uint32_t next(std::uint32_t i) { return i % 3 == 2 ? i - 2 : i + 1; }
+  static std::uint32_t prev(std::uint32_t i) { return i % 3 == 0 ? i + 2 : i - 1; }
+  // The next side that begins at the same vertex, to the left or to the right; none behind a border.
+  std::uint32_t left_of(std::uint32_t i) const { return sides_[prev(i)].opposite; }
+  std::uint32_t right_of(std::uint32_t i) const { return sides_[i].opposite == none ? none : next(sides_[i].opposite); }
+  // Infinite on the border.
+  double angle_sum(std::uint32_t vertex) const { return angle_sums_[vertex]; }
+  // The sides that begin at a row are those with the numbers corner(i) for i from first_corner(row) to first_corner(row + 1).
+  std::uint32_t first_corner(std::uint32_t row) const { return first_[row]; }
+  std::uint32_t corner(std::uint32_t i) const { return corners_[i]; }
+  // k such that lengths are in units of 2^k units of the input.
+  int exponent() const { return exponent_; }
+
+private:
+  // Of (0, 0), (base, 0) and the apex, from the cotangents at the second and the first corner.
+  static std::array<double, 2> apex_of_shape(double base, double first, double second)
+  {
+    // cotangents are opposite to the sides after the base: at the first and the second corner
+    const double height = base / (first + second);
+    return {first * height, height};
+  }
+  static std::array<double, 2> apex_of_flat_face(const std::array<double, 3>& length)
+  {
+    return {length[0] * (length[2] / (length[1] + length[2])), 0x1p-40 * length[0]};
+  }
+
+  template <class Row>
+  void add_face(const Delta_complex& complex, const Row& row, const std::array<Halfedge_index, 3>& around,
+                const std::array<double, 3>& length, const std::array<double, 2>& apex)
+  {
+    const std::array<double, 3> x{0, length[0], apex[0]}, y{0, 0, apex[1]};
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      const double jx = x[j] - x[i], jy = y[j] - y[i], kx = x[k] - x[i], ky = y[k] - y[i], dot = jx * kx + jy * ky,
+                   cross = jx * ky - jy * kx;
+      const Vertex_index v = complex.source(around[i]);
+      Side side;
+      side.vertex = std::uint32_t(v.idx());
+      side.row = std::uint32_t(row(v));
+      side.length = length[i];
+      side.apex_x = dot / length[i];
+      side.apex_y = cross / length[i];
+      side.angle = std::atan2(cross, dot);
+      angle_sums_[v.idx()] += side.angle;
+      sides_.push_back(side);
+    }
+  }
+
+  void index_corners()
+  {
+    for (const Side& side : sides_) {
+      ++first_[side.row + 1];
+      if (side.opposite == none)
+        angle_sums_[side.vertex] = angle_sums_[sides_[next(std::uint32_t(&side - sides_.data()))].vertex] =
+          std::numeric_limits<double>::infinity();
+    }
+    for (std::size_t v = 0; v + 1 < first_.size(); ++v)
+      first_[v + 1] += first_[v];
+    corners_.resize(sides_.size());
+    std::vector<std::uint32_t> position(first_.begin(), first_.end() - 1);
+    for (std::size_t i = 0; i < sides_.size(); ++i)
+      corners_[position[sides_[i].row]++] = std::uint32_t(i);
+  }
+
+  std::vector<Side> sides_;
+  std::vector<double> angle_sums_; // by vertex
+  std::vector<std::uint32_t> first_, corners_;
+  int exponent_ = 0;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_LAID_OUT_FACES_H

@@ -1,0 +1,361 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Shortest distances on a triangulated surface.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_WINDOW_PROPAGATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_WINDOW_PROPAGATION_H
+
+#include <CGAL/Intrinsic_triangulations/internal/heat/Laid_out_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// The points of a side that straight ways from a vertex reach through the same faces are a window. Windows are sent on from face to face, the
+// nearest first; where a way is no longer than that of the window before it gets there over a vertex, it is not. Ways bend only at
+// vertices whose angles sum to more than two straight ones, and on the border: these send windows of their own into what lies in
+// their shadow.
+//
+// Each number that is kept for a vertex is the length of a way on the surface, up to rounding and the tolerance; so none is too small.
+// Windows that meet at a side while they wait become one if they come from the same point, as on both sides of a flat vertex, or if that
+// changes no distance by more than the tolerance.
+//
+// Source: J. Chen, Y. Han, "Shortest paths on a polyhedron", 1996; S. Xin, G. Wang, "Improving Chen and Han's algorithm on the discrete
+// geodesic problem", 2009; V. Surazhsky et al., "Fast exact and approximate geodesics on meshes", 2005 (windows that become one).
+class Window_propagation
+{
+public:
+  // \param surface has to live as long
+  // \param tolerance of the lengths of ways, as a part of each edge that they cross
+  Window_propagation(const Laid_out_faces& surface, double tolerance)
+    : surface_(surface), tolerance_(tolerance), distances_(surface.number_of_rows(), infinity), splits_(surface.sides().size()),
+      waiting_(surface.sides().size(), none)
+  {}
+
+  // \param sources rows
+  // \param most how many windows may be sent on; the others are lost
+  // \return whether that was enough
+  bool run(const std::vector<std::uint32_t>& sources, std::uint64_t most, const Interruption& interruption)
+  {
+    for (std::uint32_t row : sources)
+      distances_[row] = 0;
+    for (std::uint32_t row : sources)
+      send_all_around(row, none);
+    while (!queue_.empty()) {
+      if (++number_of_steps_ > most)
+        return false;
+      if (number_of_steps_ % 4096 == 0)
+        interruption.check();
+      const auto [distance, slot] = queue_.top();
+      queue_.pop();
+      const Window window = windows_[slot];
+      if (window.sigma < 0)
+        send_from(window.side, window.x, distance);
+      else if (window.side != none) {
+        remove(slot);
+        send_on(window);
+      }
+      free_.push_back(slot);
+    }
+    return true;
+  }
+
+  // Of the rows, in the unit of the faces; infinite where no way leads.
+  const std::vector<double>& distances() const { return distances_; }
+  std::uint64_t number_of_steps() const { return number_of_steps_; }
+
+private:
+  using Side = Laid_out_faces::Side;
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr std::uint32_t none = Laid_out_faces::none;
+  static constexpr double shorter = 1 - 1e-12; // by so much that it is not rounding
+  static constexpr double least_width = 1e-12, least_angle = 1e-9;
+
+  // The part from b0 to b1 of a side, which is to be crossed into its face. The way comes from (x, -y) with respect to the side, where it
+  // has the length sigma. If that is negative: the way that reaches the vertex at which the side begins, at the angle x to the left of it.
+  struct Window
+  {
+    double b0, b1, x, y, sigma;
+    std::uint32_t side;        // none if another one has taken its place
+    std::uint32_t next = none; // of those that wait at the side
+
+    double distance(double b) const { return sigma + std::hypot(b - x, y); }
+  };
+
+  // The nearest straight way to the corner opposite to a side over this, and where it crosses it.
+  struct Split
+  {
+    double distance = infinity, crossing = 0;
+  };
+
+  std::uint32_t add(const Window& window, double distance)
+  {
+    std::uint32_t slot = std::uint32_t(windows_.size());
+    if (free_.empty())
+      windows_.push_back(window);
+    else {
+      slot = free_.back();
+      free_.pop_back();
+      windows_[slot] = window;
+    }
+    queue_.push({distance, slot});
+    return slot;
+  }
+
+  // Takes a window off those that wait at its side.
+  void remove(std::uint32_t slot)
+  {
+    std::uint32_t* place = &waiting_[windows_[slot].side];
+    while (*place != slot)
+      place = &windows_[*place].next;
+    *place = windows_[slot].next;
+  }
+
+  // A window at a side, together with those beside it if all can be one.
+  void wait(Window w)
+  {
+    for (std::uint32_t slot = waiting_[w.side]; slot != none;) {
+      const Window& other = windows_[slot];
+      const bool is_united = other.b0 < w.b0 ? unite(other, w, w) : unite(w, other, w);
+      if (!is_united) {
+        slot = other.next;
+        continue;
+      }
+      remove(slot);
+      windows_[slot].side = none;
+      slot = waiting_[w.side];
+    }
+    w.next = waiting_[w.side];
+    const std::uint32_t side = w.side;
+    waiting_[side] = add(w, (std::max)(w.distance(w.b0), w.distance(w.b1)));
+  }
+
+  // \param u begins before v
+  bool unite(const Window& u, const Window& v, Window& united) const
+  {
+    const double length = surface_.side(u.side).length;
+    if (v.b0 > u.b1 + least_width * length)
+      return false;
+    Window result = u.b1 - u.b0 > v.b1 - v.b0 ? u : v;
+    result.b0 = u.b0;
+    result.b1 = (std::max)(u.b1, v.b1);
+    const double scale = std::abs(u.x) + u.y + u.sigma;
+    if (std::abs(u.x - v.x) + std::abs(u.y - v.y) + std::abs(u.sigma - v.sigma) > 1e-11 * scale) {
+      if (!(tolerance_ > 0) || !(v.b1 > u.b1))
+        return false;
+      // The distances of the ends remain.
+      const double width = result.b1 - result.b0;
+      result.sigma = (std::min)(u.sigma, v.sigma);
+      const double r0 = u.distance(u.b0) - result.sigma, r1 = v.distance(v.b1) - result.sigma, x = (width + (r0 - r1) * ((r0 + r1) / width)) / 2;
+      if (!(std::abs(x) < r0))
+        return false;
+      result.x = result.b0 + x;
+      result.y = std::sqrt((r0 - x) * (r0 + x));
+      const double most = tolerance_ * length;
+      const auto differs = [&](double b) {
+        const double d = (std::min)(b <= u.b1 ? u.distance(b) : infinity, b >= v.b0 ? v.distance(b) : infinity);
+        return std::abs(d - result.distance(b)) > most;
+      };
+      // In a corridor of thin faces, ways that turn would run into the wall.
+      const auto turns = [&](const Window& w, double b) {
+        return std::abs((b - w.x) / std::hypot(b - w.x, w.y) - (b - result.x) / std::hypot(b - result.x, result.y)) > 10 * tolerance_;
+      };
+      if (turns(u, result.b0) || turns(v, result.b1) || differs(u.b1) || differs(v.b0))
+        return false;
+      for (int i = 0; i < 8; ++i)
+        if (differs(result.b0 + (i + 0.5) / 8 * width))
+          return false;
+    }
+    united = result;
+    return true;
+  }
+
+  // A way to the vertex where the side begins, from the angle to the left of it.
+  void reach(std::uint32_t side, double angle, double distance)
+  {
+    double& known = distances_[surface_.side(side).row];
+    if (!(distance < known * shorter))
+      return;
+    known = distance;
+    add({0, 0, angle, 0, -1, side}, distance);
+  }
+
+  // Whether ways over an end of the side are shorter for all points of the window.
+  bool is_useless(const Window& w, double to_b0, double to_b1) const
+  {
+    const Side& s = surface_.side(w.side);
+    return distances_[s.row] + w.b1 <= to_b1 * shorter ||
+           distances_[surface_.side(surface_.next(w.side)).row] + (s.length - w.b0) <= to_b0 * shorter;
+  }
+
+  // A window leaves a face over a side of it. It is given as seen from across.
+  void leave(std::uint32_t side, Window w)
+  {
+    w.side = surface_.side(side).opposite;
+    if (w.side == none)
+      return;
+    const double length = surface_.side(w.side).length;
+    w.b0 = (std::max)(w.b0, 0.);
+    w.b1 = (std::min)(w.b1, length);
+    w.y = (std::max)(w.y, 0.);
+    if (!(w.b1 - w.b0 > least_width * length))
+      return;
+    if (is_useless(w, w.sigma + std::hypot(w.b0 - w.x, w.y), w.sigma + std::hypot(w.b1 - w.x, w.y)))
+      return;
+    wait(w);
+  }
+
+  // The ways from a vertex into a face at it, between two angles to the left of the side that begins there.
+  void send_into_face(std::uint32_t side, double from, double to)
+  {
+    const Side &s = surface_.side(side), &o = surface_.side(surface_.next(side)), &last = surface_.side(surface_.prev(side));
+    const auto at = [&](double angle) { // where that direction meets the opposite side, as seen from across
+      if (angle <= 0)
+        return o.length;
+      if (angle >= s.angle)
+        return 0.;
+      const double u = s.length * std::sin(angle), v = last.length * std::sin(s.angle - angle);
+      return u + v > 0 ? o.length * (v / (u + v)) : 0;
+    };
+    leave(surface_.next(side), {at(to), at(from), o.length - o.apex_x, o.apex_y, distances_[s.row], 0});
+  }
+
+  // The ways from a row: along all edges, and into all faces at its vertices but one.
+  void send_all_around(std::uint32_t row, std::uint32_t but)
+  {
+    for (std::uint32_t i = surface_.first_corner(row); i < surface_.first_corner(row + 1); ++i) {
+      const std::uint32_t side = surface_.corner(i);
+      const Side& s = surface_.side(side);
+      const std::uint32_t next = surface_.next(side), last = surface_.prev(side);
+      reach(next, surface_.side(next).angle, distances_[row] + s.length);
+      reach(last, 0, distances_[row] + surface_.side(last).length);
+      if (s.vertex != but)
+        send_into_face(side, 0, s.angle);
+    }
+  }
+
+  // From a vertex that was reached: along all edges, and straight into what lies in its shadow, more than a straight angle away from the
+  // way to it.
+  void send_from(std::uint32_t side, double angle, double distance)
+  {
+    const Side& start = surface_.side(side);
+    if (distance > distances_[start.row])
+      return;
+    send_all_around(start.row, start.vertex);
+    const double whole = surface_.angle_sum(start.vertex); // infinite on the border
+    if (whole - 2 * CGAL_PI < least_angle)
+      return;
+    const double shadow_begin = CGAL_PI - least_angle, shadow_end = whole - shadow_begin;
+    double sum = -angle; // of the side, from the way to the left
+    for (std::uint32_t s = side; s != none && sum < shadow_end;) {
+      const double corner = surface_.side(s).angle;
+      if (sum + corner > shadow_begin)
+        send_into_face(s, shadow_begin - sum, shadow_end - sum);
+      sum += corner;
+      s = surface_.left_of(s);
+      if (s == side)
+        break;
+    }
+    if (whole < infinity)
+      return;
+    sum = angle; // from the way to the right
+    for (std::uint32_t s = surface_.right_of(side); s != none && s != side; s = surface_.right_of(s)) {
+      const double corner = surface_.side(s).angle;
+      if (sum + corner > shadow_begin)
+        send_into_face(s, 0, sum + corner - shadow_begin);
+      sum += corner;
+    }
+  }
+
+  void send_on(const Window& w)
+  {
+    const Side& s = surface_.side(w.side);
+    const double to_b0 = w.sigma + std::hypot(w.b0 - w.x, w.y), to_b1 = w.sigma + std::hypot(w.b1 - w.x, w.y);
+    if (is_useless(w, to_b0, to_b1)) // by now
+      return;
+    const std::uint32_t next = surface_.next(w.side), prev = surface_.next(next);
+    const double cx = s.apex_x, cy = s.apex_y, crossing = w.x + (cx - w.x) * (w.y / (w.y + cy));
+    bool goes_left = w.b0<crossing, goes_right = w.b1> crossing;
+    // To the corner, straight or over the end of the window that is nearest to the straight way.
+    const double at = (std::min)((std::max)(crossing, w.b0), w.b1);
+    const double to_corner = w.sigma + std::hypot(at - w.x, w.y) + std::hypot(cx - at, cy);
+    reach(prev, std::atan2(cy * at, cx * (cx - at) + cy * cy), to_corner);
+    if (goes_left && goes_right) {
+      Split& split = splits_[w.side];
+      if (to_corner < split.distance)
+        split = {to_corner, crossing};
+      else if (to_corner * shorter > split.distance && std::abs(crossing - split.crossing) > 1e-8 * s.length)
+        (crossing < split.crossing ? goes_right : goes_left) = false;
+    }
+    if (goes_left) { // over the side from the corner to the beginning
+      const Side& side = surface_.side(prev);
+      const double ex = cx / side.length, ey = cy / side.length;
+      const double b0 = on_left(w, s, w.b0) * side.length, b1 = w.b1 >= crossing ? side.length : on_left(w, s, w.b1) * side.length;
+      const Window child{b0, b1, w.x * ex - w.y * ey, w.x * ey + w.y * ex, w.sigma, 0};
+      if (!is_shorter_over(surface_.side(next).row, s.length - b0 * ex, b0 * ey, child, b0))
+        leave(prev, child);
+    }
+    if (goes_right) { // over the side from the end to the corner
+      const Side& side = surface_.side(next);
+      const double ex = (s.length - cx) / side.length, ey = -cy / side.length;
+      const double b0 = w.b0 > crossing ? (1 - on_right(w, s, w.b0)) * side.length : 0, b1 = (1 - on_right(w, s, w.b1)) * side.length;
+      const Window child{b0, b1, (w.x - cx) * ex - (w.y + cy) * ey, (w.x - cx) * ey + (w.y + cy) * ex, w.sigma, 0};
+      if (!is_shorter_over(s.row, cx + b1 * ex, cy + b1 * ey, child, b1))
+        leave(next, child);
+    }
+  }
+
+  // Whether ways over the third corner of the face that is left are shorter for all points of the window. They cross all its ways if
+  // that one does which goes to the end b farthest from the corner.
+  // \param x, y from the corner to that end
+  bool is_shorter_over(std::uint32_t row, double x, double y, const Window& child, double b) const
+  {
+    return distances_[row] + std::hypot(x, y) <= (child.sigma + std::hypot(b - child.x, child.y)) * shorter;
+  }
+
+  // Where the way over a point of the side meets the side from its beginning to the corner, as a part of that.
+  static double on_left(const Window& w, const Side& s, double b)
+  {
+    const double up = w.y * b, down = w.y * s.apex_x - (b - w.x) * s.apex_y;
+    return up <= 0 ? 0 : (down > up ? up / down : 1);
+  }
+  // The side from the end to the corner.
+  static double on_right(const Window& w, const Side& s, double b)
+  {
+    const double up = w.y * (s.length - b), down = w.y * (s.length - s.apex_x) + (b - w.x) * s.apex_y;
+    return up <= 0 ? 0 : (down > up ? up / down : 1);
+  }
+
+  const Laid_out_faces& surface_;
+  double tolerance_;
+  std::vector<double> distances_; // of the rows
+  std::vector<Split> splits_;     // of the sides
+  std::vector<Window> windows_;
+  std::vector<std::uint32_t> free_;    // places for windows
+  std::vector<std::uint32_t> waiting_; // at each side, the first window
+  std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>> queue_;
+  std::uint64_t number_of_steps_ = 0;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_WINDOW_PROPAGATION_H

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lengths of shortest paths against what is known of them.
+
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using IT::Vertex_index;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+using Points = std::vector<std::array<double, 3>>;
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+constexpr double pi = 3.14159265358979323846;
+
+Triangulation Delaunay(const Points& points, const Triangles& triangles)
+{
+  Triangulation result(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
+  IT::flip_to_Delaunay(result);
+  return result;
+}
+
+IT::Tufted_cover Delaunay_cover(const Points& points, const Triangles& triangles)
+{
+  IT::Tufted_cover result = IT::make_tufted_cover(points, triangles);
+  IT::flip_to_Delaunay(result.triangulation);
+  return result;
+}
+
+IT::Geodesic_distance_options with_tolerance(double tolerance)
+{
+  IT::Geodesic_distance_options result;
+  result.tolerance = tolerance;
+  return result;
+}
+
+double straight(const Points& points, std::size_t v, std::size_t w)
+{
+  const auto &p = points[v], &q = points[w];
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+// A plane regular polygon, cut from its first corner.
+void make_polygon(std::uint32_t n, Points& points, Triangles& triangles)
+{
+  for (std::uint32_t i = 0; i < n; ++i)
+    points.push_back({10 * std::cos(2 * pi * i / n), 10 * std::sin(2 * pi * i / n), 0});
+  for (std::uint32_t i = 1; i + 1 < n; ++i)
+    triangles.push_back({0, i, i + 1});
+}
+
+// Heights by chance on a grid: cones of positive and of negative curvature, and a border.
+void make_hills(std::uint32_t n, double height, Points& points, Triangles& triangles)
+{
+  std::mt19937 random(7);
+  for (std::uint32_t y = 0; y <= n; ++y)
+    for (std::uint32_t x = 0; x <= n; ++x)
+      points.push_back({double(x), double(y), height * double(random() % 1024) / 1024});
+  for (std::uint32_t y = 0; y < n; ++y)
+    for (std::uint32_t x = 0; x < n; ++x) {
+      const std::uint32_t v = y * (n + 1) + x;
+      triangles.push_back({v, v + 1, v + n + 2});
+      triangles.push_back({v, v + n + 2, v + n + 1});
+    }
+}
+
+std::vector<double> exact_distances(const Points& points, const Triangles& triangles, std::uint32_t source)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+  Mesh mesh;
+  for (const auto& [x, y, z] : points)
+    mesh.add_vertex({x, y, z});
+  for (const auto& [a, b, c] : triangles)
+    mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c));
+  CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>> paths(mesh);
+  paths.add_source_point(Mesh::Vertex_index(source));
+  std::vector<double> result;
+  for (Mesh::Vertex_index v : mesh.vertices())
+    result.push_back(paths.shortest_distance_to_source_points(v).first);
+  return result;
+}
+
+TEST(Geodesic_distances, in_a_polygon_without_inner_vertices)
+{
+  for (std::uint32_t n : {16, 64, 200}) {
+    Points points;
+    Triangles triangles;
+    make_polygon(n, points, triangles);
+    for (double tolerance : {0., 0.001}) {
+      const auto on_triangulation = IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(3)}, with_tolerance(tolerance));
+      const auto on_cover = IT::geodesic_distances(Delaunay_cover(points, triangles), {Vertex_index(3)}, with_tolerance(tolerance));
+      EXPECT_TRUE(on_triangulation.is_complete);
+      for (std::size_t v = 0; v < n; ++v)
+        for (const auto* found : {&on_triangulation, &on_cover})
+          EXPECT_NEAR(found->distances[v], straight(points, 3, v), tolerance > 0 ? 0.02 : 1e-11) << n << ' ' << v;
+    }
+  }
+}
+
+TEST(Geodesic_distances, are_those_of_Surface_mesh_shortest_path)
+{
+  for (double height : {0., 0.3, 3.}) {
+    Points points;
+    Triangles triangles;
+    make_hills(12, height, points, triangles);
+    for (std::uint32_t source : {0u, 80u}) {
+      const std::vector<double> exact = exact_distances(points, triangles, source);
+      const Triangulation triangulation = Delaunay(points, triangles);
+      const auto found = IT::geodesic_distances(triangulation, {Vertex_index(source)}, with_tolerance(0));
+      const auto on_cover = IT::geodesic_distances(Delaunay_cover(points, triangles), {Vertex_index(source)}, with_tolerance(0));
+      const auto near = IT::geodesic_distances(triangulation, {Vertex_index(source)});
+      EXPECT_LE(near.number_of_ways, found.number_of_ways);
+      for (std::size_t v = 0; v < exact.size(); ++v) {
+        EXPECT_NEAR(found.distances[v], exact[v], 1e-10 * exact[v]) << height << ' ' << source << ' ' << v;
+        EXPECT_NEAR(on_cover.distances[v], exact[v], 1e-10 * exact[v]);
+        EXPECT_NEAR(near.distances[v], exact[v], 0.01 * exact[v]);
+      }
+    }
+  }
+}
+
+TEST(Geodesic_distances, depend_on_nothing_elsewhere)
+{
+  Points points;
+  Triangles triangles;
+  make_hills(6, 1, points, triangles);
+  const auto alone = IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(0), Vertex_index(5)});
+  const std::size_t n = points.size();
+  for (const auto& p : Points{{1000, 0, 0}, {3000, 0, 0}, {1000, 2000, 0}})
+    points.push_back(p);
+  triangles.push_back({std::uint32_t(n), std::uint32_t(n + 1), std::uint32_t(n + 2)});
+  const auto together = IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(0), Vertex_index(5)});
+  for (std::size_t v = 0; v < n; ++v) {
+    EXPECT_EQ(together.distances[v], alone.distances[v]);
+    EXPECT_EQ(alone.distances[v] == 0, v == 0 || v == 5);
+  }
+  for (std::size_t v = n; v < n + 3; ++v)
+    EXPECT_EQ(together.distances[v], std::numeric_limits<double>::infinity());
+}
+
+TEST(Geodesic_distances, stay_between_line_and_edges_if_the_budget_ends)
+{
+  Points points;
+  Triangles triangles;
+  make_polygon(64, points, triangles);
+  IT::Geodesic_distance_options options;
+  options.maximum_number = 100;
+  const auto found = IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(20)}, options);
+  EXPECT_FALSE(found.is_complete);
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    EXPECT_GE(found.distances[v], straight(points, 20, v) * (1 - 1e-15));
+    EXPECT_LE(found.distances[v], (straight(points, 20, 0) + straight(points, 0, v)) * (1 + 1e-15));
+  }
+}
+
+TEST(Geodesic_distances, bad_input)
+{
+  Points points;
+  Triangles triangles;
+  make_polygon(5, points, triangles);
+  const Triangulation triangulation = Delaunay(points, triangles);
+  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(5)}), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(0)}, with_tolerance(-1)), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(0)}, with_tolerance(std::nan(""))), IT::Invalid_surface_error);
+  for (double d : IT::geodesic_distances(triangulation, {}).distances)
+    EXPECT_EQ(d, std::numeric_limits<double>::infinity());
+}
+
+} // namespace
