@@ -38,8 +38,7 @@ bool is_symmetric(const Triangulation& t, IT::Edge_index e)
 {
   const IT::Exact_geometry& geometry = t.exact_geometry();
   const auto surface = geometry.input_surface();
-  Crossing_sequences sequences;
-  return Mirror_symmetry(t.connectivity(), geometry.correspondence(), *surface, sequences)(e);
+  return Mirror_symmetry(t.connectivity(), geometry.correspondence(), *surface)(e);
 }
 
 bool is_zero_in_finite_fields(const Triangulation& t, IT::Edge_index e)

@@ -10,7 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/angles.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
 
@@ -49,10 +48,9 @@ inline bool is_exactly_flat(const Refined_triangulation& t, CGAL::Intrinsic_tria
   } while (h != first);
   const auto sign_of_part = [&](auto part) {
     const auto surface = t.exact_geometry().input_surface();
-    IT::internal::Crossing_sequences sequences;
     const auto evaluate = [&](auto& metric) {
       using Metric = std::decay_t<decltype(metric)>;
-      const IT::Unfolding<Metric> unfolding(complex, t.exact_geometry().correspondence(), metric, sequences);
+      const IT::Unfolding<Metric> unfolding(complex, t.exact_geometry().correspondence(), metric);
       const auto vector = [&](IT::Halfedge_index opposite) {
         const auto corner = unfolding.opposite_corner(opposite);
         return typename Metric::Vector(corner.p, corner.four_areas);

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Flip_journal.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Kept_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Rotation_system.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
 
@@ -47,7 +48,11 @@ public:
   std::size_t number_of_journaled_flips() const { return journal_.size(); }
 
   /// \brief logs flips again from now on, until the next `prepare()`. O(1).
-  void begin_journal() { is_prepared_ = false; }
+  void begin_journal()
+  {
+    is_prepared_ = false;
+    crossings_.clear();
+  }
 
   /// returns the edges of these flips, in order.
   std::vector<Edge_index> journaled_flips(const Delta_complex& complex) const;
@@ -79,13 +84,11 @@ public:
       journal_.push_back(around);
       return;
     }
-    coordinates_.flip(around);
-    if (locations_.empty()) {
-      shorten_walks(around.ij);
-      return;
-    }
-    turn_around(around.ij, complex.target(around.il));
-    turn_around(around.ji, complex.target(around.jk));
+    if (crossings_.is_empty())
+      coordinates_.flip(around);
+    else
+      flip_with_crossings(complex, around);
+    turn_around_flipped(complex, around);
   }
   /// \cond SKIP_IN_MANUAL
   // Undoes a flip, the last one that was not undone, before that is done in the connectivity. Never throws.
@@ -94,9 +97,11 @@ public:
   {
     if (!is_prepared_)
       return journal_.pop_back();
+    crossings_.forget(complex.edge(around.ij), coordinates_.number_of_crossings(complex.edge(around.ij)));
     for (int i = 0; i < 3; ++i) { // as four flips are the identity
       around = {around.ij, around.ki, around.il, around.ji, around.lj, around.jk};
-      flip(complex, around);
+      coordinates_.flip(around);
+      turn_around_flipped(complex, around);
     }
   }
   // So many calls of append() do not throw then.
@@ -143,6 +148,8 @@ public:
   /// returns the number of inserted vertices.
   std::size_t number_of_inserted_vertices() const { return locations_.size(); }
   /// \cond SKIP_IN_MANUAL
+  // What edges cross, as far as it was found before.
+  const internal::Kept_crossings& kept_crossings() const { return crossings_; }
   // Those of all inserted vertices.
   const std::vector<Surface_point>& locations() const { return locations_; }
   /// \endcond
@@ -190,6 +197,16 @@ private:
   }
   void shorten_walk(Halfedge_index h);
 
+  void flip_with_crossings(const Delta_complex& complex, const Hinge_halfedges& around);
+  void turn_around_flipped(const Delta_complex& complex, const Hinge_halfedges& around)
+  {
+    if (locations_.empty()) {
+      shorten_walks(around.ij);
+      return;
+    }
+    turn_around(around.ij, complex.target(around.il));
+    turn_around(around.ji, complex.target(around.jk));
+  }
   // Around a vertex on an input edge, there are two directions only.
   void turn_around(Halfedge_index h, Vertex_index source);
 
@@ -197,6 +214,7 @@ private:
   internal::Flip_journal journal_;
   Delta_complex input_;
   Normal_coordinates coordinates_;
+  internal::Kept_crossings crossings_;
   std::vector<Surface_point> locations_;            // of the vertices that follow those of the input
   std::optional<internal::Rotation_system> around_; // of the input, for long walks
 };

@@ -47,6 +47,8 @@ class Interruption;
 class Late_stages;
 class Residues;
 class Vertex_positions;
+template <class Corner, class Image_corner>
+struct Known_corner;
 } // namespace internal
 /// \endcond
 
@@ -156,6 +158,9 @@ public:
   // what makes tests after the next flips cheap. `corners` receives the two corners, unless both faces lie in one plane in
   // space.
   Sign decide(const Delta_complex& complex, Edge_index e, std::optional<Opposite_corners>& corners);
+  // As `corner()`, and as `corners_at()`. What was laid out before is used, and what is laid out is kept, if edges at the vertex cross many input edges.
+  Corner kept_corner(const Delta_complex& complex, Halfedge_index h);
+  std::vector<std::pair<Halfedge_index, Corner>> kept_corners_at(const Delta_complex& complex, Vertex_index v);
   // Adds tests that others have counted.
   void count(const Stage_counts& counts);
   /// \endcond
@@ -326,13 +331,19 @@ private:
 
   // In flips for each edge. A journal is not to become much larger than the triangulation.
   static constexpr std::size_t longest_journal = 8;
+  // In crossings of the four sides.
+  static constexpr std::int64_t long_hinge = 4;
+  // To carry a face along costs about as much as to lay out an eighth of a triangle, as most flips stay within one plane.
+  static constexpr double flips_for_a_quantity = 8;
   // In input quantities: what is laid out in some microseconds.
   static constexpr double short_strip = 256;
 
   bool flip_and_follow(const Delta_complex& complex, const Hinge_halfedges& around);
-  bool follow(const Delta_complex& complex, Edge_index e);
+  bool follow(const Delta_complex& complex, const Hinge_halfedges& around);
+  bool is_long_hinge(const Delta_complex& complex, const Hinge_halfedges& around) const;
   void find_straight_faces(const Delta_complex& complex) const;
   void recognize_straight_face(const Delta_complex& complex, Halfedge_index h);
+  void prepare_insertion(const Delta_complex& complex);
   template <class SplitIntegers>
   void split_faces(const Delta_complex& complex, const std::vector<Face_index>& faces, std::size_t number_of_new_edges, std::size_t number_of_parts,
                    const Surface_point& location, const SplitIntegers& split_integers);
@@ -341,9 +352,11 @@ private:
   template <class Straight_faces>
   std::optional<Test> test_in_plane(const Delta_complex& complex, Halfedge_index h, Straight_faces& straight_faces) const;
   std::optional<Test> test_by_corners(const Delta_complex& complex, Halfedge_index h, const Opposite_corners& corners) const;
+  Corner known_corner(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;
   Opposite_corners known_corners(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;
   double number_of_quantities(const Delta_complex& complex, Halfedge_index h) const;
   void carry_images();
+  internal::Known_corner<Corner, Image_corner> laid_out(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface);
   Corner developed_corner(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface);
   std::optional<Image_corner> image_of_straight_corner(const Delta_complex& complex, Halfedge_index h);
   std::optional<Image_corner> image_of_developed_corner(const Delta_complex& complex, Halfedge_index h) const;

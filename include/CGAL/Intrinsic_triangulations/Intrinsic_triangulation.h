@@ -495,8 +495,9 @@ public:
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
+    CGAL_precondition(keeps_input());
     const Halfedge_index h = connectivity_.halfedge(f);
-    refine(h, exact_geometry().corner(connectivity_, h));
+    refine(h, geometry_->kept_corner(connectivity_, h));
   }
 
   /// \brief replaces the stored numbers of all faces around `v` by those that follow from the input.
@@ -507,7 +508,8 @@ public:
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
-    measure(exact_geometry().corners_at(connectivity_, v));
+    CGAL_precondition(keeps_input());
+    measure(geometry_->kept_corners_at(connectivity_, v));
   }
 
   /// returns the datum that the traits keep for `e`, in the internal unit.
@@ -685,7 +687,7 @@ private:
     if (keeps_bounds)
       bounds_.append(number_of_new_edges);
     try {
-      measure(geometry_->corners_at(connectivity_, v));
+      measure(geometry_->kept_corners_at(connectivity_, v));
     } catch (...) {
       undo();
       throw;

@@ -146,6 +146,19 @@ public:
                               number_of_crossings(complex.edge(complex.prev(h))));
   }
 
+  /// \cond SKIP_IN_MANUAL
+  // The corner opposite to that takes the least time to be laid out. It lies at the shortest side, so that the errors of all sides are
+  // relatively small.
+  Halfedge_index side_with_most_crossings(const Delta_complex& complex, Face_index f) const
+  {
+    Halfedge_index result = complex.halfedge(f);
+    for (Halfedge_index h : {complex.next(result), complex.prev(result)})
+      if (crossings(complex.edge(h)) > crossings(complex.edge(result)))
+        result = h;
+    return result;
+  }
+  /// \endcond
+
   /// \brief returns the names of `piece` on all sides of its triangle that it touches, itself first.
   ///
   /// There are at most three; those that do not exist have no `side`.

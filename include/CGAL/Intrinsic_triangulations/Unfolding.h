@@ -80,16 +80,6 @@ public:
       metric_(metric)
   {}
 
-  /// \cond SKIP_IN_MANUAL
-  // As above; the orders of crossings that are found are remembered.
-  Unfolding(const Delta_complex& complex, const Correspondence& correspondence, Metric& metric,
-            internal::Crossing_sequences& sequences)
-    : Unfolding(complex, correspondence, metric)
-  {
-    sequences_ = &sequences;
-  }
-  /// \endcond
-
   /// returns `h` as a vector.
   Edge_vector edge_vector(Halfedge_index h) const
   {
@@ -99,7 +89,7 @@ public:
     const Halfedge_index roundabout = correspondence_.input_halfedge(h);
     if (n < 0)
       return {Vector(metric_.constant(1), metric_.constant(0)), roundabout};
-    return end_of_strip(h, first_crossed(roundabout), std::size_t(n), nullptr);
+    return end_of_strip(crossed(h), std::size_t(n), nullptr);
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -129,8 +119,7 @@ public:
     if (position == 0)
       return position_in_face(u.reference, internal::coordinates_from(input_, point, u.reference)) - u.source;
     const bool starts_inside = is_inserted(complex_.source(h));
-    const Halfedge_index front = starts_inside ? crossed(h, 0) : first_crossed(correspondence_.input_halfedge(h));
-    const Vector end = end_of_strip(h, front, std::size_t(position), &point).vector;
+    const Vector end = end_of_strip(crossed(h), std::size_t(position), &point).vector;
     return starts_inside ? end - u.source : end;
   }
 
@@ -194,17 +183,6 @@ public:
       ki = kj;
     } while (ki != first);
   }
-
-  // The side of a face that crosses the most input edges: the corner opposite to it takes the least time.
-  Halfedge_index side_with_most_crossings(Face_index f) const
-  {
-    const Normal_coordinates& coordinates = correspondence_.coordinates();
-    Halfedge_index result = complex_.halfedge(f);
-    for (Halfedge_index h : {complex_.next(result), complex_.prev(result)})
-      if (coordinates.crossings(complex_.edge(h)) > coordinates.crossings(complex_.edge(result)))
-        result = h;
-    return result;
-  }
   /// \endcond
 
 private:
@@ -234,27 +212,13 @@ private:
 
   bool is_inserted(Vertex_index v) const { return correspondence_.is_inserted(v); }
 
-  Halfedge_index crossed(Halfedge_index h, std::int64_t position) const
-  {
-    return internal::crossed_input_halfedge(complex_, correspondence_, h, position, metric_.interruption());
-  }
-  // The input edge that a halfedge crosses first which leaves a vertex of the input to the right of `roundabout`.
-  Halfedge_index first_crossed(Halfedge_index roundabout) const
-  {
-    return input_.opposite(input_.prev(input_.opposite(roundabout)));
-  }
+  internal::Crossed_halfedges crossed(Halfedge_index h) const { return {complex_, correspondence_, h, metric_.interruption()}; }
 
   // The vector from the corner that is opposite to the first crossed edge to the corner opposite to the n-th, or to
   // a point behind that.
-  Edge_vector end_of_strip(Halfedge_index h, Halfedge_index front, std::size_t n, const Surface_point* point) const
+  Edge_vector end_of_strip(const internal::Crossed_halfedges& crossed, std::size_t n, const Surface_point* point) const
   {
-    std::optional<internal::Crossing_sequence> own;
-    const internal::Crossing_sequence* sequence = nullptr;
-    if (n > 1)
-      sequence = sequences_ ? &(*sequences_)(complex_, correspondence_, h, metric_.interruption())
-                            : &own.emplace(complex_, correspondence_, h, metric_.interruption());
-    const Path path{input_, front, sequence, n, point};
-    return {internal::Strip<Frame>(input_, Frame(input_, metric_)).end(path), Frame::reference(input_, front)};
+    return {internal::Strip<Frame>(input_, Frame(input_, metric_)).end(Path{crossed, n, point}), Frame::reference(input_, crossed.front())};
   }
 
   // Where the source of h, which was inserted, lies in the input face into which h leaves it. \pre h coincides with no input edge
@@ -320,9 +284,8 @@ private:
               reference};
     }
     const bool starts_inside = is_inserted(complex_.source(h)), ends_inside = is_inserted(complex_.target(h));
-    const Halfedge_index front = starts_inside ? crossed(h, 0) : first_crossed(correspondence_.input_halfedge(h));
     const Surface_point end = ends_inside ? location_of_source(g) : Surface_point{};
-    Edge_vector result = end_of_strip(h, front, std::size_t(n), ends_inside ? &end : nullptr);
+    Edge_vector result = end_of_strip(crossed(h), std::size_t(n), ends_inside ? &end : nullptr);
     if (starts_inside)
       result.vector = result.vector - position_of_source(h, n, result.reference);
     return result;
@@ -376,30 +339,24 @@ private:
     return metric_.squared_length(input_.edge(v.reference));
   }
 
-  // The input edges that a halfedge crosses, from the first one on.
+  // The first input edges that a halfedge crosses.
   struct Path
   {
-    const Delta_complex& input;
-    Halfedge_index first;
-    const internal::Crossing_sequence* sequence; // of all its crossings, if they are more than one
+    const internal::Crossed_halfedges& crossed;
     std::size_t number;
     const Surface_point* end; // in the last triangle, if not at its corner
     static constexpr bool may_end_inside = true;
 
     std::size_t size() const { return number; }
-    Halfedge_index front() const { return first; }
-    bool turns_left(std::size_t i) const { return sequence->turns_left(i - 1); }
-    Halfedge_index behind(Halfedge_index h, std::size_t i) const
-    {
-      return input.opposite(turns_left(i) ? input.prev(h) : input.next(h));
-    }
+    Halfedge_index front() const { return crossed.front(); }
+    bool turns_left(std::size_t i) const { return crossed.turns_left(i); }
+    Halfedge_index behind(Halfedge_index, std::size_t i) const { return crossed[i]; }
   };
 
   const Delta_complex& complex_;
   const Correspondence& correspondence_;
   const Delta_complex& input_;
   Metric& metric_;
-  internal::Crossing_sequences* sequences_ = nullptr;
 };
 
 } // namespace Intrinsic_triangulations

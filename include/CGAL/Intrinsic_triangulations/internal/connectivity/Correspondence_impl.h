@@ -80,11 +80,22 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::pre
   return flipped_edges;
 }
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::flip_with_crossings(const Delta_complex& complex, const Hinge_halfedges& around)
+{
+  const Edge_index e = complex.edge(around.ij);
+  internal::Kept_crossings::Flipped flipped{nullptr, coordinates_.number_of_crossings(e)};
+  if (!locations_.empty()) // otherwise it is soon found what an edge crosses
+    flipped = crossings_.flipped(complex, coordinates_, around, coordinates_.is_original(e) ? input_halfedge(around.ij) : Halfedge_index());
+  coordinates_.flip(around);
+  crossings_.flip(e, std::move(flipped));
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location)
 {
   CGAL_precondition(is_prepared_ && location.dimension() == 2);
   internal::make_room(locations_, 1);
   coordinates_.split_face(complex, piece);
+  crossings_.split_face(complex, coordinates_, piece);
   locations_.push_back(location);
   Halfedge_index from_corner(2 * complex.number_of_edges() + 1);
   for (Halfedge_index side : {piece.side, complex.next(piece.side), complex.prev(piece.side)}) {
@@ -98,6 +109,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_edge(const Delta
   CGAL_precondition(is_prepared_ && location.dimension() == 1);
   internal::make_room(locations_, 1);
   coordinates_.split_edge(complex, h, input_halfedge(h));
+  crossings_.split_edge(complex, coordinates_, h);
   locations_.push_back(location);
   Halfedge_index from_corner(2 * complex.number_of_edges() + 1);
   turn_around(from_corner, complex.target(h));
@@ -111,11 +123,15 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_edge(const Delta
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::unsplit_edge(const Delta_complex& complex, Halfedge_index h)
 {
+  const Edge_index e = complex.edge(h);
+  const std::int64_t number_before = coordinates_.number_of_crossings(e);
   coordinates_.unsplit_edge(complex, h, location(complex.target(h)).dimension() == 1);
+  crossings_.forget(e, number_before);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::remove(const Removed_elements& removed)
 {
+  crossings_.remove(coordinates_, removed);
   coordinates_.remove(removed);
   remove_entries(locations_, removed.vertices, input_.number_of_vertices());
 }

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Kept_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <CGAL/assertions.h>
@@ -24,8 +25,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -267,23 +268,72 @@ private:
   std::int64_t number_of_unknown_ = 0;
 };
 
-// The sequences of the halfedges that one decision asks for, stage after stage.
-class Crossing_sequences
+// The input halfedges that h crosses from its left to its right, in order: those that are kept, or its own.
+class Crossed_halfedges
 {
 public:
-  const Crossing_sequence& operator()(const Delta_complex& complex,
-                                      const Correspondence& correspondence, Halfedge_index h,
-                                      const Interruption& interruption)
+  // \param is_kept whether they are kept from now on, even if they are few
+  // \pre something is crossed
+  Crossed_halfedges(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h, const Interruption& interruption,
+                    bool is_kept = false)
+    : input_(correspondence.input())
   {
-    const auto position = sequences_.find(h);
-    return position != sequences_.end()
-             ? position->second
-             : sequences_.emplace(h, Crossing_sequence(complex, correspondence, h, interruption)).first->second;
+    const auto n = std::size_t(correspondence.coordinates().number_of_crossings(complex.edge(h)));
+    CGAL_precondition(n > 0);
+    const Kept_crossings& kept = correspondence.kept_crossings();
+    if (const std::optional<Crossed_range> range = kept.find(h, n)) {
+      crossed_ = *range;
+      return;
+    }
+    const bool leaves_corner = !correspondence.is_inserted(complex.source(h));
+    Halfedge_index g = leaves_corner ? input_.opposite(input_.prev(input_.opposite(correspondence.input_halfedge(h))))
+                                     : crossed_input_halfedge(complex, correspondence, h, 0, interruption);
+    own_.push_back(g);
+    if (n > 1) {
+      const Crossing_sequence sequence(complex, correspondence, h, interruption);
+      own_.reserve(n);
+      for (std::size_t i = 0; i + 1 < n; ++i) {
+        g = input_.opposite(sequence.turns_left(i) ? input_.prev(g) : input_.next(g));
+        own_.push_back(g);
+      }
+    }
+    crossed_ = Crossed_range(own_.data(), n, false);
+    // Around inserted vertices, input edges may have to be followed far.
+    if (is_kept || n > few || correspondence.number_of_inserted_vertices() != 0)
+      kept.keep(complex.number_of_edges(), h, n, crossed_);
   }
+  Crossed_halfedges(const Crossed_halfedges&) = delete;
+  Crossed_halfedges& operator=(const Crossed_halfedges&) = delete;
+
+  std::size_t size() const { return crossed_.size(); }
+  Halfedge_index operator[](std::size_t i) const { return crossed_[i]; }
+  Halfedge_index front() const { return crossed_[0]; }
+  // Whether number i, which is not the first, has its left end in common with that before.
+  bool turns_left(std::size_t i) const { return crossed_[i] == input_.opposite(input_.prev(crossed_[i - 1])); }
+
+  // To find so many takes no longer than to look them up.
+  static constexpr std::size_t few = 8;
 
 private:
-  std::unordered_map<Halfedge_index, Crossing_sequence> sequences_;
+  const Delta_complex& input_;
+  boost::container::small_vector<Halfedge_index, 16> own_;
+  Crossed_range crossed_;
 };
+
+// Keeps what is crossed in all faces with an edge that crosses many: to be called before the first vertex is inserted, as long as that is
+// found quickly.
+inline void keep_long_crossings(const Delta_complex& complex, const Correspondence& correspondence, const Interruption& interruption)
+{
+  const Normal_coordinates& coordinates = correspondence.coordinates();
+  for (Edge_index e : complex.edges()) {
+    if (coordinates.number_of_crossings(e) <= std::int64_t(Crossed_halfedges::few))
+      continue;
+    for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
+      for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
+        if (!complex.is_border(h) && coordinates.number_of_crossings(complex.edge(side)) > 0)
+          Crossed_halfedges(complex, correspondence, side, interruption, true);
+  }
+}
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

@@ -34,6 +34,8 @@ struct Bounded_angle
   // π is no double, but nearer than 2^-52 to one.
   bool is_below_pi() const { return value + error < 3.1415926535897932 - 0x1p-50; }
   bool is_above_pi() const { return value - error > 3.1415926535897932 + 0x1p-50; }
+  // Whether it is π if it is a multiple of π, and neither known to be below nor above.
+  bool is_near_pi() const { return error < 1; }
 
   // Each sum is rounded by less than 2^-50.
   Bounded_angle& operator+=(const Bounded_angle& other)

@@ -9,9 +9,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_ANGLE_SUM_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Angle_sum.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Level_line.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
 
 #include <string>
@@ -42,6 +42,13 @@ public:
     return sign(first, last, [](const auto& z) { return z.x(); });
   }
 
+  // Whether the sum is proven to be a multiple of π.
+  bool is_level(std::size_t first, std::size_t last)
+  {
+    const Halfedge_index from = complex_.prev(corners_[first].opposite), to = complex_.opposite(complex_.next(corners_[last - 1].opposite));
+    return Level_line(complex_, geometry_.correspondence(), *surface_)(from, to);
+  }
+
 private:
   template <class Part>
   Sign sign(std::size_t first, std::size_t last, const Part& part)
@@ -49,7 +56,7 @@ private:
     const auto evaluate = [&](auto& metric) {
       using Metric = std::decay_t<decltype(metric)>;
       using Vector = typename Metric::Vector;
-      const Unfolding<Metric> unfolding(complex_, geometry_.correspondence(), metric, sequences_);
+      const Unfolding<Metric> unfolding(complex_, geometry_.correspondence(), metric);
       const auto vector = [&](std::size_t i) {
         const auto corner = unfolding.opposite_corner(corners_[i].opposite);
         return Vector(corner.p, corner.four_areas);
@@ -69,7 +76,6 @@ private:
   const Exact_geometry& geometry_;
   const std::vector<Estimated_corner>& corners_;
   Exact_geometry::Surface_lease surface_;
-  Crossing_sequences sequences_;
 };
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -90,10 +96,10 @@ Comparison_result compare_angle_sum_with_pi(const Delta_complex& complex, const 
       return LARGER;
     if (sum.is_below_pi())
       continue;
-    const Sign sine = signs.sine(0, i + 1);
+    const Sign sine = signs.is_level(0, i + 1) ? ZERO : signs.sine(0, i + 1);
     if (sine == NEGATIVE)
       return LARGER;
-    is_straight = sine == ZERO && signs.cosine(0, i + 1) == NEGATIVE;
+    is_straight = sine == ZERO && (sum.is_near_pi() || signs.cosine(0, i + 1) == NEGATIVE);
   }
   return is_straight ? EQUAL : SMALLER;
 }

@@ -28,6 +28,15 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// The corner opposite to a halfedge in both forms, one of which is not always known.
+template <class Corner, class Image_corner>
+struct Known_corner
+{
+  Halfedge_index side;
+  Corner corner;
+  std::optional<Image_corner> image;
+};
+
 // To lay out a face over the input costs as much as its edges cross input edges. Where tests
 // are close for long, as in the caps of a prism or along the folds of a pillow, that would be
 // done again and again for strips of thousands of triangles. So a face that was laid out is
@@ -46,13 +55,27 @@ class Developed_faces
 {
   using Image = Planar_vector<Residues>;
 
-public:
-  // A corner in both forms, one of which is not always known.
-  struct Known_corner
+  // A corner that was laid out. Two faces that share both points of an edge need not be brought together.
+  struct Point
   {
-    Corner corner;
-    std::optional<Image_corner> image;
+    Vector position;
+    std::unique_ptr<const Image> image; // seldom known, and large
   };
+  struct Plane
+  {
+    Real unit; // squared length
+    std::unique_ptr<const Residues> image_of_unit;
+  };
+  // The plane, and the points at the source, the target and opposite to a halfedge.
+  struct Layout
+  {
+    Halfedge_index first;
+    std::uint32_t plane;
+    std::array<std::uint32_t, 3> corners;
+  };
+
+public:
+  using Known_corner = internal::Known_corner<Corner, Image_corner>;
 
   bool contains(Face_index f) const { return !layout_of_.empty() && layout_of_[f.idx()] != none; }
 
@@ -74,31 +97,61 @@ public:
                                 *point(layout, 1).image, *point(layout, 2).image);
   }
 
-  // Keeps the face of h, of which the corner opposite to h is known.
-  void insert(const Delta_complex& complex, Halfedge_index h, const Known_corner& c)
+  // Keeps a face of which a corner is known.
+  void insert(const Delta_complex& complex, const Known_corner& c)
   {
-    const std::optional<Layout> layout = laid_out(h, c);
+    const std::optional<Layout> layout = laid_out(c);
     if (layout)
-      keep(complex, complex.face(h), *layout);
+      keep(complex, complex.face(c.side), *layout);
   }
 
-  // To be called before the flip of the connectivity. known_corner(h) gives the corner
-  // opposite to h if it costs little. After an exception, nothing is known of the two faces.
-  template <class KnownCorner>
-  void flip(const Delta_complex& complex, Edge_index e, bool is_close_call,
-            const KnownCorner& known_corner)
+  // To be called before the flip of the connectivity. lay_out(h) gives a corner of the face of h, or none if that is not worth its
+  // price; where errors have become too large, so many faces are laid out anew. After an exception, nothing is known of the two faces.
+  template <class LayOut>
+  void flip(const Delta_complex& complex, const Hinge_halfedges& around, int number_of_retries, const LayOut& lay_out)
   {
-    const Halfedge_index ij = complex.halfedge(e), ji = complex.opposite(ij);
-    const Face_index ijk = complex.face(ij), jil = complex.face(ji);
-    if (!is_close_call && !contains(ijk) && !contains(jil))
-      return;
+    const Face_index ijk = complex.face(around.ij), jil = complex.face(around.ji);
     try {
-      flip(complex, ij, ji, known_corner);
+      if (!follow(complex, around, number_of_retries, lay_out)) {
+        forget(ijk);
+        forget(jil);
+      }
     } catch (...) {
       forget(ijk);
       forget(jil);
       throw;
     }
+  }
+
+  // A face that will be split by a vertex inside of it.
+  struct Whole
+  {
+    Layout layout;
+    std::array<Halfedge_index, 3> sides;
+  };
+  // To be called before the split. \pre contains(f)
+  Whole whole(const Delta_complex& complex, Face_index f) const
+  {
+    const Layout& kept = layouts_[layout_of_[f.idx()]];
+    return {kept, {kept.first, complex.next(kept.first), complex.prev(kept.first)}};
+  }
+  // Keeps its three parts, of which a corner is known, that at the new vertex in one of them. Returns whether that was done: not
+  // where errors have become too large.
+  bool keep_parts(const Delta_complex& complex, const Whole& whole, const Known_corner& c)
+  {
+    const std::optional<Layout> part = laid_out(c);
+    if (!part)
+      return false;
+    const std::size_t turn = c.side == whole.sides[0] ? 0 : c.side == whole.sides[1] ? 1
+                                                                                     : 2;
+    const auto& [i, j, k] = whole.layout.corners;
+    const std::array<std::uint32_t, 5> corners{i, j, k, i, j};
+    const std::optional<std::uint32_t> v = moved_apex(*part, {c.side, whole.layout.plane, {corners[turn], corners[turn + 1], corners[turn + 2]}});
+    if (!v)
+      return false;
+    for (std::size_t n = 0; n < 3; ++n)
+      keep(complex, complex.face(whole.sides[n]), Layout{whole.sides[n], whole.layout.plane, {corners[n], corners[n + 1], *v}});
+    return true;
   }
 
   // What is known of a face is no longer true. Never throws.
@@ -139,53 +192,40 @@ public:
   }
 
 private:
-  template <class KnownCorner>
-  void flip(const Delta_complex& complex, Halfedge_index ij, Halfedge_index ji, const KnownCorner& known_corner)
+  template <class LayOut>
+  bool follow(const Delta_complex& complex, const Hinge_halfedges& around, int number_of_retries, const LayOut& lay_out)
   {
-    const Face_index ijk = complex.face(ij), jil = complex.face(ji);
-    const auto find = [&](Halfedge_index h) -> std::optional<Layout> {
-      if (contains(complex.face(h)))
-        return seen_from(complex, h);
-      const std::optional<Known_corner> c = known_corner(h);
-      return c ? laid_out(h, *c) : std::nullopt;
+    const auto lay_out_anew = [&](Halfedge_index h) -> std::optional<Layout> {
+      const std::optional<Known_corner> c = lay_out(h);
+      const std::optional<Layout> layout = c ? laid_out(*c) : std::nullopt;
+      return layout ? std::make_optional(turned(complex, *layout, h)) : std::nullopt;
     };
-    std::optional<Layout> above = find(ij), below = find(ji);
-    if (!above || !below || !unite(*above, *below)) {
-      forget(ijk);
-      forget(jil);
-      return;
+    const auto find = [&](Halfedge_index h) { return contains(complex.face(h)) ? seen_from(complex, h) : lay_out_anew(h); };
+    std::optional<Layout> above = find(around.ij), below = above ? find(around.ji) : std::nullopt;
+    if (!above || !below)
+      return false;
+    // Where errors have become too large, the older plane has the larger ones.
+    for (int number_of_trials = 0; !unite(*above, *below); ++number_of_trials) {
+      if (number_of_trials == number_of_retries)
+        return false;
+      std::optional<Layout>& older = above->plane < below->plane ? above : below;
+      older = lay_out_anew(older->first);
+      if (!older)
+        return false;
     }
     const auto [i, j, k] = above->corners;
     const std::uint32_t l = below->corners[2];
     // After the flip ij leads from l to k (see Delta_complex::flip()).
-    keep(complex, ijk, Layout{ij, above->plane, {l, k, i}});
-    keep(complex, jil, Layout{ji, above->plane, {k, l, j}});
+    keep(complex, complex.face(around.ij), Layout{around.ij, above->plane, {l, k, i}});
+    keep(complex, complex.face(around.ji), Layout{around.ji, above->plane, {k, l, j}});
     if (points_.size() > 2 * most_points_)
       compact();
+    return true;
   }
 
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
   // Beyond, it is better to lay the face out anew. Relative to the edges.
-  static constexpr double largest_radius = 0x1p-75;
-
-  // A corner that was laid out. Two faces that share both points of an edge need not be brought together.
-  struct Point
-  {
-    Vector position;
-    std::unique_ptr<const Image> image; // seldom known, and large
-  };
-  struct Plane
-  {
-    Real unit; // squared length
-    std::unique_ptr<const Residues> image_of_unit;
-  };
-  // The plane, and the points at the source, the target and opposite to a halfedge.
-  struct Layout
-  {
-    Halfedge_index first;
-    std::uint32_t plane;
-    std::array<std::uint32_t, 3> corners;
-  };
+  static constexpr double largest_radius = 0x1p-65;
 
   template <class Result, class Number, class Complex>
   static Result corner(const Number& unit, const Complex& i, const Complex& j, const Complex& k)
@@ -210,8 +250,8 @@ private:
     return std::uint32_t(points_.size() - 1);
   }
 
-  // The origin is the corner k opposite to h = ij, and the unit is ki.
-  std::optional<Layout> laid_out(Halfedge_index h, const Known_corner& known)
+  // The origin is the corner k opposite to the side ij, and the unit is ki.
+  std::optional<Layout> laid_out(const Known_corner& known)
   {
     const Corner& c = known.corner;
     const Real two_s = c.s_first.scaled(2);
@@ -229,7 +269,7 @@ private:
       image_of_k = std::make_unique<const Image>(zero, zero);
     }
     planes_.push_back({c.s_first, std::move(image_of_unit)});
-    return Layout{h,
+    return Layout{known.side,
                   std::uint32_t(planes_.size() - 1),
                   {add_point(Vector(Real(1), Real(0)), std::move(image_of_i)), add_point(j, std::move(image_of_j)),
                    add_point(Vector(Real(0), Real(0)), std::move(image_of_k))}};
@@ -237,7 +277,10 @@ private:
 
   Layout seen_from(const Delta_complex& complex, Halfedge_index h) const
   {
-    const Layout& kept = layouts_[layout_of_[complex.face(h).idx()]];
+    return turned(complex, layouts_[layout_of_[complex.face(h).idx()]], h);
+  }
+  static Layout turned(const Delta_complex& complex, const Layout& kept, Halfedge_index h)
+  {
     const std::size_t turn = h == kept.first ? 0 : h == complex.next(kept.first) ? 1
                                                                                  : 2;
     return {h, kept.plane, {kept.corners[turn], kept.corners[(turn + 1) % 3], kept.corners[(turn + 2) % 3]}};
@@ -250,18 +293,29 @@ private:
       return true;
     Layout &stays = above.plane < below.plane ? above : below,
            &moves = above.plane < below.plane ? below : above;
-    const Vector side = moved_side(point(moves, 0).position, point(moves, 1).position, point(moves, 2).position,
-                                   point(stays, 1).position, point(stays, 0).position);
-    const Vector apex = point(stays, 1).position + side;
-    if (!(apex.radius() < largest_radius * side.modulus()))
+    const auto& [i, j, k] = stays.corners;
+    const std::optional<std::uint32_t> apex = moved_apex(moves, {moves.first, stays.plane, {j, i, k}});
+    if (!apex)
       return false;
-    std::unique_ptr<const Image> image;
-    if (has_images(stays) && has_images(moves))
-      image = std::make_unique<const Image>(*point(stays, 1).image + moved_side(*point(moves, 0).image, *point(moves, 1).image, *point(moves, 2).image,
-                                                                                *point(stays, 1).image, *point(stays, 0).image));
-    moves.corners = {stays.corners[1], stays.corners[0], add_point(apex, std::move(image))};
+    moves.corners = {j, i, *apex};
     moves.plane = stays.plane;
     return true;
+  }
+
+  // The point opposite to a side, if the side is moved to the first side of a layout in another plane; its third point does not matter
+  // beyond its image. None where the error would be too large.
+  std::optional<std::uint32_t> moved_apex(const Layout& from, const Layout& to)
+  {
+    const Vector side = moved_side(point(from, 0).position, point(from, 1).position, point(from, 2).position,
+                                   point(to, 0).position, point(to, 1).position);
+    const Vector apex = point(to, 0).position + side;
+    if (!(apex.radius() < largest_radius * side.modulus()))
+      return std::nullopt;
+    std::unique_ptr<const Image> image;
+    if (has_images(from) && has_images(to))
+      image = std::make_unique<const Image>(*point(to, 0).image + moved_side(*point(from, 0).image, *point(from, 1).image, *point(from, 2).image,
+                                                                             *point(to, 0).image, *point(to, 1).image));
+    return add_point(apex, std::move(image));
   }
 
   // The side to the apex of a triangle over from-to, if that is moved to new_from-new_to.

@@ -91,6 +91,10 @@ struct Exact_geometry::Memory
   std::optional<internal::Straight_faces> straight_faces;
   internal::Vertex_positions::Inserted inserted_positions; // kept if the input has points
   Developed_faces developed_faces;
+  std::optional<Developed_faces::Whole> split_face; // the last one, until its parts are measured
+  // So many flips more of long hinges are followed, whether their tests were close or not. What is laid out pays for it: where tests are
+  // seldom close, it would not be worth it.
+  double credit = 0;
   std::vector<bool> is_close_call; // a test took more than double since the last flip of the edge
 
   std::unique_ptr<internal::Input_surface> surface_of_images;
@@ -273,7 +277,7 @@ bool Exact_geometry::flip_and_follow(const Delta_complex& complex, const Hinge_h
   // What may throw comes first, as long as it stays true without the flip; the integers come last.
   Memory& memory = *memory_;
   const Edge_index e = complex.edge(around.ij);
-  const bool is_followed = memory.knows_straight_faces, is_straight = is_followed && follow(complex, e),
+  const bool is_followed = memory.knows_straight_faces, is_straight = is_followed && follow(complex, around),
              is_journaled = !is_followed && correspondence_.is_prepared();
   if (is_journaled)
     memory.journal.push_back(e);
@@ -309,20 +313,40 @@ void Exact_geometry::flip_back(const Delta_complex& complex, Hinge_halfedges aro
 // Keeps up what is known of the faces, before the flip of the connectivity. Returns whether
 // the new faces are straight.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_geometry::follow(const Delta_complex& complex, Edge_index e)
+bool Exact_geometry::follow(const Delta_complex& complex, const Hinge_halfedges& around)
 {
   Memory& memory = *memory_;
-  const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()];
-  using Known_corner = Memory::Developed_faces::Known_corner;
-  memory.developed_faces.flip(
-    complex, e, is_close_call, [&](Halfedge_index h) -> std::optional<Known_corner> {
-      if (!is_straight(complex.face(h)))
+  const Edge_index e = complex.edge(around.ij);
+  const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()], is_long = is_long_hinge(complex, around);
+  using Faces = Memory::Developed_faces;
+  if (Faces& faces = memory.developed_faces;
+      is_close_call || (is_long && memory.credit > 0) || faces.contains(complex.face(around.ij)) || faces.contains(complex.face(around.ji))) {
+    if (is_long && !is_close_call)
+      memory.credit -= 1;
+    faces.flip(complex, around, is_long ? 2 : 0, [&](Halfedge_index h) -> std::optional<Faces::Known_corner> {
+      if (is_straight(complex.face(h)))
+        return Faces::Known_corner{h, straight_corner(complex, h), image_of_straight_corner(complex, h)};
+      if (!is_long)
         return std::nullopt;
-      return Known_corner{straight_corner(complex, h), image_of_straight_corner(complex, h)};
+      return laid_out(complex, correspondence_.coordinates().side_with_most_crossings(complex, complex.face(h)), *input_surface());
     });
+  }
   if (is_close_call)
     memory.is_close_call[e.idx()] = false;
   return memory.straight_faces->flip(complex, positions(), e);
+}
+
+// Whether the faces beside an edge are worth to be laid out when it is flipped, since to do that later, for its successors, would take
+// longer. Most hinges of ordinary surfaces are not; images in finite fields are so slow that they are carried for close calls alone.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_geometry::is_long_hinge(const Delta_complex& complex, const Hinge_halfedges& around) const
+{
+  if (!correspondence_.is_prepared() || memory_->images)
+    return false;
+  std::int64_t number_of_crossings = 0;
+  for (Halfedge_index h : {around.jk, around.ki, around.il, around.lj})
+    number_of_crossings += correspondence_.coordinates().number_of_crossings(complex.edge(h));
+  return number_of_crossings > long_hinge;
 }
 
 // A face within one face of the input is straight, whatever the flips before.
@@ -338,20 +362,32 @@ void Exact_geometry::recognize_straight_face(const Delta_complex& complex, Halfe
   memory_->straight_faces->straighten(positions(), f, internal::uncrossed_input_face(complex, correspondence_, h));
 }
 
-// The journal of flips cannot be repeated beyond an insertion.
+// The journal of flips cannot be repeated beyond an insertion, and input edges are followed faster before it.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location)
+void Exact_geometry::prepare_insertion(const Delta_complex& complex)
 {
   find_straight_faces(complex);
   prepare(complex);
-  split_faces(complex, {complex.face(piece.side)}, 3, 3, location, [&] { correspondence_.split_face(complex, piece, location); });
+  if (correspondence_.number_of_inserted_vertices() == 0 || correspondence_.kept_crossings().is_empty())
+    internal::keep_long_crossings(complex, correspondence_, interruption());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_geometry::split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location)
+{
+  prepare_insertion(complex);
+  const Face_index f = complex.face(piece.side);
+  memory_->split_face.reset();
+  if (memory_->developed_faces.contains(f))
+    memory_->split_face = memory_->developed_faces.whole(complex, f);
+  split_faces(complex, {f}, 3, 3, location, [&] { correspondence_.split_face(complex, piece, location); });
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_geometry::split_edge(const Delta_complex& complex, Halfedge_index h, const Surface_point& location)
 {
-  find_straight_faces(complex);
-  prepare(complex);
+  prepare_insertion(complex);
+  memory_->split_face.reset();
   std::vector<Face_index> faces;
   for (Halfedge_index side : {h, complex.opposite(h)})
     if (!complex.is_border(side))
@@ -469,15 +505,67 @@ Exact_geometry::Corner Exact_geometry::developed_corner(const Delta_complex& com
     return straight_corner(complex, h);
   if (memory.developed_faces.contains(f))
     return memory.developed_faces.corner(complex, h);
-  internal::Crossing_sequences sequences;
-  internal::Double_double_metric metric(surface);
-  const Corner c = Unfolding<internal::Double_double_metric>(complex, correspondence_, metric, sequences).opposite_corner(h);
-  const auto image = memory.image([&] {
-    return Unfolding<internal::Residue_metric>(complex, correspondence_, memory.images->metric, sequences)
-      .opposite_corner(h);
-  });
-  memory.developed_faces.insert(complex, h, {c, image});
-  return c;
+  memory.developed_faces.insert(complex, laid_out(complex, correspondence_.coordinates().side_with_most_crossings(complex, f), surface));
+  return memory.developed_faces.contains(f) ? memory.developed_faces.corner(complex, h) : unfolded_corner(complex, h, surface);
+}
+
+// The corner opposite to h.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+internal::Known_corner<Exact_geometry::Corner, Exact_geometry::Image_corner>
+Exact_geometry::laid_out(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface)
+{
+  memory_->credit += flips_for_a_quantity * number_of_quantities(complex, h);
+  return {h, unfolded_corner(complex, h, surface), memory_->image([&] {
+            return Unfolding<internal::Residue_metric>(complex, correspondence_, memory_->images->metric).opposite_corner(h);
+          })};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Corner Exact_geometry::kept_corner(const Delta_complex& complex, Halfedge_index h)
+{
+  const internal::Standard_arithmetic arithmetic;
+  prepare(complex);
+  find_straight_faces(complex);
+  return developed_corner(complex, h, *input_surface());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::vector<std::pair<Halfedge_index, Exact_geometry::Corner>> Exact_geometry::kept_corners_at(const Delta_complex& complex, Vertex_index v)
+{
+  const internal::Standard_arithmetic arithmetic;
+  prepare(complex);
+  find_straight_faces(complex);
+  Memory& memory = *memory_;
+  std::vector<std::pair<Halfedge_index, Corner>> result;
+  const auto number_of_crossings = [&](Halfedge_index h) { return correspondence_.coordinates().number_of_crossings(complex.edge(h)); };
+  if (const auto whole = std::exchange(memory.split_face, std::nullopt)) {
+    Halfedge_index cheapest = whole->sides[0];
+    const auto cost = [&](Halfedge_index side) { return number_of_crossings(complex.next(side)) + number_of_crossings(complex.prev(side)); };
+    for (Halfedge_index side : whole->sides)
+      if (cost(side) < cost(cheapest))
+        cheapest = side;
+    memory.developed_faces.keep_parts(complex, *whole, laid_out(complex, cheapest, *input_surface()));
+  }
+  bool are_all_developed = true;
+  std::int64_t number = 0;
+  const Halfedge_index first = complex.opposite(complex.halfedge(v));
+  for (Halfedge_index vi = first;;) {
+    number += number_of_crossings(vi);
+    const Halfedge_index side = complex.next(vi);
+    if (!complex.is_border(vi) && !memory.developed_faces.contains(complex.face(vi)))
+      are_all_developed = false;
+    else if (!complex.is_border(vi) && are_all_developed)
+      result.emplace_back(side, memory.developed_faces.corner(complex, side));
+    if ((vi = complex.next_around_source(vi)) == first)
+      break;
+  }
+  if (are_all_developed)
+    return result;
+  result = corners_at(complex, v);
+  if (number > long_hinge)
+    for (const auto& [side, corner] : result)
+      memory.developed_faces.insert(complex, {side, corner, std::nullopt});
+  return result;
 }
 
 // ---------------------------------------------------------------- corners

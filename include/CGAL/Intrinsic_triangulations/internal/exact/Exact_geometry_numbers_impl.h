@@ -314,7 +314,7 @@ Exact_geometry::quickest_corner(const Delta_complex& complex, Face_index f, cons
 {
   if (is_straight(f))
     return {complex.halfedge(f), straight_corner(complex, complex.halfedge(f))};
-  const Halfedge_index h = unfolding.side_with_most_crossings(f);
+  const Halfedge_index h = correspondence_.coordinates().side_with_most_crossings(complex, f);
   return {h, unfolding.opposite_corner(h)};
 }
 
@@ -340,7 +340,7 @@ Exact_geometry::rounded_corner(const Delta_complex& complex, Face_index f) const
   interruption().check();
   internal::Double_metric metric(correspondence_.input(), metric_, interruption());
   const Unfolding<internal::Double_metric> unfolding(complex, correspondence_, metric);
-  const Halfedge_index side = unfolding.side_with_most_crossings(f);
+  const Halfedge_index side = correspondence_.coordinates().side_with_most_crossings(complex, f);
   if (number_of_quantities(complex, side) > short_strip)
     return std::nullopt;
   return Side_and_corner<internal::Double_with_bound>{side, unfolding.opposite_corner(side)};

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Coplanar_hinge.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Double_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_geometry_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
@@ -47,16 +48,27 @@ Sign Exact_geometry::decide(const Delta_complex& complex, Edge_index e, std::opt
   const Surface_lease surface = input_surface();
   memory.is_close_call.resize(complex.number_of_edges());
   memory.is_close_call[e.idx()] = true;
-  corners = Opposite_corners{developed_corner(complex, h, *surface), developed_corner(complex, g, *surface)};
-  // Layouts that were carried along are not the best, but what they do not decide is almost
-  // always a tie.
-  if (const std::optional<Test> test = test_by_corners(complex, h, *corners))
+  const auto test_by_developed_corners = [&] {
+    corners = Opposite_corners{developed_corner(complex, h, *surface), developed_corner(complex, g, *surface)};
+    return test_by_corners(complex, h, *corners);
+  };
+  if (const std::optional<Test> test = test_by_developed_corners())
     return memory.decided(*test);
   const auto find_image = [&](Halfedge_index side) {
     return is_straight(complex.face(side)) ? image_of_straight_corner(complex, side) : image_of_developed_corner(complex, side);
   };
   if (const std::optional<Sign> tie = sign_by_images(complex, e, *corners, *surface, find_image))
     return memory.decided({Stage::MODULAR, *tie});
+  // Layouts that were carried along are not the best.
+  bool is_laid_out_anew = false;
+  for (Halfedge_index side : {h, g})
+    if (!is_straight(complex.face(side))) {
+      memory.developed_faces.forget(complex.face(side));
+      is_laid_out_anew = true;
+    }
+  if (is_laid_out_anew)
+    if (const std::optional<Test> test = test_by_developed_corners())
+      return memory.decided(*test);
   const auto decision = late_stages(complex, *surface).sign_of_cotangents(internal::corners_beside(complex, e));
   if (decision.is_rational && !memory.images)
     carry_images();
@@ -124,17 +136,20 @@ std::optional<Exact_geometry::Test> Exact_geometry::test_by_short_strips(const D
   return test_by_corners(complex, h, known_corners(complex, h, *input_surface()));
 }
 
-// As `corner()` on both sides of h, from what is kept of tests before.
+// As `corner()`, from what is kept of tests before.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_geometry::Corner Exact_geometry::known_corner(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const
+{
+  const Face_index f = complex.face(h);
+  return !is_straight(f) && memory_->developed_faces.contains(f) ? memory_->developed_faces.corner(complex, h)
+                                                                 : corner(complex, h, surface);
+}
+// On both sides of h.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_geometry::Opposite_corners Exact_geometry::known_corners(const Delta_complex& complex, Halfedge_index h,
                                                                internal::Input_surface& surface) const
 {
-  const auto known_corner = [&](Halfedge_index side) {
-    const Face_index f = complex.face(side);
-    return !is_straight(f) && memory_->developed_faces.contains(f) ? memory_->developed_faces.corner(complex, side)
-                                                                   : corner(complex, side, surface);
-  };
-  return {known_corner(h), known_corner(complex.opposite(h))};
+  return {known_corner(complex, h, surface), known_corner(complex, complex.opposite(h), surface)};
 }
 
 // A bound on the number of input quantities that the corner opposite to h is a function of.
@@ -224,8 +239,8 @@ bool Exact_geometry::is_convex(const Delta_complex& complex, Edge_index e) const
   for (const internal::Two_corners& at_end :
        {internal::Two_corners{complex.next(h), complex.prev(g)},
         internal::Two_corners{complex.prev(h), complex.next(g)}}) {
-    const Uncertain<Sign> sign = internal::sign_of_cotangents(corner(complex, at_end.opposite_to_k, *surface),
-                                                              corner(complex, at_end.opposite_to_l, *surface));
+    const Uncertain<Sign> sign = internal::sign_of_cotangents(known_corner(complex, at_end.opposite_to_k, *surface),
+                                                              known_corner(complex, at_end.opposite_to_l, *surface));
     if ((is_certain(sign) ? get_certain(sign) : late_stages(complex, *surface).sign_of_cotangents(at_end).sign) !=
         POSITIVE)
       return false;
@@ -281,6 +296,16 @@ Sign Exact_geometry::side_of(const Delta_complex& complex, Halfedge_index h, std
   const auto area_beside = [&](auto& metric) {
     return Unfolding<std::decay_t<decltype(metric)>>(complex, correspondence_, metric).area_beside(h, position, point);
   };
+  internal::Double_metric doubles(correspondence_.input(), metric_, interruption());
+  if (const Uncertain<Sign> sign = area_beside(doubles).sign(); is_certain(sign))
+    return get_certain(sign);
+  if (!metric_.points().empty()) {
+    find_straight_faces(complex);
+    for (Halfedge_index side : {h, complex.opposite(h)})
+      if (!complex.is_border(side) && is_straight(complex.face(side)))
+        if (const std::optional<Sign> sign = internal::side_in_plane(complex, positions(), side, point))
+          return *sign * (side == h ? POSITIVE : NEGATIVE);
+  }
   return internal::exact_sign(*input_surface(), area_beside, [&] {
     return "that a point lies on edge " + std::to_string(complex.edge(h).idx());
   });

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Level_line.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Mirror_symmetry.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -50,7 +52,6 @@ Opposite_corners<typename Metric::Real> unfolded_corners(const Unfolding<Metric>
           unfolding.opposite_corner(corners.opposite_to_l)};
 }
 
-// One object serves one decision, or one number: it remembers in which order edges are crossed.
 class Late_stages
 {
 public:
@@ -68,21 +69,14 @@ public:
       const auto c = unfolded_corners(unfolding(metric), corners);
       return c.k.p * c.l.four_areas + c.l.p * c.k.four_areas;
     };
+    if (is_level(corners))
+      return decided({ZERO, Stage::CONGRUENCE}, corners);
     const auto is_symmetric = [&] {
       return is_edge(corners) &&
-             Mirror_symmetry(complex_, correspondence_, surface_, sequences_)(complex_.edge(corners.opposite_to_k)) &&
+             Mirror_symmetry(complex_, correspondence_, surface_)(complex_.edge(corners.opposite_to_k)) &&
              has_positive_area(corners.opposite_to_k) && has_positive_area(corners.opposite_to_l);
     };
-    const Decision decision = exact_sign_of(sum, is_symmetric, [&] {
-      return name(corners) + ": that the sum of their angles is pi";
-    });
-    // Angles that sum to π, unless both areas are zero: then the signs of the scalar products tell
-    // which of the angles are π.
-    if (decision.sign != ZERO || has_positive_area(corners.opposite_to_k))
-      return decision;
-    return {sign_of_tie(sign_of_scalar_product(corners.opposite_to_k),
-                        sign_of_scalar_product(corners.opposite_to_l)),
-            decision.stage, decision.is_rational};
+    return decided(exact_sign_of(sum, is_symmetric, [&] { return name(corners) + ": that the sum of their angles is pi"; }), corners);
   }
 
   // The sign of the area of the face of h.
@@ -191,6 +185,26 @@ public:
   }
 
 private:
+  // Angles that sum to π, unless both areas are zero: then the signs of the scalar products tell
+  // which of the angles are π.
+  Decision decided(const Decision& decision, const Two_corners& corners)
+  {
+    if (decision.sign != ZERO || has_positive_area(corners.opposite_to_k))
+      return decision;
+    return {sign_of_tie(sign_of_scalar_product(corners.opposite_to_k),
+                        sign_of_scalar_product(corners.opposite_to_l)),
+            decision.stage, decision.is_rational};
+  }
+
+  // Whether two corners at one vertex are proven to form an angle of π, or of 0.
+  bool is_level(const Two_corners& corners)
+  {
+    for (const auto& [g, h] : {std::pair(corners.opposite_to_k, corners.opposite_to_l), std::pair(corners.opposite_to_l, corners.opposite_to_k)})
+      if (complex_.opposite(complex_.next(g)) == complex_.prev(h))
+        return Level_line(complex_, correspondence_, surface_)(complex_.prev(g), complex_.opposite(complex_.next(h)));
+    return false;
+  }
+
   static constexpr double smallest = std::numeric_limits<double>::denorm_min();
 
   static bool is_tiny(const Mpfr_interval& x)
@@ -217,7 +231,7 @@ private:
   template <class Metric>
   Unfolding<Metric> unfolding(Metric& metric)
   {
-    return Unfolding<Metric>(complex_, correspondence_, metric, sequences_);
+    return Unfolding<Metric>(complex_, correspondence_, metric);
   }
 
   template <class Evaluate, class ProvesZero, class Describe>
@@ -254,7 +268,6 @@ private:
   const Delta_complex& complex_;
   const Correspondence& correspondence_;
   Input_surface& surface_;
-  Crossing_sequences sequences_;
 };
 
 } // namespace internal

@@ -31,10 +31,9 @@ namespace internal {
 class Mirror_symmetry
 {
 public:
-  Mirror_symmetry(const Delta_complex& complex, const Correspondence& correspondence,
-                  Input_surface& surface, Crossing_sequences& sequences)
+  Mirror_symmetry(const Delta_complex& complex, const Correspondence& correspondence, Input_surface& surface)
     : complex_(complex), correspondence_(correspondence), input_(correspondence.input()),
-      surface_(surface), sequences_(sequences)
+      surface_(surface)
   {}
 
   // Whether the hinge of e is proven to be symmetric in that way.
@@ -163,8 +162,8 @@ private:
     right = input_.opposite(input_.prev(right));
     if (!are_mirrored_triangles(left, right))
       return false;
-    const Crossing_sequence &sequence_h = sequences_(complex_, correspondence_, h, surface_.interruption()),
-                            &sequence_g = sequences_(complex_, correspondence_, g, surface_.interruption());
+    const Crossed_halfedges sequence_h(complex_, correspondence_, h, surface_.interruption()),
+      sequence_g(complex_, correspondence_, g, surface_.interruption());
     // From here on the halfedges that are crossed, each with the triangle that follows on its left.
     Halfedge_index crossed_h = input_.opposite(input_.next(left)),
                    crossed_g = input_.opposite(input_.prev(input_.opposite(right)));
@@ -173,8 +172,8 @@ private:
         return false;
       if (i + 1 == n)
         return true;
-      const bool turns_left = sequence_h.turns_left(std::size_t(i));
-      if (sequence_g.turns_left(std::size_t(i)) == turns_left)
+      const bool turns_left = sequence_h.turns_left(std::size_t(i + 1));
+      if (sequence_g.turns_left(std::size_t(i + 1)) == turns_left)
         return false;
       crossed_h = input_.opposite(turns_left ? input_.prev(crossed_h) : input_.next(crossed_h));
       crossed_g = input_.opposite(turns_left ? input_.next(crossed_g) : input_.prev(crossed_g));
@@ -185,7 +184,6 @@ private:
   const Correspondence& correspondence_;
   const Delta_complex& input_;
   Input_surface& surface_;
-  Crossing_sequences& sequences_;
 };
 
 } // namespace internal

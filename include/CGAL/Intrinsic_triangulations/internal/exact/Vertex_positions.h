@@ -65,8 +65,15 @@ public:
       const auto& p = points_[v.idx()];
       return Vector{convert(p[0]), convert(p[1]), convert(p[2])};
     }
-    const auto [weight, sum] = weighted_sum<FT>(locations_[v.idx() - points_.size()], convert);
-    return Vector{FT(sum[0] / weight), FT(sum[1] / weight), FT(sum[2] / weight)};
+    return position(locations_[v.idx() - points_.size()], convert);
+  }
+  // The same for a point on the input.
+  template <class Convert>
+  auto position(const Surface_point& location, const Convert& convert) const
+  {
+    using FT = decltype(convert(0.));
+    const auto [weight, sum] = weighted_sum<FT>(location, convert);
+    return Vector_3<FT>{FT(sum[0] / weight), FT(sum[1] / weight), FT(sum[2] / weight)};
   }
 
   // What is to be kept for a new vertex.

@@ -19,6 +19,7 @@
 #include <CGAL/number_utils.h>
 
 #include <array>
+#include <optional>
 #include <type_traits>
 
 namespace CGAL {
@@ -74,6 +75,25 @@ inline Sign sign_of_cotangents(const Rational_corner& k, const Rational_corner& 
   }
   const Sign difference = CGAL::sign(Exact_ring(k.p * k.p * l.q - l.p * l.p * k.q));
   return difference == ZERO ? ZERO : term_k * difference;
+}
+
+// On which side of h a point lies that lies in one plane with the face of h, which is straight. No answer if that has no area.
+inline std::optional<Sign> side_in_plane(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index h, const Surface_point& point)
+{
+  const auto value = [&](const auto& convert, bool is_of_face) {
+    const auto origin = positions.position(complex.source(h), convert);
+    const auto from_origin = [&](const auto& p) { return std::decay_t<decltype(p)>{p[0] - origin[0], p[1] - origin[1], p[2] - origin[2]}; };
+    const auto u = from_origin(positions.position(complex.target(h), convert));
+    const auto normal = cross_product(u, from_origin(positions.position(complex.target(complex.next(h)), convert)));
+    return scalar_product(normal, is_of_face ? normal : cross_product(u, from_origin(positions.position(point, convert))));
+  };
+  const Uncertain<Sign> sign = value([](double x) { return Bounded_double_double(x); }, false).sign();
+  if (is_certain(sign) && get_certain(sign) != ZERO)
+    return get_certain(sign);
+  const auto rational = [](double x) { return Rational(x); };
+  if (Rational(value(rational, true)) == 0)
+    return std::nullopt;
+  return static_cast<Sign>(Rational(value(rational, false)).sign());
 }
 
 // Lengths and angles from three points.

@@ -103,7 +103,7 @@ class Input_surface
 public:
   Input_surface(const Delta_complex& connectivity, const Input_metric& metric, const Decision_settings& settings,
                 Input_properties& properties)
-    : connectivity_(connectivity), metric_(metric), settings_(settings), properties_(properties), ratios_(number_of_ratios(connectivity))
+    : connectivity_(connectivity), metric_(metric), settings_(settings), properties_(properties), ratios_(number_of_ratios(connectivity)), ratios_in_plane_(ratios_.size())
   {}
 
   const Delta_complex& connectivity() const { return connectivity_; }
@@ -147,6 +147,16 @@ public:
     }
     return entry.ratios;
   }
+  // The same for ratios of vectors within a plane.
+  template <class Compute>
+  const Double_double_disk& remembered(Halfedge_index h, Vertex_index from, Vertex_index to, const Compute& compute)
+  {
+    const std::uint32_t hash = (h.idx() * 0x9e3779b1u) ^ (from.idx() * 0x85ebca6bu) ^ (to.idx() * 0xc2b2ae35u);
+    Plane_entry& entry = ratios_in_plane_[(hash >> 16) & (ratios_in_plane_.size() - 1)];
+    if (entry.halfedge != h || entry.from != from || entry.to != to)
+      entry = {h, from, to, compute()};
+    return entry.ratio;
+  }
 
 private:
   // Twice the digits before and behind the point.
@@ -165,6 +175,12 @@ private:
     Halfedge_index halfedge;
     Corner_ratios<Double_double_disk> ratios;
   };
+  struct Plane_entry
+  {
+    Halfedge_index halfedge;
+    Vertex_index from, to;
+    Double_double_disk ratio;
+  };
 
   const Delta_complex& connectivity_;
   const Input_metric& metric_;
@@ -172,6 +188,7 @@ private:
   Input_properties& properties_; // which all threads share
   std::deque<Prime_fields> prime_fields_;
   std::vector<Entry> ratios_;
+  std::vector<Plane_entry> ratios_in_plane_;
 };
 
 // In double-doubles with error bounds.
@@ -202,16 +219,18 @@ public:
   }
   bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
   const Interruption& interruption() { return surface_.interruption(); }
-  Vector ratio_in_plane(Halfedge_index h, Vertex_index from, Vertex_index to) const
+  Vector ratio_in_plane(Halfedge_index h, Vertex_index from, Vertex_index to)
   {
-    const Delta_complex& c = surface_.connectivity();
-    const Points& points = surface_.metric().points();
-    const auto u = difference<Real>(points, c.source(h), c.target(h)),
-               w = difference<Real>(points, from, to);
-    const auto normal = cross_product(u, w);
-    const Real s = scalar_product(u, u);
-    const Real height = sqrt(scalar_product(normal, normal)) / s;
-    return {scalar_product(u, w) / s, surface_.side(h, from, to) == NEGATIVE ? -height : height};
+    return surface_.remembered(h, from, to, [&]() -> Vector {
+      const Delta_complex& c = surface_.connectivity();
+      const Points& points = surface_.metric().points();
+      const auto u = difference<Real>(points, c.source(h), c.target(h)),
+                 w = difference<Real>(points, from, to);
+      const auto normal = cross_product(u, w);
+      const Real s = scalar_product(u, u);
+      const Real height = sqrt(scalar_product(normal, normal)) / s;
+      return {scalar_product(u, w) / s, surface_.side(h, from, to) == NEGATIVE ? -height : height};
+    });
   }
 
 private:

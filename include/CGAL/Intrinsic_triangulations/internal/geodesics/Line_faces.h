@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
@@ -121,7 +120,7 @@ public:
   Line_beginning<typename Metric::Vector> begin(Metric& metric) const
   {
     using Vector = typename Metric::Vector;
-    const Unfolding<Metric> unfolding(complex, correspondence_, metric, sequences_);
+    const Unfolding<Metric> unfolding(complex, correspondence_, metric);
     const auto u = unfolding.edge_beginning(first_);
     std::array<Vector, 3> corners{u.vector, u.vector, u.vector};
     if (begins_at_input_vertex()) {
@@ -149,7 +148,7 @@ public:
   Third_corner<typename Metric::Vector> third_corner(Metric& metric, Halfedge_index h) const
   {
     using Vector = typename Metric::Vector;
-    const auto corner = Unfolding<Metric>(complex, correspondence_, metric, sequences_).opposite_corner(complex.next(h));
+    const auto corner = Unfolding<Metric>(complex, correspondence_, metric).opposite_corner(complex.next(h));
     const Vector z(corner.p, corner.four_areas), s(corner.s_first + corner.s_first, metric.constant(0));
     return {z, s - z, s};
   }
@@ -175,7 +174,6 @@ private:
   Halfedge_index first_;
   std::int64_t position_ = 0;
   Halfedge_index corner_; // the halfedge of the start's face that leaves the vertex where the line begins
-  mutable Crossing_sequences sequences_;
 };
 
 } // namespace internal

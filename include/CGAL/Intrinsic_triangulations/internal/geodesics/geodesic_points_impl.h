@@ -45,17 +45,10 @@ inline Surface_point source_on_input(const Delta_complex& complex, const Corresp
 // \pre `geometry.prepare()` was called, and h crosses some
 inline Crossed_edges find_crossed_edges(const Delta_complex& complex, const Exact_geometry& geometry, Halfedge_index h)
 {
-  const Correspondence& correspondence = geometry.correspondence();
-  const Delta_complex& input = correspondence.input();
-  const Crossing_sequence sequence(complex, correspondence, h, geometry.interruption());
-  Crossed_edges crossed(input);
-  Halfedge_index g = crossed_input_halfedge(complex, correspondence, h, 0, geometry.interruption());
-  const std::int64_t n = correspondence.coordinates().number_of_crossings(complex.edge(h));
-  for (std::int64_t i = 0; i < n; ++i) {
-    if (i > 0)
-      g = input.opposite(sequence.turns_left(std::size_t(i - 1)) ? input.prev(g) : input.next(g));
-    crossed.push_back(g);
-  }
+  const Crossed_halfedges sequence(complex, geometry.correspondence(), h, geometry.interruption());
+  Crossed_edges crossed(geometry.correspondence().input());
+  for (std::size_t i = 0; i < sequence.size(); ++i)
+    crossed.push_back(sequence[i]);
   return crossed;
 }
 

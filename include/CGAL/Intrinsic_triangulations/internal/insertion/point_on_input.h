@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
@@ -83,8 +84,8 @@ inline Face_index input_face(const Delta_complex& complex, const Exact_geometry&
   const Delta_complex& input = correspondence.input();
   const std::int64_t n = correspondence.coordinates().crossings(complex.edge(piece.side));
   if (n > 0) {
-    const Halfedge_index crossed = crossed_input_halfedge(complex, correspondence, piece.side,
-                                                          (std::max)(std::int64_t(0), piece.gap - 1), geometry.interruption());
+    const Halfedge_index crossed =
+      Crossed_halfedges(complex, correspondence, piece.side, geometry.interruption())[std::size_t((std::max)(std::int64_t(0), piece.gap - 1))];
     return input.face(piece.gap > 0 ? crossed : input.opposite(crossed));
   }
   return uncrossed_input_face(complex, correspondence, piece.side);

@@ -1,0 +1,259 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Edges that cross hundreds of input edges: what is kept of them, and what is proven across parallel folds.
+
+#include "insert_random_vertices.h"
+#include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Level_line.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/remove_vertex.h>
+#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+using Point = std::array<double, 3>;
+using Triangle = std::array<std::uint32_t, 3>;
+
+using Surface = IT::Indexed_triangles;
+
+Triangulation triangulation_of(const Surface& s)
+{
+  return Triangulation(IT::make_Delta_complex_from_triangles(s.points.size(), s.triangles), s.points);
+}
+
+Triangulation triangulation_of(const IT::Glued_triangles& s)
+{
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(s.number_of_faces, s.glued_sides);
+  std::vector<double> lengths(complex.number_of_edges());
+  for (std::uint32_t side = 0; side < s.side_lengths.size(); ++side) {
+    const IT::Halfedge_index h = complex.halfedge(IT::Face_index(side / 3));
+    const IT::Halfedge_index sides[] = {h, complex.next(h), complex.prev(h)};
+    lengths[complex.edge(sides[side % 3]).idx()] = s.side_lengths[side];
+  }
+  return Triangulation::from_lengths(complex, lengths);
+}
+
+Point rotated(double x, double y, double z)
+{
+  const double u = std::cos(0.7) * x - std::sin(0.7) * y, v = std::sin(0.7) * x + std::cos(0.7) * y;
+  return {u, std::cos(1.1) * v - std::sin(1.1) * z, std::sin(1.1) * v + std::cos(1.1) * z};
+}
+
+// A box of length `length` with k points along each long edge, whose sides are cut into fans from their ends.
+Surface fan_box(std::uint32_t k, double length)
+{
+  Surface s;
+  for (const auto& [y, z] : {std::pair(0., 0.), std::pair(1., 0.), std::pair(1., 1.), std::pair(0., 1.)})
+    for (std::uint32_t i = 0; i <= k; ++i)
+      s.points.push_back(rotated(length * i / k, y, z));
+  const auto at = [k](std::uint32_t c, std::uint32_t i) { return c % 4 * (k + 1) + i; };
+  for (std::uint32_t c = 0; c < 4; ++c)
+    for (std::uint32_t i = 0; i < k; ++i) {
+      s.triangles.push_back({at(c, 0), at(c + 1, i + 1), at(c + 1, i)});
+      s.triangles.push_back({at(c + 1, k), at(c, i), at(c, i + 1)});
+    }
+  for (const Triangle& t : {Triangle{at(0, 0), at(1, 0), at(2, 0)}, Triangle{at(0, 0), at(2, 0), at(3, 0)},
+                            Triangle{at(0, k), at(2, k), at(1, k)}, Triangle{at(0, k), at(3, k), at(2, k)}})
+    s.triangles.push_back(t);
+  return s;
+}
+
+// n rectangles of height 1 in a row, folded by random angles along parallel edges. Vertex 2i lies below vertex 2i + 1.
+Surface folded_strip(std::uint32_t n, double& length)
+{
+  std::mt19937 random(1);
+  Surface s;
+  double x = 0, y = 0;
+  length = 0;
+  for (std::uint32_t i = 0;; ++i) {
+    s.points.push_back({x, y, 0});
+    s.points.push_back({x, y, 1});
+    if (i == n)
+      break;
+    const double dx = (1 + random() % 90) / 1024., dy = double(random() % 61) / 1024. - 30 / 1024.; // exact
+    length += std::hypot(dx, dy);
+    x += dx;
+    y += dy;
+    s.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 3});
+    s.triangles.push_back({2 * i, 2 * i + 3, 2 * i + 1});
+  }
+  return s;
+}
+
+// Compares what is kept with what is found by following input edges. Returns how many edges something is kept of.
+std::size_t check_kept_crossings(const Triangulation& t)
+{
+  const IT::Delta_complex& complex = t.connectivity();
+  const IT::Correspondence &correspondence = t.exact_geometry().correspondence(), copy = correspondence; // copies keep nothing
+  EXPECT_TRUE(copy.kept_crossings().is_empty());
+  const IT::internal::Interruption none;
+  std::size_t result = 0;
+  for (IT::Halfedge_index h : complex.halfedges()) {
+    const auto n = std::size_t(correspondence.coordinates().number_of_crossings(complex.edge(h)));
+    const auto kept = correspondence.kept_crossings().find(h, n);
+    if (!kept)
+      continue;
+    if (n == 0) {
+      ADD_FAILURE() << "edge " << complex.edge(h).idx() << " crosses nothing";
+      continue;
+    }
+    ++result;
+    const IT::internal::Crossed_halfedges followed(complex, copy, h, none);
+    for (std::size_t i = 0; i < n; ++i)
+      if (followed[i] != (*kept)[i]) {
+        ADD_FAILURE() << "edge " << complex.edge(h).idx() << ", crossing " << i << " of " << n;
+        break;
+      }
+  }
+  return result / 2;
+}
+
+void flip_some_edges(Triangulation& t, std::size_t number, std::mt19937& random)
+{
+  for (std::size_t i = 0; i < number; ++i) {
+    const IT::Edge_index e(std::uint32_t(random() % t.connectivity().number_of_edges()));
+    if (t.connectivity().is_flippable(e))
+      t.flip(e);
+  }
+}
+
+void remove_some_vertices(Triangulation& t, std::size_t number)
+{
+  for (std::size_t i = 0; i < number; ++i)
+    try {
+      IT::remove_vertex(t, IT::Vertex_index(t.connectivity().number_of_vertices() - 1 - std::uint32_t(i % 3)));
+    } catch (const IT::Invalid_removal_error&) { // edges from a vertex back to itself
+    }
+}
+
+std::size_t check_random_changes(Triangulation t, std::mt19937& random)
+{
+  std::size_t kept = 0;
+  IT::flip_to_Delaunay(t);
+  for (int round = 0; round < 3 && !::testing::Test::HasFailure(); ++round) {
+    insert_random_vertices(t, 12, 100, random);
+    kept += check_kept_crossings(t);
+    flip_some_edges(t, 200, random);
+    kept += check_kept_crossings(t);
+    remove_some_vertices(t, 5);
+    check_kept_crossings(t);
+    IT::flip_to_Delaunay(t); // logs its flips, and keeps nothing of before
+    check_kept_crossings(t);
+  }
+  return kept;
+}
+
+TEST(Long_strips, what_edges_cross_is_kept_through_flips_insertions_and_removals)
+{
+  std::mt19937 random(7);
+  std::size_t kept = 0;
+  for (const Surface& surface : {fan_box(12, 40), fan_box(30, 30), IT::strip(60, 30), IT::Schwarz_lantern(), IT::pillow(60), IT::sheared_grid()})
+    kept += check_random_changes(triangulation_of(surface), random);
+  EXPECT_GT(kept, 2000u);
+}
+
+TEST(Long_strips, what_edges_cross_is_kept_where_faces_are_glued_to_themselves)
+{
+  std::mt19937 random(3);
+  const std::size_t kept = check_random_changes(triangulation_of(IT::helical_tube()), random) +
+                           check_random_changes(triangulation_of(IT::sheared_one_vertex_torus(20)), random);
+  EXPECT_GT(kept, 500u);
+}
+
+// The squared lengths and areas that flips and insertions leave are as good as their bounds say, however they were carried.
+TEST(Long_strips, numbers_that_are_carried_keep_their_bounds)
+{
+  Triangulation t = triangulation_of(fan_box(40, 320));
+  IT::flip_to_Delaunay(t);
+  const auto check = [&] {
+    const IT::Delta_complex& complex = t.connectivity();
+    std::size_t long_edges = 0;
+    for (IT::Edge_index e : complex.edges()) {
+      const IT::Face_index f = complex.face(complex.halfedge(e));
+      const CGAL::Interval_nt<> length = t.exact_geometry().length_interval(complex, e), squared = square(length);
+      const double error = t.face_data(f).error, stored = t.squared_length(e);
+      ASSERT_LE(squared.inf(), stored + error);
+      ASSERT_GE(squared.sup(), stored - error);
+      long_edges += t.exact_geometry().correspondence().coordinates().number_of_crossings(e) > 20 ? 1 : 0;
+    }
+    ASSERT_GT(long_edges, 20u);
+    for (IT::Face_index f : complex.faces())
+      ASSERT_LE(std::abs(4 * t.area(f) - t.face_data(f).value), t.face_data(f).error + 1e-14 * t.area(f));
+    ASSERT_TRUE(IT::verify_Delaunay(t).is_Delaunay());
+  };
+  check();
+  IT::Refinement_criteria criteria;
+  criteria.minimum_angle = 25;
+  EXPECT_EQ(IT::refine_Delaunay(t, criteria).status, IT::Refinement_status::REFINED);
+  EXPECT_GT(t.connectivity().number_of_vertices(), 200u);
+  check();
+}
+
+// Across 24 folds with independent roots no other proof of an angle of π is possible.
+TEST(Long_strips, lines_across_parallel_folds_are_proven_to_be_straight)
+{
+  constexpr std::uint32_t n = 24;
+  double length = 0;
+  Triangulation t = triangulation_of(folded_strip(n, length));
+  t.set_tie_proof(IT::Tie_proof::PROVEN);
+  IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(t);
+  const auto add = [&](std::uint32_t from, std::uint32_t to) {
+    return network.add_path(IT::shortest_edge_path(t, IT::Vertex_index(from), IT::Vertex_index(to)));
+  };
+  const std::size_t across = add(0, 2 * n + 1);
+  EXPECT_EQ(network.shorten().status, IT::Geodesic_status::GEODESIC);
+  EXPECT_TRUE(network.is_geodesic());
+  EXPECT_NEAR(network.length(across), std::hypot(length, 1), 1e-14);
+}
+
+bool is_proven_to_be_straight(const Surface& surface)
+{
+  const Triangulation t = triangulation_of(surface);
+  const IT::Delta_complex& complex = t.connectivity();
+  IT::Halfedge_index left, right;
+  for (IT::Halfedge_index h : complex.halfedges())
+    if (complex.source(h).idx() == 2 && complex.target(h).idx() % 2 == 0)
+      (complex.is_border(h) ? left : right) = h;
+  const auto& geometry = t.exact_geometry();
+  const auto input = geometry.input_surface();
+  return IT::internal::Level_line(complex, geometry.correspondence(), *input)(right, left);
+}
+
+TEST(Long_strips, lines_are_not_proven_to_be_straight_where_they_bend)
+{
+  double length = 0;
+  const Surface level = folded_strip(2, length);
+  EXPECT_TRUE(is_proven_to_be_straight(level));
+  for (std::size_t moved : {0, 4}) { // an end that is not level
+    Surface bent = level;
+    bent.points[moved][2] = 0x1p-50;
+    EXPECT_FALSE(is_proven_to_be_straight(bent));
+  }
+  Surface bent = level; // a fold that is not vertical
+  bent.points[3][0] += 0x1p-50;
+  EXPECT_FALSE(is_proven_to_be_straight(bent));
+}
+
+} // namespace
