@@ -145,6 +145,27 @@ TEST(Heat_method, scale_does_not_matter)
   }
 }
 
+// The same surface, alone and beside another that is a thousand times as large.
+TEST(Heat_method, other_components_do_not_matter)
+{
+  const IT::Indexed_triangles one = IT::torus(24, 16), other = IT::disk_with_spike();
+  Points points = one.points;
+  Triangles triangles = one.triangles;
+  for (const Point& p : other.points)
+    points.push_back({1000 * p[0] + 5000, 1000 * p[1], 1000 * p[2]});
+  for (const auto& [i, j, k] : other.triangles)
+    triangles.push_back({std::uint32_t(i + one.points.size()), std::uint32_t(j + one.points.size()), std::uint32_t(k + one.points.size())});
+  const auto distances = [](const Triangulation& triangulation) {
+    IT::Heat_method<> heat(triangulation);
+    heat.add_source(Vertex_index(5));
+    return heat.distances();
+  };
+  const std::vector<double> alone = distances(Delaunay(one.points, one.triangles)), beside = distances(Delaunay(points, triangles));
+  for (std::size_t v = 0; v < alone.size(); ++v)
+    EXPECT_NEAR(beside[v], alone[v], 1e-12 * (1 + alone[v])) << v;
+  EXPECT_EQ(beside.back(), infinity);
+}
+
 TEST(Heat_method, sources_come_and_go)
 {
   const Grid grid(12, 12);

@@ -207,7 +207,7 @@ public:
            (poisson_ ? poisson_->number_of_factorizations() : 0);
   }
   /// returns the mean length of the edges, in the unit of the input: how fine the triangulation is.
-  double mean_edge_length() const { return surface_->in_input_unit(1); }
+  double mean_edge_length() const { return std::ldexp(surface_->mean_length, surface_->exponent); }
 
 private:
   using Diffusion = internal::Heat_diffusion<LinearSolver>;
@@ -253,7 +253,7 @@ private:
       result[source.second] = 0;
     for (const auto& corners : point_sources_)
       for (const internal::Source_corner& corner : corners) {
-        const double distance = surface_->from_input_unit(corner.distance);
+        const double distance = surface_->from_input_unit(corner.distance, row_of(corner.vertex));
         const auto [pin, is_new] = result.insert({row_of(corner.vertex), distance});
         if (!is_new)
           pin->second = (std::min)(pin->second, distance);
@@ -284,7 +284,7 @@ private:
     distances_.resize(surface_->size());
     for (std::size_t v = 0; v < distances_.size(); ++v) {
       const std::uint32_t row = row_of_input(v);
-      distances_[v] = is_reachable[row] ? surface_->in_input_unit(phi[row])
+      distances_[v] = is_reachable[row] ? surface_->in_input_unit(phi[row], row)
                                         : std::numeric_limits<double>::infinity();
     }
   }

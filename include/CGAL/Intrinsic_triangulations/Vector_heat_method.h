@@ -190,7 +190,7 @@ public:
       const double x = p(Eigen::Index(v), 0) / spread[v], y = p(Eigen::Index(v), 1) / spread[v];
       if (!std::isfinite(x) || !std::isfinite(y))
         throw Numerical_error("at vertex " + std::to_string(v) + ", too little heat arrives: the time is too short");
-      result.push_back({surface_->in_input_unit(x), surface_->in_input_unit(y)});
+      result.push_back({surface_->in_input_unit(x, v), surface_->in_input_unit(y, v)});
     }
     result[source.idx()] = {0, 0};
     return result;

@@ -43,10 +43,12 @@ struct Heat_face
   double area() const { return share * base * height / 2; }
 };
 
-// All lengths are in units of the mean length of the edges, so that no number depends on the scale of the input.
+// All lengths are in units of the mean length of the edges of their component, so that no number depends on the scale of the input, nor on
+// what else it holds.
 struct Heat_surface
 {
-  double mean_length = 0; // in units of 2^exponent units of the input
+  double mean_length = 0;    // of all edges, in units of 2^exponent units of the input
+  std::vector<double> units; // of the component of each row, likewise
   int exponent = 0;
   std::vector<Heat_face> faces; // those that have an area
   std::vector<double> weights;  // half the sums of cotangents, for each edge of the triangulation
@@ -56,9 +58,9 @@ struct Heat_surface
   std::vector<std::uint32_t> component; // the smallest row of those that faces connect with this one
 
   std::size_t size() const { return std::size_t(mass.size()); }
-  // A length in the unit of the input.
-  double in_input_unit(double length) const { return std::ldexp(length * mean_length, exponent); }
-  double from_input_unit(double length) const { return std::ldexp(length, -exponent) / mean_length; }
+  // A length at some row, in the unit of the input.
+  double in_input_unit(double length, std::size_t row) const { return std::ldexp(length * units[row], exponent); }
+  double from_input_unit(double length, std::size_t row) const { return std::ldexp(length, -exponent) / units[row]; }
 
   // Which rows are in the components of these.
   std::vector<bool> connected_with(const std::vector<std::uint32_t>& rows) const
@@ -97,6 +99,8 @@ public:
     : triangulation_(triangulation), complex_(triangulation.connectivity()), shapes_(triangulation), row_(row)
   {
     measure_edges();
+    find_components();
+    choose_units();
     lay_out_faces(share);
     sum_up_masses();
     assemble(share);
@@ -115,9 +119,42 @@ private:
     }
     result_.exponent = shapes_.exponent();
     result_.mean_length = sum > 0 ? sum : 1;
-    for (double& length : lengths_)
-      length /= result_.mean_length;
   }
+
+  void find_components()
+  {
+    const std::size_t n = row_.number_of_rows();
+    Disjoint_sets components(n);
+    has_area_.reserve(complex_.number_of_faces());
+    for (Face_index f : complex_.faces()) {
+      has_area_.push_back(shapes_.has_area(f));
+      const Halfedge_index h = complex_.halfedge(f);
+      if (has_area_.back())
+        for (Halfedge_index side : {h, complex_.next(h)})
+          components.unite(row(side), row(complex_.opposite(side)));
+    }
+    result_.component.reserve(n);
+    for (std::size_t v = 0; v < n; ++v)
+      result_.component.push_back(components.find(std::uint32_t(v)));
+  }
+
+  void choose_units()
+  {
+    std::vector<double> number(result_.component.size(), 0), sum(number);
+    const auto component = [&](Edge_index e) { return result_.component[row(complex_.halfedge(e))]; };
+    for (Edge_index e : complex_.edges())
+      ++number[component(e)];
+    for (Edge_index e : complex_.edges())
+      sum[component(e)] += lengths_[e.idx()] / number[component(e)];
+    result_.units.reserve(sum.size());
+    for (std::uint32_t c : result_.component)
+      result_.units.push_back(sum[c] > 0 ? sum[c] : 1);
+    for (Edge_index e : complex_.edges())
+      lengths_[e.idx()] /= result_.units[row(complex_.halfedge(e))];
+  }
+
+  // That of the source of h.
+  std::uint32_t row(Halfedge_index h) const { return std::uint32_t(row_(complex_.source(h))); }
 
   double length(Halfedge_index h) const { return lengths_[complex_.edge(h).idx()]; }
 
@@ -125,11 +162,9 @@ private:
   template <class Share>
   void lay_out_faces(const Share& share)
   {
-    has_area_.reserve(complex_.number_of_faces());
     result_.faces.reserve(complex_.number_of_faces());
     for (Face_index f : complex_.faces()) {
-      has_area_.push_back(shapes_.has_area(f));
-      if (!has_area_.back())
+      if (!has_area_[f.idx()])
         continue;
       Halfedge_index base = complex_.halfedge(f);
       for (Halfedge_index h : {complex_.next(base), complex_.prev(base)})
@@ -139,8 +174,7 @@ private:
       const double cot = shapes_.cotangent(next), height = length(base) / (cot + shapes_.cotangent(prev));
       if (height < least_height * length(base))
         thicken(base, cot * height);
-      result_.faces.push_back({{std::uint32_t(row_(complex_.source(base))), std::uint32_t(row_(complex_.target(base))),
-                                std::uint32_t(row_(complex_.target(next)))},
+      result_.faces.push_back({{row(base), row(next), row(prev)},
                                length(base),
                                cot * height,
                                height,
@@ -166,17 +200,10 @@ private:
 
   void sum_up_masses()
   {
-    const std::size_t n = row_.number_of_rows();
-    result_.mass = Eigen::VectorXd::Zero(Eigen::Index(n));
-    Disjoint_sets components(n);
+    result_.mass = Eigen::VectorXd::Zero(Eigen::Index(row_.number_of_rows()));
     for (const Heat_face& face : result_.faces)
-      for (int i = 0; i < 3; ++i) {
-        result_.mass[face.row[i]] += face.area() / 3;
-        components.unite(face.row[0], face.row[i]);
-      }
-    result_.component.reserve(n);
-    for (std::size_t v = 0; v < n; ++v)
-      result_.component.push_back(components.find(std::uint32_t(v)));
+      for (std::uint32_t row : face.row)
+        result_.mass[row] += face.area() / 3;
   }
 
   bool has_area(Halfedge_index h) const { return !complex_.is_border(h) && has_area_[complex_.face(h).idx()]; }

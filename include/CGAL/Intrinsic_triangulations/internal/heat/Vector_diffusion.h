@@ -75,7 +75,8 @@ private:
       const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
       const auto in_mean_lengths = [&](Halfedge_index side) {
         const Planar_vector<double>& v = vectors[side.idx()];
-        return Scalar(surface.from_input_unit(v.x()), surface.from_input_unit(v.y()));
+        const std::size_t row = complex.source(side).idx();
+        return Scalar(surface.from_input_unit(v.x(), row), surface.from_input_unit(v.y(), row));
       };
       edges_.push_back({std::uint32_t(complex.source(h).idx()), std::uint32_t(complex.source(g).idx()),
                         time * surface.weights[e.idx()], in_mean_lengths(h), in_mean_lengths(g)});
