@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -57,22 +58,25 @@ private:
   std::mutex mutex_;
 };
 
+IT::Tufted_cover Delaunay_cover(const Rows<double>& points, const std::vector<std::array<std::uint32_t, 3>>& triangles)
+{
+  IT::Tufted_cover_options options;
+  options.go_further = &Signal_watch::goes_on;
+  IT::Tufted_cover cover = IT::make_tufted_cover(points, triangles, options);
+  cover.triangulation.set_interruption(&Signal_watch::goes_on);
+  const IT::Flip_report report = IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(Signal_visitor()));
+  if (report.status == IT::Flip_status::CANCELLED)
+    throw IT::Cancelled_error("cancelled while edges were flipped");
+  return cover;
+}
+
 std::unique_ptr<Heat> heat_on_any_triangles(const Doubles& points, const Indices& triangles, double time_coefficient, int boundary,
                                             bool keeps_ridges)
 {
   const Rows<double> rows(points);
   const auto faces = copied_rows(triangles);
   const IT::Heat_method_options options = heat_options(time_coefficient, boundary, keeps_ridges);
-  return without_lock([&] {
-    IT::Tufted_cover_options cover_options;
-    cover_options.go_further = &Signal_watch::goes_on;
-    IT::Tufted_cover cover = IT::make_tufted_cover(rows, faces, cover_options);
-    cover.triangulation.set_interruption(&Signal_watch::goes_on);
-    const IT::Flip_report report = IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(Signal_visitor()));
-    if (report.status == IT::Flip_status::CANCELLED)
-      throw IT::Cancelled_error("cancelled while edges were flipped");
-    return std::make_unique<Heat>(IT::Heat_method<>(cover, options));
-  });
+  return without_lock([&] { return std::make_unique<Heat>(IT::Heat_method<>(Delaunay_cover(rows, faces), options)); });
 }
 
 std::unique_ptr<Heat> heat_on_surface(Surface& surface, double time_coefficient, int boundary, bool keeps_ridges)
@@ -85,6 +89,19 @@ py::array distances(Heat& heat, const Indices& sources)
 {
   const auto vertices = copied(sources);
   return to_array(without_lock([&] { return heat.distances(vertices); }));
+}
+
+py::array geodesic_distances(const Doubles& points, const Indices& triangles, const Indices& sources, double tolerance)
+{
+  const Rows<double> rows(points);
+  const auto faces = copied_rows(triangles);
+  std::vector<IT::Vertex_index> vertices;
+  for (std::uint32_t v : copied(sources))
+    vertices.push_back(IT::Vertex_index(v));
+  IT::Geodesic_distance_options options;
+  options.tolerance = tolerance;
+  options.go_further = &Signal_watch::goes_on;
+  return to_array(without_lock([&] { return IT::geodesic_distances(Delaunay_cover(rows, faces), vertices, options).distances; }));
 }
 
 py::array extend(Heat& heat, const Indices& vertices, const Doubles& values, double elsewhere)
@@ -106,6 +123,8 @@ void add_heat(py::module_& module)
              py::arg("time_coefficient"), py::arg("boundary"), py::arg("keeps_ridges"));
   module.def("heat_on_surface", &heat_on_surface, py::arg("surface"), py::arg("time_coefficient"), py::arg("boundary"),
              py::arg("keeps_ridges"));
+  module.def("geodesic_distances", &geodesic_distances, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
+             py::arg("sources").noconvert(), py::arg("tolerance"));
   py::class_<Heat>(module, "Heat")
     .def("distances", &distances, py::arg("sources").noconvert())
     .def("extend", &extend, py::arg("vertices").noconvert(), py::arg("values").noconvert(), py::arg("elsewhere"));

@@ -41,6 +41,29 @@ def test_unreachable_vertices():
     assert numpy.isfinite(found[:n]).all() and numpy.isinf(found[n:]).all()
 
 
+def test_shortest_paths():
+    V, F = icosphere(4)
+    expected = numpy.arccos(numpy.clip(V @ V[[0, 77]].T, -1, 1)).min(axis=1)
+    exact, found = it.geodesic_distances(V, F, [0, 77], tolerance=0), it.geodesic_distances(V, F, [0, 77])
+    assert (found[[0, 77]] == 0).all() and abs(exact - expected).max() < 0.01 and abs(found - exact).max() < 0.01 * exact.max()
+    # A plane fan of slivers, on which the spread of heat says nothing.
+    n = 200
+    V = numpy.array([(numpy.cos(a), numpy.sin(a), 0) for a in 2 * numpy.pi * numpy.arange(n) / n])
+    F = numpy.array([(0, i, i + 1) for i in range(1, n - 1)])
+    straight = numpy.linalg.norm(V - V[3], axis=1)
+    assert abs(it.geodesic_distances(V, F, [3]) - straight).max() < 1e-12
+    # Other parts of the surface play no role.
+    far = numpy.concatenate([V, 1000 * V + 5000])
+    assert numpy.array_equal(it.geodesic_distances(far, numpy.concatenate([F, F + n]), [3])[:n], it.geodesic_distances(V, F, [3]))
+    assert numpy.isinf(it.geodesic_distances(V, F, [])).all()
+    for bad in (-1, 1, numpy.nan, "0", None):
+        with pytest.raises(ValueError):
+            it.geodesic_distances(V, F, [3], tolerance=bad)
+    for bad in ([n], [-1], [0.5]):
+        with pytest.raises(ValueError):
+            it.geodesic_distances(V, F, bad)
+
+
 def test_options(thin):
     V, F = grid(12)
     neumann, dirichlet, averaged = (it.MeshHeatMethodDistanceSolver(V, F, use_robust=False, boundary=b).compute_distance(40)

@@ -17,7 +17,7 @@ from ._errors import (CancelledError, Error, IntegerOverflowError, InvalidPointE
                       UndecidedError)
 from ._files import Repair, RepairedMesh, orient, read_mesh, repair
 from ._geodesics import EdgeFlipGeodesicSolver, GeodesicPath, GeodesicTracer, geodesic_path
-from ._heat import MeshHeatMethodDistanceSolver, compute_distance, compute_distance_multisource
+from ._heat import MeshHeatMethodDistanceSolver, compute_distance, compute_distance_multisource, geodesic_distances
 from ._laplacian import laplacian, mesh_laplacian, point_cloud_laplacian
 from ._mesh import cotan_laplacian, face_areas, vertex_areas
 from ._subdivision import CommonSubdivision
@@ -48,6 +48,7 @@ __all__ = [
     "compute_distance_multisource",
     "cotan_laplacian",
     "face_areas",
+    "geodesic_distances",
     "geodesic_path",
     "laplacian",
     "mesh_laplacian",

@@ -1,9 +1,9 @@
 # Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# Distances by the heat method.
+# Distances by the heat method, and by shortest paths.
 
-"""Distances by the heat method, with the names of potpourri3d."""
+"""Distances by the heat method, with the names of potpourri3d, and by shortest paths."""
 
 from __future__ import annotations
 
@@ -127,6 +127,39 @@ class MeshHeatMethodDistanceSolver:
         """
         vertices = _arrays.indices(v_inds, "v_inds", (None,), self._number_of_vertices)
         return self._heat.extend(vertices, _arrays.finite(values, "values", (len(vertices),)), 0.0)
+
+
+def geodesic_distances(V: Any, F: Any, v_inds: Any, tolerance: float = 0.001) -> numpy.ndarray:
+    """The length of the shortest path on the surface from the nearest of several vertices to each vertex.
+
+    On any triangles, by straight ways over the intrinsic Delaunay triangulation. No distance is above the shortest path along edges or
+    below the straight line through space, and other parts of the surface play no role.
+
+    Parameters
+    ----------
+    V, F
+        As for `MeshHeatMethodDistanceSolver`.
+    v_inds : (k,) array of integers
+        The sources.
+    tolerance : float
+        How much the length of a path may be changed at each edge that it crosses, as a part of the length of the edge: at least 0
+        and below 1. With 0, distances are exact up to rounding; that takes longer.
+
+    Returns
+    -------
+    (n,) array
+        In the unit of the input: exactly zero at each source, and infinite where no source is connected.
+
+    Raises
+    ------
+    InvalidSurfaceError
+        As for `MeshHeatMethodDistanceSolver`.
+    """
+    points, faces = _arrays.points_and_faces(V, F)
+    if not (isinstance(tolerance, (int, float, numpy.integer, numpy.floating)) and 0 <= tolerance < 1):
+        raise ValueError(f"tolerance has to be a number of at least 0 and below 1, not {tolerance!r}")
+    sources = _arrays.indices(v_inds, "v_inds", (None,), len(points))
+    return _core.geodesic_distances(points, faces, sources, float(tolerance))
 
 
 def compute_distance(V: Any, F: Any, v_ind: int) -> numpy.ndarray:
