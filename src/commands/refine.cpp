@@ -42,6 +42,8 @@ void check(const Refine_options& options)
     throw Usage_error("--maximum-circumradius: R is larger than 0");
   if (!(criteria.maximum_edge_length > 0))
     throw Usage_error("--maximum-edge-length: L is larger than 0");
+  if (!(criteria.minimum_size >= 0))
+    throw Usage_error("--minimum-size: S is not negative");
   if (options.constrained_angle && !(*options.constrained_angle >= 0 && *options.constrained_angle <= 180))
     throw Usage_error("--constrain-angle: D is between 0 and 180 degrees");
   options.files.check_paths({options.input});
@@ -96,8 +98,8 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
                  "triangulation is intrinsic Delaunay but for constrained edges. Where the input leaves no\n"
                  "choice, a face stays below the bound; --stats and the report count such faces by reason:\n"
                  "cone, a vertex whose angles sum to little; small input angle, between edges that stay;\n"
-                 "unrepresentable, doubles are too coarse for the point; budget, there was no time or no\n"
-                 "point left. The status is 4 for the last of these alone.\n");
+                 "unrepresentable, doubles are too coarse for the point; too small, below --minimum-size;\n"
+                 "budget, there was no time or no point left. The status is 4 for the last of these alone.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
   command
     .add_option("--minimum-angle", options->refinement.criteria.minimum_angle, "no angle is to be smaller, in degrees; at most 30")
@@ -111,6 +113,11 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
     .add_option("--maximum-edge-length", options->refinement.criteria.maximum_edge_length,
                 "no edge is to be longer (default: unlimited)")
     ->type_name("L");
+  command
+    .add_option("--minimum-size", options->refinement.criteria.minimum_size,
+                "insert no vertex for a face with a side shorter than S: so refinement ends soon where sheets and slivers are thinner than what matters")
+    ->type_name("S")
+    ->capture_default_str();
   command
     .add_option("--maximum-points", options->refinement.maximum_number_of_points,
                 "give up after that many new vertices (default: 1,000,000 and 10 for each vertex)")

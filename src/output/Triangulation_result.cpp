@@ -54,6 +54,8 @@ const char* name(IT::Refinement_obstacle reason)
     return "small input angle";
   case IT::Refinement_obstacle::UNREPRESENTABLE:
     return "unrepresentable";
+  case IT::Refinement_obstacle::TOO_SMALL:
+    return "too small";
   case IT::Refinement_obstacle::BUDGET:
     return "budget";
   }

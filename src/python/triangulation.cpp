@@ -255,19 +255,21 @@ const char* name_of(IT::Refinement_obstacle obstacle)
   return obstacle == Obstacle::CONE                ? "cone"
          : obstacle == Obstacle::SMALL_INPUT_ANGLE ? "small_input_angle"
          : obstacle == Obstacle::UNREPRESENTABLE   ? "unrepresentable"
+         : obstacle == Obstacle::TOO_SMALL         ? "too_small"
                                                    : "budget";
 }
 
 py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumradius, double maximum_edge_length,
-                 const std::optional<Booleans>& constrained, const std::optional<std::uint64_t>& maximum_number)
+                 const std::optional<Booleans>& constrained, const std::optional<std::uint64_t>& maximum_number, double minimum_size)
 {
+  require(minimum_size >= 0, "minimum_size is negative");
   require(minimum_angle >= 0 && minimum_angle <= 30, "minimum_angle is not between 0 and 30 degrees");
   require(maximum_circumradius > 0 && maximum_edge_length > 0, "a bound is not positive");
   const std::vector<bool> is_constrained = copied_marks(constrained);
   const IT::Refinement_report report = surface.use([&](Triangulation& t) {
     check_marks(t, is_constrained);
     return IT::refine_Delaunay(
-      t, {minimum_angle, maximum_circumradius, maximum_edge_length},
+      t, {minimum_angle, maximum_circumradius, maximum_edge_length, false, minimum_size},
       parameters::edge_is_constrained_map(Constrained_edges(is_constrained))
         .visitor(Signal_visitor())
         .maximum_number(maximum_number ? *maximum_number : 10 * std::uint64_t(t.connectivity().number_of_vertices()) + 1000000));
@@ -347,7 +349,7 @@ void add_triangulation(py::module_& module)
     .def("flip_to_delaunay", &flip_to_Delaunay, py::arg("constrained").noconvert(), py::arg("maximum_number"))
     .def("verify", &verify, py::arg("constrained").noconvert())
     .def("refine", &refine, py::arg("minimum_angle"), py::arg("maximum_circumradius"), py::arg("maximum_edge_length"),
-         py::arg("constrained").noconvert(), py::arg("maximum_number"))
+         py::arg("constrained").noconvert(), py::arg("maximum_number"), py::arg("minimum_size"))
     .def("stiffness", &stiffness)
     .def("mass", &mass, py::arg("is_lumped"))
     .def("inserted_vertices", &inserted_vertices);

@@ -176,6 +176,19 @@ TEST_F(Refine_command, tells_what_it_left)
   EXPECT_GE(json["minimum_angle_degrees_of_refined_faces"], 25 * (1 - 1e-12));
 }
 
+// Below the smallest size nothing is inserted, and that is no failure.
+TEST_F(Refine_command, leaves_what_is_smaller_than_matters)
+{
+  write("sliver.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1e-9 0\n0 1e-9 0\n3 0 1 2\n3 0 2 3\n");
+  const Command_run run = idt("refine sliver.off --minimum-size 0.001 --stats s.json");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_TRUE(contains(run.out, "too small"));
+  EXPECT_EQ(stats()["unrefined"]["too small"], 2);
+  EXPECT_EQ(stats()["inserted"], 0);
+  for (const char* bad : {"-1", "nan"})
+    EXPECT_EQ(idt(std::string("refine sliver.off --minimum-size ") + bad).status, 2);
+}
+
 TEST_F(Refine_command, stops_at_the_budget)
 {
   ASSERT_EQ(idt("sample bad-torus -o t.off").status, 0);

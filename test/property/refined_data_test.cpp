@@ -178,6 +178,7 @@ TEST_P(Refined_data, has_no_small_angle_without_a_reason)
     case IT::Refinement_obstacle::UNREPRESENTABLE:
       EXPECT_LT(read.circumradius(sharpest), std::ldexp(size, -46)) << f.idx() << ": " << angle << " degrees";
       break;
+    case IT::Refinement_obstacle::TOO_SMALL:
     case IT::Refinement_obstacle::BUDGET:
       ADD_FAILURE() << "the budget suffices";
     }

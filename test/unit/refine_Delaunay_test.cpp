@@ -16,11 +16,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -112,6 +115,44 @@ TEST(Refine_Delaunay, leaves_small_corners_of_the_border)
   ASSERT_FALSE(report.unrefined.empty());
   for (const IT::Unrefined_face& f : report.unrefined)
     EXPECT_EQ(f.reason, IT::Refinement_obstacle::SMALL_INPUT_ANGLE);
+}
+
+// Two sides of a box, far closer to each other than what matters.
+TEST(Refine_Delaunay, leaves_what_is_too_small)
+{
+  IT::Indexed_triangles plate;
+  for (double z : {0., 1e-5})
+    for (const auto& [x, y] : {std::pair(0., 0.), std::pair(1., 0.), std::pair(1., 1.), std::pair(0., 1.)})
+      plate.points.push_back({x, y, z});
+  plate.triangles = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}};
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint32_t j = (i + 1) % 4;
+    plate.triangles.push_back({i, j, j + 4});
+    plate.triangles.push_back({i, j + 4, i + 4});
+  }
+  Triangulation triangulation = triangulation_of(plate);
+  IT::Refinement_criteria criteria;
+  criteria.minimum_size = 0.01;
+  criteria.maximum_edge_length = 0.3;
+  const IT::Refinement_report report = IT::refine_Delaunay(triangulation, criteria);
+  EXPECT_EQ(report.status, IT::Refinement_status::REFINED);
+  EXPECT_LT(report.insertions + report.segment_splits, 2000u);
+  EXPECT_FALSE(report.unrefined.empty());
+  const IT::Delta_complex& complex = triangulation.connectivity();
+  std::set<IT::Face_index> listed;
+  for (const IT::Unrefined_face& f : report.unrefined) {
+    const IT::Halfedge_index h = complex.halfedge(f.face);
+    double shortest = std::numeric_limits<double>::infinity();
+    for (IT::Halfedge_index side : {h, complex.next(h), complex.prev(h)})
+      shortest = (std::min)(shortest, triangulation.length(complex.edge(side)));
+    EXPECT_TRUE(f.reason == IT::Refinement_obstacle::TOO_SMALL && shortest < 0.01) << f.face.idx();
+    listed.insert(f.face);
+  }
+  for (IT::Face_index f : complex.faces()) {
+    const IT::Halfedge_index h = complex.halfedge(f);
+    for (IT::Halfedge_index side : {h, complex.next(h), complex.prev(h)})
+      EXPECT_TRUE(listed.count(f) != 0 || IT::angle(triangulation, side) * 180 / CGAL_PI > 25 * (1 - 1e-12));
+  }
 }
 
 struct Limited_visitor : IT::Default_refinement_visitor

@@ -27,6 +27,9 @@ struct Refinement_criteria
   /// whether edges that are not flipped are split until no angle opposite to them is obtuse: first of all, whether a face needs it or not.
   /// No cotangent weight of the border is negative then
   bool splits_encroached_edges = false;
+  /// no vertex is inserted for a face whose shortest side is shorter, in the unit of the input: so refinement ends soon where sheets, tubes
+  /// or slivers are far thinner than what matters
+  double minimum_size = 0;
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
@@ -35,6 +38,7 @@ enum class Refinement_obstacle {
   CONE,              ///< a corner at a vertex with so small an angle sum, or a point that would be too close to one
   SMALL_INPUT_ANGLE, ///< a corner between two edges that must not be flipped, or between points on two such edges
   UNREPRESENTABLE,   ///< doubles are too coarse for the point that the face needs
+  TOO_SMALL,         ///< a side is shorter than the smallest size
   BUDGET             ///< the budget did not suffice, or the run was cancelled
 };
 

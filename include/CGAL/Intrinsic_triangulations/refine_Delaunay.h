@@ -62,6 +62,8 @@ struct Flips_before_refinement
 /// Where the new vertices lie is chosen in doubles; what follows from that is exact, as in `insert_vertex()`: the metric does not change,
 /// and after each insertion all edges that are not constrained are Delaunay.
 ///
+/// No vertex is inserted for a face with a side shorter than the smallest size, if one is given, whatever its angles are.
+///
 /// A vertex inside the surface whose angles sum to less than 60 degrees gets one neighbor close to it, and the triangle between
 /// them is left as it is. Edges that end in a corner of less than 60 degrees between two edges that are not flipped are split at powers of
 /// two.
@@ -92,7 +94,7 @@ struct Flips_before_refinement
 ///
 /// \return what happened. The triangulation is valid whatever the status, and Delaunay unless it was cancelled within a step
 /// \exception Integer_overflow_error, Undecided_error, Cancelled_error as `insert_vertex()`. The triangulation is valid after any exception, too
-/// \pre `criteria.minimum_angle <= 30`
+/// \pre `criteria.minimum_angle <= 30`, `criteria.minimum_size >= 0`
 ///
 /// Source: J. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh generation" (1995); A. Ungor, "Off-centers: a new
 /// type of Steiner points for computing size-optimal quality-guaranteed Delaunay triangulations" (2009); on surfaces, N. Sharp,
@@ -103,7 +105,7 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  CGAL_precondition(criteria.minimum_angle <= 30);
+  CGAL_precondition(criteria.minimum_angle <= 30 && criteria.minimum_size >= 0);
   const auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                                Static_boolean_property_map<Edge_index, false>());
   const Delta_complex& complex = triangulation.connectivity();

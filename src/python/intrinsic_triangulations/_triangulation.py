@@ -57,7 +57,7 @@ class RefinementReport(NamedTuple):
     unrefined: numpy.ndarray
     """The numbers of the faces that do not meet the criteria."""
     reasons: List[str]
-    """Why not, for each of them: "cone", "small_input_angle", "unrepresentable" or "budget"."""
+    """Why not, for each of them: "cone", "small_input_angle", "unrepresentable", "too_small" or "budget"."""
 
 
 class Triangulation:
@@ -245,7 +245,8 @@ class Triangulation:
         FlipReport
         """
         maximum = 2**64 - 1 if max_flips is None else _arrays.integer(max_flips, "max_flips")
-        return FlipReport(*self._surface.flip_to_delaunay(self._constrained(constrained), maximum))
+        return FlipReport(*self._surface.flip_to_delaunay(self._constrained(constrained), maximum,
+                                                      _arrays.number(minimum_size, "minimum_size")))
 
     def verify(self, constrained: Any = None) -> VerificationReport:
         """Decide of every edge, exactly and from the input alone, whether it is Delaunay.
@@ -262,7 +263,7 @@ class Triangulation:
         return VerificationReport(*self._surface.verify(self._constrained(constrained)))
 
     def refine(self, minimum_angle: float = 25, maximum_circumradius: float = math.inf, maximum_edge_length: float = math.inf,
-               constrained: Any = None, max_insertions: Optional[int] = None) -> RefinementReport:
+               constrained: Any = None, max_insertions: Optional[int] = None, minimum_size: float = 0) -> RefinementReport:
         """Flip edges, and insert vertices until no face is too thin or too large. The surface does not change.
 
         Parameters
@@ -275,6 +276,8 @@ class Triangulation:
             Which edges are not flipped, but may be split. They have to be edges of the input, not flipped yet.
         max_insertions : int, optional
             The largest number of new vertices; without, ten for each vertex, and a million.
+        minimum_size : float
+            No vertex is inserted for a face with a shorter side, in the unit of the input.
 
         Returns
         -------

@@ -147,6 +147,7 @@ private:
   }
   bool is_segment(Halfedge_index h) const { return segments_.contains(h); }
 
+  bool is_below_smallest_size(Face_index f) const { return faces_.length(faces_.shortest_side(f)) < criteria_.minimum_size; }
   bool is_too_large(Face_index f) const
   {
     return faces_.length(faces_.longest_side(f)) > criteria_.maximum_edge_length || faces_.circumradius(f) > criteria_.maximum_circumradius;
@@ -161,6 +162,8 @@ private:
   // Whether f is to be refined.
   bool is_bad(Face_index f) const
   {
+    if (is_below_smallest_size(f))
+      return false;
     if (is_too_large(f))
       return true;
     const Halfedge_index h = complex_.halfedge(f);
@@ -444,6 +447,8 @@ private:
       const auto left = left_.find(f);
       if (left != left_.end() && left->second.first == faces_.circumradius(f))
         reason = left->second.second;
+      if (!reason && is_below_smallest_size(f))
+        reason = Refinement_obstacle::TOO_SMALL;
       report_.unrefined.push_back({f, reason.value_or(Refinement_obstacle::BUDGET)});
     }
   }
