@@ -187,10 +187,10 @@ TEST(Delta_complex_io, comments_blanks_and_foreign_line_ends_are_skipped)
 TEST(Delta_complex_io, defects_are_named_with_their_line)
 {
   expect_refused("", Defect::UNREADABLE, 0, "ends");
-  expect_refused("OFF\n", Defect::UNREADABLE, 1, "fields");
+  expect_refused("OFF\n", Defect::UNREADABLE, 1, "1 field instead of 2");
   expect_refused("OFF 1\n", Defect::UNREADABLE, 1, "INTRINSIC_GLUING");
   expect_refused(with_line(1, "INTRINSIC_GLUING 2"), Defect::UNREADABLE, 1, "version 2");
-  expect_refused(with_line(2, "4 5"), Defect::UNREADABLE, 2, "fields");
+  expect_refused(with_line(2, "4 5"), Defect::UNREADABLE, 2, "2 fields instead of");
   expect_refused(with_line(2, "4 5 two"), Defect::UNREADABLE, 2, "'two'");
   expect_refused(with_line(2, "-4 5 2"), Defect::UNREADABLE, 2, "negative");
   expect_refused(with_line(2, "4 7 2"), Defect::INVALID_GLUING, 2, "7 edges");
