@@ -139,6 +139,16 @@ def test_refinement(thin):
     assert t.laplacian()[0].shape == (t.number_of_vertices,) * 2
 
 
+def test_smallest_size_of_refinement():
+    t = it.Triangulation([[0, 0, 0], [1, 0, 0], [1, 1e-9, 0], [0, 1e-9, 0]], [[0, 1, 2], [0, 2, 3]])
+    report = t.refine(minimum_size=0.001)
+    assert report.is_refined and report.insertions + report.segment_splits == 0
+    assert list(report.unrefined) == [0, 1] and list(report.reasons) == ["too_small"] * 2
+    for bad in (-1, "1"):
+        with pytest.raises(ValueError):
+            t.refine(minimum_size=bad)
+
+
 def test_bounds_of_refinement():
     V, F = grid(3)
     t = it.Triangulation(V, F)

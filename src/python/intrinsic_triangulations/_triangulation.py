@@ -245,8 +245,7 @@ class Triangulation:
         FlipReport
         """
         maximum = 2**64 - 1 if max_flips is None else _arrays.integer(max_flips, "max_flips")
-        return FlipReport(*self._surface.flip_to_delaunay(self._constrained(constrained), maximum,
-                                                      _arrays.number(minimum_size, "minimum_size")))
+        return FlipReport(*self._surface.flip_to_delaunay(self._constrained(constrained), maximum))
 
     def verify(self, constrained: Any = None) -> VerificationReport:
         """Decide of every edge, exactly and from the input alone, whether it is Delaunay.
@@ -296,7 +295,8 @@ class Triangulation:
         circumradius = _arrays.number(maximum_circumradius, "maximum_circumradius")
         edge_length = _arrays.number(maximum_edge_length, "maximum_edge_length")
         maximum = None if max_insertions is None else _arrays.integer(max_insertions, "max_insertions")
-        return RefinementReport(*self._surface.refine(angle, circumradius, edge_length, self._constrained(constrained), maximum))
+        return RefinementReport(*self._surface.refine(angle, circumradius, edge_length, self._constrained(constrained), maximum,
+                                                      _arrays.number(minimum_size, "minimum_size")))
 
     def _constrained(self, constrained: Any) -> Optional[numpy.ndarray]:
         return _arrays.marks(constrained, "constrained", self.number_of_edges)
