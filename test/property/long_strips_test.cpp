@@ -228,6 +228,26 @@ TEST(Long_strips, lines_across_parallel_folds_are_proven_to_be_straight)
   EXPECT_NEAR(network.length(across), std::hypot(length, 1), 1e-14);
 }
 
+// Two edges are left at a vertex, so that the sum of two corners is that of all angles: nearly π, but for the last vertex.
+TEST(Long_strips, all_angles_at_a_vertex_are_not_taken_for_none)
+{
+  for (double height : {0x1p-10, -0x1p-10, 0x1p-130, -0x1p-130}) {
+    const Surface surface{{{6, 6, 0}, {6, 0, -6}, {0, 6, -6}, {0, 0, height}, {2, 2, -4}},
+                          {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {2, 1, 4}, {3, 2, 4}, {1, 3, 4}}};
+    Triangulation t = triangulation_of(surface);
+    const auto edge = [&](std::uint32_t from, std::uint32_t to) {
+      for (IT::Halfedge_index h : t.connectivity().halfedges())
+        if (t.connectivity().source(h).idx() == from && t.connectivity().target(h).idx() == to)
+          return t.connectivity().edge(h);
+      return IT::Edge_index();
+    };
+    for (const auto& [from, to] : {std::pair(1u, 2u), std::pair(0u, 1u), std::pair(0u, 2u)})
+      ASSERT_EQ(t.flip(edge(from, to)), Triangulation::Flip_outcome::FLIPPED);
+    for (std::uint32_t to : {3u, 4u})
+      EXPECT_EQ(t.exact_geometry().is_convex(t.connectivity(), edge(0, to)), height < 0) << height << ' ' << to;
+  }
+}
+
 bool is_proven_to_be_straight(const Surface& surface)
 {
   const Triangulation t = triangulation_of(surface);

@@ -57,11 +57,13 @@ private:
   {
     const Normal_coordinates& coordinates = correspondence_.coordinates();
     std::int64_t number = 0;
-    for (Halfedge_index vi = va; vi != vb; vi = complex_.next_around_source(vi)) {
+    Halfedge_index vi = va;
+    do { // once around v if va is vb
       if (complex_.is_border(vi))
         return false;
       number += coordinates.triangle_crossings(complex_, complex_.next(vi)).e_k + (vi != va && coordinates.is_original(complex_.edge(vi)) ? 1 : 0);
-    }
+      vi = complex_.next_around_source(vi);
+    } while (vi != vb);
     Halfedge_index h = correspondence_.input_halfedge(va);
     if (coordinates.is_original(complex_.edge(va)))
       h = input_.next_around_source(h);
