@@ -141,6 +141,7 @@ Exact_geometry::Exact_geometry(Exact_geometry&& other) noexcept
   memory_->surface_of_images.reset();
   memory_->input_properties.reset();
   memory_->developed_faces = {};
+  memory_->split_face.reset();
   memory_->is_close_call.clear();
   memory_->settings.interruption.exchange({});
 }
@@ -378,9 +379,11 @@ void Exact_geometry::split_face(const Delta_complex& complex, const Triangle_pie
   prepare_insertion(complex);
   const Face_index f = complex.face(piece.side);
   memory_->split_face.reset();
+  std::optional<Memory::Developed_faces::Whole> whole;
   if (memory_->developed_faces.contains(f))
-    memory_->split_face = memory_->developed_faces.whole(complex, f);
+    whole = memory_->developed_faces.whole(complex, f);
   split_faces(complex, {f}, 3, 3, location, [&] { correspondence_.split_face(complex, piece, location); });
+  memory_->split_face = whole; // nothing is left of a split that failed
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -492,6 +495,7 @@ void Exact_geometry::carry_images()
   memory_->surface_of_images = new_surface();
   memory_->images = std::make_unique<Memory::Carried_images>(*memory_->surface_of_images);
   memory_->developed_faces = {};
+  memory_->split_face.reset();
 }
 
 // As corner(), from what is kept of tests before.
