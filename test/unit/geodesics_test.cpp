@@ -146,6 +146,28 @@ std::vector<IT::Halfedge_index> cycle(const IT::Delta_complex& complex, const st
   return result;
 }
 
+// As where a loop cannot be led round a corner: flips are undone, the last one first.
+TEST(Undone_flips, leave_each_face_with_a_side_of_its_own)
+{
+  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {2, 0, 0}, {3, 1.7, 0}, {2, 3.4, 0}, {0, 3.5, 0}, {-1, 1.6, 0}};
+  const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    std::mt19937 random(seed);
+    Triangulation t(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
+    const IT::Delta_complex& complex = t.connectivity();
+    std::vector<IT::Edge_index> flips;
+    for (int i = 0; i < 20; ++i) {
+      const IT::Edge_index e(std::uint32_t(random() % complex.number_of_edges()));
+      if (complex.is_flippable(e) && t.flip(e) == Triangulation::Flip_outcome::FLIPPED)
+        flips.push_back(e);
+    }
+    for (; !flips.empty(); flips.pop_back())
+      t.flip_back(flips.back());
+    for (IT::Face_index f : complex.faces())
+      ASSERT_EQ(complex.face(complex.halfedge(f)), f) << seed;
+  }
+}
+
 } // namespace
 
 TEST(Convexity, TheFilterAgreesWithTheUnfolding)

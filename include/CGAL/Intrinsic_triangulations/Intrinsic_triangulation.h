@@ -392,7 +392,7 @@ public:
     traits_.construct_flipped_hinge_object()(hinge(e), flipped);
     const Hinge_halfedges now = connectivity_.hinge(e);
     flip_back({now.ij, now.lj, now.jk, now.ji, now.ki, now.il},
-              {flipped.kl, flipped.jkl, flipped.ilk, connectivity_.halfedge(connectivity_.face(now.ij)), connectivity_.halfedge(connectivity_.face(now.ji))});
+              {flipped.kl, flipped.jkl, flipped.ilk, now.ij, now.ji}); // both stay in their faces, as other sides need not
   }
   /// \endcond
 

@@ -83,7 +83,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::pre
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::flip_with_crossings(const Delta_complex& complex, const Hinge_halfedges& around)
 {
   const Edge_index e = complex.edge(around.ij);
-  internal::Kept_crossings::Flipped flipped{nullptr, coordinates_.number_of_crossings(e)};
+  internal::Kept_crossings::Flipped flipped{nullptr, 0, coordinates_.number_of_crossings(e)};
   if (!locations_.empty()) // otherwise it is soon found what an edge crosses
     flipped = crossings_.flipped(complex, coordinates_, around, coordinates_.is_original(e) ? input_halfedge(around.ij) : Halfedge_index());
   coordinates_.flip(around);

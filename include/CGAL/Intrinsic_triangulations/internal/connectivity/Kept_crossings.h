@@ -90,17 +90,18 @@ public:
     Array array = copied(n, [&](std::size_t i) {
       return (h.idx() & 1) != 0 ? Crossed_range::opposite(sequence[n - 1 - i]) : sequence[i];
     });
-    const Halfedge_index* nothing = nullptr;
-    if (array && table->slots[h.idx() / 2].compare_exchange_strong(nothing, array.get(), std::memory_order_acq_rel))
+    const Halfedge_index* nothing = nullptr; // unless another thread was faster
+    if (array && table->slots[h.idx() / 2].compare_exchange_strong(nothing, array.get(), std::memory_order_acq_rel)) {
       array.release();
-    else if (array)
-      total_ -= n; // another thread was faster
+      total_ += n;
+    }
   }
 
   // What the edge crosses that a flip is about to make.
   struct Flipped
   {
     Array array;
+    std::size_t number;
     std::int64_t number_before;
   };
   // \param along the input halfedge along ij, if there is one
@@ -117,15 +118,31 @@ public:
                                                    : first(complex.opposite(around.il), below.c_k + below.e_i + to_jk);
     const auto from_k = above.e_j > 0 ? first(around.ki, above.c_k + above.e_j)
                                       : first(complex.opposite(around.jk), above.c_k + above.e_i);
-    Flipped result{nullptr, coordinates.number_of_crossings(complex.edge(around.ij))};
-    if (from_l && from_k) // from l to k
+    Flipped result{nullptr, 0, coordinates.number_of_crossings(complex.edge(around.ij))};
+    if (from_l && from_k) { // from l to k
       result.array = joined(*from_l, along, *from_k);
+      result.number = from_l->size() + (along.is_valid() ? 1 : 0) + from_k->size();
+    }
     return result;
   }
   // To be called with that at the flip.
-  void flip(Edge_index e, Flipped flipped) { replace(e, flipped.number_before, std::move(flipped.array)); }
+  void flip(Edge_index e, Flipped flipped)
+  {
+    forget(e, flipped.number_before);
+    if (Table* const table = flipped.array ? table_.load() : nullptr) {
+      table->slots[e.idx()] = flipped.array.release();
+      total_ += flipped.number;
+    }
+  }
   // Nothing is kept any longer for e, which crosses so many input edges.
-  void forget(Edge_index e, std::int64_t number) { replace(e, number, nullptr); }
+  void forget(Edge_index e, std::int64_t number)
+  {
+    if (Table* const table = table_)
+      if (const Halfedge_index* const kept = table->slots[e.idx()].exchange(nullptr)) {
+        total_ -= std::size_t(number);
+        delete[] kept;
+      }
+  }
 
   // Three edges from the corners of a triangle to a new vertex in a piece of it are appended. To be called before the split of the connectivity.
   void split_face(const Delta_complex& complex, const Normal_coordinates& coordinates, const Triangle_piece& piece)
@@ -219,24 +236,12 @@ private:
   template <class Get>
   Array copied(std::size_t n, const Get& get) const
   {
-    if ((total_ += n) > largest_total) {
-      total_ -= n;
+    if (total_ + n > largest_total)
       return nullptr;
-    }
     std::unique_ptr<Halfedge_index[]> result(new (std::nothrow) Halfedge_index[n]);
-    if (!result)
-      total_ -= n;
     for (std::size_t i = 0; result && i < n; ++i)
       result[i] = get(i);
     return result;
-  }
-  void replace(Edge_index e, std::int64_t number_before, Array array)
-  {
-    if (Table* const table = table_)
-      if (const Halfedge_index* const before = table->slots[e.idx()].exchange(array.release())) {
-        total_ -= std::size_t(number_before);
-        delete[] before;
-      }
   }
   // The sequence of the opposite of the halfedge that it is given for, which leads to the new vertex.
   void append(const std::optional<Crossed_range>& to_v)
@@ -245,6 +250,8 @@ private:
     Array array;
     if (to_v && to_v->size() != 0)
       array = copied(to_v->size(), [&](std::size_t i) { return Crossed_range::opposite((*to_v)[to_v->size() - 1 - i]); });
+    if (array)
+      total_ += to_v->size();
     table.slots[table.size++] = array.release();
   }
 
