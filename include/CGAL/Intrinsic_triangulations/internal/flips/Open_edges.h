@@ -117,6 +117,8 @@ private:
   {
     bool is_any_open = false;
     for_each_block<Parallel_tag>(edges.size(), size_of_block, [&](std::size_t first, std::size_t last) {
+      if (is_stopped())
+        return;
       Stage_counts counts;
       bool is_open = false;
       for (std::size_t i = first; i < last; ++i) {
@@ -151,6 +153,13 @@ private:
       return Answer::LEFT;
     counts.add(test->stage, test->sign == ZERO);
     return Answer::DELAUNAY;
+  }
+
+  // Until the exception of another thread has ended the loop, which may take long on a busy machine.
+  bool is_stopped()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return is_stopped_;
   }
 
   // Nobody is asked again once an exception was thrown.
