@@ -230,7 +230,7 @@ void find_vectors(const Distance_options& options, const Triangulation& triangul
                   Distance_result& result)
 {
   const std::size_t n = result.surface.number_of_vertices;
-  const IT::Vector_heat_method heat(triangulation, 0.5, [] { return !is_interrupted(); });
+  const IT::Vector_heat_method heat(triangulation, std::nullopt, [] { return !is_interrupted(); });
   std::vector<std::pair<IT::Vertex_index, IT::Planar_vector<double>>> axes;
   for (std::uint64_t v : std::set<std::uint64_t>(options.sources.begin(), options.sources.end()))
     axes.push_back({IT::Vertex_index(IT::Vertex_index::size_type(v)), {1, 0}});

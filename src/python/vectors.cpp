@@ -7,43 +7,32 @@
 #include "python/arrays.h"
 #include "python/bindings.h"
 
-#include <CGAL/Intrinsic_triangulations/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/connection_Laplacian.h>
 #include <CGAL/Intrinsic_triangulations/vertex_frames.h>
 
+#include <pybind11/stl.h>
+
 #include <complex>
 #include <memory>
+#include <optional>
 
 namespace idt_python {
 
 namespace {
 
-using Vector = IT::Vector_heat_method::Vector;
-
 // Nothing changes it, and its const member functions may be called by several threads at once.
-struct Vector_heat
-{
-  Vector_heat(const Triangulation& triangulation, const IT::Heat_method_options& options)
-    : vectors(triangulation, options.time_coefficient, options.go_further), scalars(triangulation, options)
-  {}
+using Vector_heat = IT::Vector_heat_method;
 
-  const IT::Vector_heat_method vectors;
-  const IT::Heat_method<> scalars;
-};
-
-std::unique_ptr<Vector_heat> vector_heat(Surface& surface, double time_coefficient)
+std::unique_ptr<Vector_heat> vector_heat(Surface& surface, const std::optional<double>& time_coefficient)
 {
-  IT::Heat_method_options options;
-  options.time_coefficient = time_coefficient;
-  options.go_further = &Signal_watch::goes_on;
-  return surface.use([&](const Triangulation& t) { return std::make_unique<Vector_heat>(t, options); });
+  return surface.use([&](const Triangulation& t) { return std::make_unique<Vector_heat>(t, time_coefficient, &Signal_watch::goes_on); });
 }
 
-py::array to_rows(const std::vector<Vector>& vectors)
+py::array to_rows(const std::vector<Vector_heat::Vector>& vectors)
 {
   std::vector<double> result;
-  for (const Vector& v : vectors) {
+  for (const Vector_heat::Vector& v : vectors) {
     result.push_back(v.x());
     result.push_back(v.y());
   }
@@ -55,15 +44,15 @@ py::array transport(const Vector_heat& heat, const Indices& vertices, const Doub
   const auto v = copied(vertices);
   const auto first = copied(x), second = copied(y);
   require(v.size() == first.size() && v.size() == second.size(), "there are not as many vectors as vertices");
-  std::vector<std::pair<IT::Vertex_index, Vector>> sources;
+  std::vector<std::pair<IT::Vertex_index, Vector_heat::Vector>> sources;
   for (std::size_t i = 0; i < v.size(); ++i)
-    sources.emplace_back(IT::Vertex_index(v[i]), Vector(first[i], second[i]));
-  return to_rows(without_lock([&] { return heat.vectors.transport_tangent_vectors(sources); }));
+    sources.emplace_back(IT::Vertex_index(v[i]), Vector_heat::Vector(first[i], second[i]));
+  return to_rows(without_lock([&] { return heat.transport_tangent_vectors(sources); }));
 }
 
 py::array log_map(const Vector_heat& heat, std::uint32_t v)
 {
-  return to_rows(without_lock([&] { return heat.vectors.log_map(IT::Vertex_index(v)); }));
+  return to_rows(without_lock([&] { return heat.log_map(IT::Vertex_index(v)); }));
 }
 
 py::array extend_by_vector_heat(const Vector_heat& heat, const Indices& vertices, const Doubles& values)
@@ -74,7 +63,7 @@ py::array extend_by_vector_heat(const Vector_heat& heat, const Indices& vertices
   std::vector<std::pair<IT::Vertex_index, double>> pairs;
   for (std::size_t i = 0; i < v.size(); ++i)
     pairs.emplace_back(IT::Vertex_index(v[i]), x[i]);
-  return to_array(without_lock([&] { return heat.scalars.extend(pairs); }));
+  return to_array(without_lock([&] { return heat.extend(pairs); }));
 }
 
 // The axes of the tangent planes in space, and their normals.

@@ -26,6 +26,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -87,37 +88,26 @@ Triangulation cone(double angle, std::size_t sides, std::size_t rings, double ra
   return result;
 }
 
-// An icosahedron whose triangles are cut into four so many times, with its vertices on the unit sphere.
-IT::Indexed_triangles sphere(int cuts)
+void project_to_unit_sphere(std::array<double, 3>& p)
 {
-  const double g = (1 + std::sqrt(5.)) / 2;
-  IT::Indexed_triangles result;
-  for (double a : {-1., 1.})
-    for (double b : {-g, g})
-      result.points.insert(result.points.end(), {{a, b, 0}, {0, a, b}, {b, 0, a}});
-  const auto unit = [](std::array<double, 3>& p) {
-    const double length = std::hypot(p[0], p[1], p[2]);
-    for (double& x : p)
-      x /= length;
-  };
+  const double length = std::hypot(p[0], p[1], p[2]);
+  for (double& x : p)
+    x /= length;
+}
+
+// Triangles that are cut into four so many times, with their vertices on the unit sphere.
+IT::Indexed_triangles cut_on_sphere(IT::Indexed_triangles result, int cuts)
+{
   for (auto& p : result.points)
-    unit(p);
-  const auto point = [&](std::uint32_t v) { return Eigen::Vector3d(result.points[v].data()); };
-  for (std::uint32_t i = 0; i < 12; ++i)
-    for (std::uint32_t j = i + 1; j < 12; ++j)
-      for (std::uint32_t k = j + 1; k < 12; ++k)
-        if (std::max({(point(i) - point(j)).norm(), (point(j) - point(k)).norm(), (point(k) - point(i)).norm()}) < 1.2) {
-          const bool is_outside = (point(j) - point(i)).cross(point(k) - point(i)).dot(point(i)) > 0;
-          result.triangles.push_back({i, is_outside ? j : k, is_outside ? k : j});
-        }
+    project_to_unit_sphere(p);
   for (; cuts > 0; --cuts) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
       const auto [position, is_new] = middles.insert({{std::min(a, b), std::max(a, b)}, std::uint32_t(result.points.size())});
       if (is_new) {
-        const Eigen::Vector3d sum = point(a) + point(b);
-        result.points.push_back({sum[0], sum[1], sum[2]});
-        unit(result.points.back());
+        const auto &p = result.points[a], &q = result.points[b];
+        result.points.push_back({p[0] + q[0], p[1] + q[1], p[2] + q[2]});
+        project_to_unit_sphere(result.points.back());
       }
       return position->second;
     };
@@ -129,6 +119,34 @@ IT::Indexed_triangles sphere(int cuts)
     result.triangles = quarters;
   }
   return result;
+}
+
+// An icosahedron that is cut.
+IT::Indexed_triangles sphere(int cuts)
+{
+  const double g = (1 + std::sqrt(5.)) / 2;
+  IT::Indexed_triangles result;
+  for (double a : {-1., 1.})
+    for (double b : {-g, g})
+      result.points.insert(result.points.end(), {{a, b, 0}, {0, a, b}, {b, 0, a}});
+  const auto point = [&](std::uint32_t v) { return Eigen::Vector3d(result.points[v].data()); };
+  for (std::uint32_t i = 0; i < 12; ++i)
+    for (std::uint32_t j = i + 1; j < 12; ++j)
+      for (std::uint32_t k = j + 1; k < 12; ++k)
+        if (std::max({(point(i) - point(j)).norm(), (point(j) - point(k)).norm(), (point(k) - point(i)).norm()}) < 2.1) {
+          const bool is_outside = (point(j) - point(i)).cross(point(k) - point(i)).dot(point(i)) > 0;
+          result.triangles.push_back({i, is_outside ? j : k, is_outside ? k : j});
+        }
+  return cut_on_sphere(result, cuts);
+}
+
+// An octahedron that is cut: nearly all of its edges run in four directions.
+IT::Indexed_triangles sphere_of_octahedron(int cuts)
+{
+  IT::Indexed_triangles result;
+  result.points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  result.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  return cut_on_sphere(result, cuts);
 }
 
 // What a loop of halfedges does to a vector at the end.
@@ -252,12 +270,16 @@ TEST(Log_map, reaches_the_end_of_a_long_strip)
   EXPECT_LT(std::abs(complex_number(field[last.idx()]) - at_source * turn_of_frame(t, surface.points, last)), 1e-10);
 }
 
-TEST(Log_map, of_a_sphere_is_as_near_as_the_triangles_allow)
+struct Errors
 {
-  const IT::Indexed_triangles surface = sphere(4);
+  double mean, largest;
+};
+
+// Of the logarithmic map on the unit sphere, up to a distance of 2.5.
+Errors errors_on_sphere(const IT::Indexed_triangles& surface, Vertex_index source)
+{
   const Triangulation t = Delaunay(surface);
   const Delta_complex& c = t.connectivity();
-  const Vertex_index source(100);
   const auto map = IT::Vector_heat_method(t).log_map(source);
   using Space = Eigen::Vector3d;
   const auto point = [&](Vertex_index v) {
@@ -283,8 +305,41 @@ TEST(Log_map, of_a_sphere_is_as_near_as_the_triangles_allow)
     largest = std::max(largest, error);
     ++n;
   }
-  EXPECT_LT(sum / double(n), 0.0075);
-  EXPECT_LT(largest, 0.05);
+  return {sum / double(n), largest};
+}
+
+TEST(Log_map, of_a_sphere_is_as_near_as_the_triangles_allow)
+{
+  const Errors errors = errors_on_sphere(sphere(4), Vertex_index(100));
+  EXPECT_LT(errors.mean, 0.0075);
+  EXPECT_LT(errors.largest, 0.05);
+}
+
+// With a time that is the squared length of an edge times a constant, ways along edges would be preferred however fine the triangles are.
+TEST(Log_map, gets_nearer_under_refinement_whatever_the_directions_of_edges)
+{
+  double before = 1;
+  for (int cuts : {3, 4, 5, 6}) {
+    const double error = errors_on_sphere(sphere_of_octahedron(cuts), Vertex_index(50)).mean;
+    EXPECT_LT(error, 0.75 * before) << cuts;
+    before = error;
+  }
+}
+
+// The other component has another number of vertices, and a time of its own.
+TEST(Log_map, is_the_same_with_other_components)
+{
+  const IT::Indexed_triangles surface = sphere(2), other = sphere_of_octahedron(6);
+  IT::Indexed_triangles both = surface;
+  both.points.insert(both.points.end(), other.points.begin(), other.points.end());
+  for (auto [a, b, c] : other.triangles) {
+    const std::uint32_t n = std::uint32_t(surface.points.size());
+    both.triangles.push_back({a + n, b + n, c + n});
+  }
+  const auto alone = IT::Vector_heat_method(Delaunay(surface)).log_map(Vertex_index(3));
+  const auto beside = IT::Vector_heat_method(Delaunay(both)).log_map(Vertex_index(3));
+  for (std::size_t v = 0; v < alone.size(); ++v)
+    EXPECT_LT(std::abs(complex_number(alone[v]) - complex_number(beside[v])), 1e-12) << v;
 }
 
 TEST(Transport, on_a_cone_depends_on_the_side_of_the_apex)
@@ -369,9 +424,9 @@ TEST(Vector_heat_method, can_be_cancelled)
   for (const Triangulation& t : {Delaunay(IT::random_diagonal_grid(5, 5)), cone(5, 6, 3)}) {
     bool goes_on = false;
     const auto go_further = [&] { return goes_on; };
-    EXPECT_THROW(IT::Vector_heat_method(t, 0.5, go_further), IT::Cancelled_error);
+    EXPECT_THROW(IT::Vector_heat_method(t, std::nullopt, go_further), IT::Cancelled_error);
     goes_on = true;
-    const IT::Vector_heat_method heat(t, 0.5, go_further);
+    const IT::Vector_heat_method heat(t, std::nullopt, go_further);
     std::this_thread::sleep_for(std::chrono::milliseconds(20)); // it asks a hundred times a second
     goes_on = false;
     EXPECT_THROW(heat.log_map(Vertex_index(0)), IT::Cancelled_error);
@@ -439,6 +494,26 @@ TEST(Vector_heat_method, does_not_depend_on_the_scale)
     const auto map = IT::Vector_heat_method(Delaunay(scaled)).log_map(Vertex_index(5));
     for (std::size_t v = 0; v < map.size(); ++v)
       EXPECT_LT(std::abs(std::ldexp(1., -exponent) * complex_number(map[v]) - complex_number(before[v])), 1e-9);
+  }
+}
+
+TEST(Vector_heat_method, extends_values_to_those_who_are_near)
+{
+  const IT::Indexed_triangles surface = IT::random_diagonal_grid(60, 4);
+  const Triangulation t = Delaunay(surface);
+  double width = 0;
+  for (const auto& p : surface.points)
+    width = std::max(width, p[0]);
+  const Vertex_index last(std::uint32_t(surface.points.size() - 1));
+  const std::vector<double> values = IT::Vector_heat_method(t).extend({{Vertex_index(0), -1}, {last, 3}});
+  ASSERT_EQ(values.size(), surface.points.size());
+  EXPECT_EQ(values[0], -1);
+  EXPECT_EQ(values[last.idx()], 3);
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    if (surface.points[v][0] < 0.3 * width) {
+      EXPECT_NEAR(values[v], -1, 1e-3) << v;
+    }
+    EXPECT_TRUE(values[v] >= -1 - 1e-9 && values[v] <= 3 + 1e-9) << v;
   }
 }
 

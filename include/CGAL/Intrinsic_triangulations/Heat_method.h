@@ -183,14 +183,12 @@ public:
   /// Source: N. Sharp, Y. Soliman, K. Crane, "The vector heat method", 2019, section 4.
   std::vector<double> extend(const std::vector<std::pair<Vertex_index, double>>& values, double elsewhere = 0) const
   {
-    Eigen::VectorXd weighted = zero_heat(), heat = zero_heat();
     internal::Pins sources;
-    for (const auto& [v, value] : values) {
-      sources[row_of(v)] = heat[row_of(v)] += 1;
-      weighted[row_of(v)] += value;
-    }
+    std::vector<std::pair<std::uint32_t, double>> of_rows;
+    for (const auto& [v, value] : values)
+      of_rows.emplace_back(sources.insert({row_of(v), 0}).first->first, value);
     const std::vector<bool> is_reachable = reachable(sources);
-    const std::vector<double> quotients = diffusion_->quotients(diffusion_->spread(heat, is_reachable), weighted, is_reachable);
+    const std::vector<double> quotients = diffusion_->extend(of_rows, is_reachable);
     std::vector<double> result(surface_->size(), elsewhere);
     for (std::size_t v = 0; v < result.size(); ++v)
       if (is_reachable[row_of_input(v)])

@@ -8,7 +8,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Tuple
+from typing import Any, Optional, Tuple
 
 import numpy
 import scipy.sparse
@@ -30,8 +30,9 @@ class MeshVectorHeatSolver:
         The positions of the vertices.
     F : (m, 3) array of integers
         The corners of the triangles, counted from 0: an oriented manifold.
-    t_coef : float
-        For how long heat spreads, in units of the squared mean length of the edges: the larger, the smoother.
+    t_coef : float, optional
+        For how long heat spreads, in units of the squared mean length of the edges: the larger, the smoother. By default 0.05 times
+        the cube root of the number of vertices of each component, and at least 0.5.
     use_intrinsic_delaunay : bool
         Only True is possible: on other triangulations, the method has no guarantees.
 
@@ -43,18 +44,17 @@ class MeshVectorHeatSolver:
         If a matrix cannot be factorized.
     """
 
-    def __init__(self, V: Any, F: Any, t_coef: float = 1.0, use_intrinsic_delaunay: bool = True) -> None:
+    def __init__(self, V: Any, F: Any, t_coef: Optional[float] = None, use_intrinsic_delaunay: bool = True) -> None:
         if not use_intrinsic_delaunay:
             raise ValueError("use_intrinsic_delaunay has to be True: on other triangulations, the method has no guarantees")
-        time = _arrays.number(t_coef, "t_coef")
-        if not (time > 0 and math.isfinite(time)):
+        time = None if t_coef is None else _arrays.number(t_coef, "t_coef")
+        if time is not None and not (time > 0 and math.isfinite(time)):
             raise ValueError(f"t_coef has to be positive and finite, not {t_coef!r}")
         points, faces = _arrays.points_and_faces(V, F)
         surface = _core.Surface.from_points(points, faces)
         surface.flip_to_delaunay(None, 2**64 - 1)
-        self._number_of_vertices = len(points)
-        self._frames = _core.tangent_frames(surface, points)
-        self._connection_laplacian = _core.connection_laplacian(surface)
+        self._surface = surface
+        self._points = points.copy()
         self._heat = _core.vector_heat(surface, time)
 
     def get_tangent_frames(self) -> Tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray]:
@@ -66,8 +66,7 @@ class MeshVectorHeatSolver:
             For each vertex, the two axes and the normal: unit vectors at right angles. The vector with the coordinates (a, b) is
             `a * basis_x[v] + b * basis_y[v]`.
         """
-        x, y, normal = self._frames
-        return x.copy(), y.copy(), normal.copy()
+        return _core.tangent_frames(self._surface, self._points)
 
     def get_connection_laplacian(self) -> scipy.sparse.csc_matrix:
         """The connection Laplacian for tangent vectors as complex numbers, without unit: Hermitian.
@@ -76,7 +75,7 @@ class MeshVectorHeatSolver:
         -------
         (n, n) scipy.sparse.csc_matrix of complex numbers
         """
-        return _arrays.sparse(self._connection_laplacian).copy()
+        return _arrays.sparse(_core.connection_laplacian(self._surface))
 
     def transport_tangent_vector(self, v_ind: int, vector: Any) -> numpy.ndarray:
         """A tangent vector at one vertex, carried to all others along shortest ways.
@@ -93,7 +92,7 @@ class MeshVectorHeatSolver:
         (n, 2) array
             The coordinates in the frame of each vertex; (0, 0) where nothing is connected with the source.
         """
-        source = _arrays.vertex(v_ind, "v_ind", self._number_of_vertices)
+        source = _arrays.vertex(v_ind, "v_ind", len(self._points))
         return self.transport_tangent_vectors([source], _arrays.doubles(vector, "vector", (2,))[None])
 
     def transport_tangent_vectors(self, v_inds: Any, vectors: Any) -> numpy.ndarray:
@@ -111,7 +110,7 @@ class MeshVectorHeatSolver:
         (n, 2) array
             As for `transport_tangent_vector`.
         """
-        vertices = _arrays.indices(v_inds, "v_inds", (None,), self._number_of_vertices)
+        vertices = _arrays.indices(v_inds, "v_inds", (None,), len(self._points))
         if len(numpy.unique(vertices)) < len(vertices):
             raise ValueError("v_inds names a vertex twice")
         array = _arrays.doubles(vectors, "vectors", (len(vertices), 2))
@@ -133,7 +132,7 @@ class MeshVectorHeatSolver:
             In the frame of the vertex and in the unit of the input: (0, 0) at the vertex, infinite where it is not connected.
         """
         _arrays.choice(strategy, "strategy", STRATEGIES)
-        return self._heat.log_map(_arrays.vertex(v_ind, "v_ind", self._number_of_vertices))
+        return self._heat.log_map(_arrays.vertex(v_ind, "v_ind", len(self._points)))
 
     def extend_scalar(self, v_inds: Any, values: Any) -> numpy.ndarray:
         """A function with given values at some vertices, and elsewhere about the value at the nearest of them.
@@ -150,5 +149,5 @@ class MeshVectorHeatSolver:
         (n,) array
             Zero where none of the vertices can be reached.
         """
-        vertices = _arrays.indices(v_inds, "v_inds", (None,), self._number_of_vertices)
+        vertices = _arrays.indices(v_inds, "v_inds", (None,), len(self._points))
         return self._heat.extend(vertices, _arrays.finite(values, "values", (len(vertices),)))

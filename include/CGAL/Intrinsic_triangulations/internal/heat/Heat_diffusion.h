@@ -85,6 +85,17 @@ public:
     return result;
   }
 
+  // Values at some rows, and elsewhere about that of the nearest; 0 where no heat comes.
+  std::vector<double> extend(const std::vector<std::pair<std::uint32_t, double>>& values, const std::vector<bool>& is_reachable) const
+  {
+    Vector weighted = Vector::Zero(system_.matrix().rows()), heat = weighted;
+    for (const auto& [row, value] : values) {
+      heat[row] += 1;
+      weighted[row] += value;
+    }
+    return quotients(spread(heat, is_reachable), weighted, is_reachable);
+  }
+
   std::size_t number_of_factorizations() const { return system_.number_of_factorizations(); }
 
 private:

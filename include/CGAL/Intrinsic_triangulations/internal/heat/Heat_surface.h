@@ -43,8 +43,8 @@ struct Heat_face
   double area() const { return share * base * height / 2; }
 };
 
-// All lengths are in units of the mean length of the edges of their component, so that no number depends on the scale of the input, nor on
-// what else it holds.
+// All lengths are in units of the mean length of the edges of their component, until they are lengthened, so that no number depends on the
+// scale of the input, nor on what else it holds.
 struct Heat_surface
 {
   double mean_length = 0;    // of all edges, in units of 2^exponent units of the input
@@ -61,6 +61,18 @@ struct Heat_surface
   // A length at some row, in the unit of the input.
   double in_input_unit(double length, std::size_t row) const { return std::ldexp(length * units[row], exponent); }
   double from_input_unit(double length, std::size_t row) const { return std::ldexp(length, -exponent) / units[row]; }
+
+  // Makes the unit of each row so many times as long; of all rows of a component alike.
+  void lengthen_units(const std::vector<double>& factors)
+  {
+    for (std::size_t v = 0; v < size(); ++v) {
+      units[v] *= factors[v];
+      mass[Eigen::Index(v)] /= factors[v] * factors[v];
+    }
+    for (Heat_face& face : faces)
+      for (double* length : {&face.base, &face.x, &face.height})
+        *length /= factors[face.row[0]];
+  }
 
   // Which rows are in the components of these.
   std::vector<bool> connected_with(const std::vector<std::uint32_t>& rows) const

@@ -34,11 +34,11 @@ namespace internal {
 struct Heat_edge
 {
   std::uint32_t i, j;
-  double weight;               // times the time
+  double weight;
   std::complex<double> ij, ji; // as vectors at i and at j, in the unit of the heat surface
 };
 
-// Vectors after a short time t: (M + t L) u = 0 except at their sources, for the connection Laplacian L.
+// Vectors after a squared unit of time: (M + L) u = 0 except at their sources, for the connection Laplacian L.
 class Vector_diffusion
 {
   using Scalar = std::complex<double>;
@@ -49,9 +49,8 @@ public:
   // \param surface that of the triangulation
   // \param interruption is asked before the factorization and each solution; has to live as long
   template <class Traits>
-  Vector_diffusion(const Intrinsic_triangulation<Traits>& triangulation, const Heat_surface& surface, double time,
-                   const Interruption& interruption)
-    : Vector_diffusion(triangulation.connectivity(), halfedge_vectors_in_vertex(triangulation), surface, time, interruption)
+  Vector_diffusion(const Intrinsic_triangulation<Traits>& triangulation, const Heat_surface& surface, const Interruption& interruption)
+    : Vector_diffusion(triangulation.connectivity(), halfedge_vectors_in_vertex(triangulation), surface, interruption)
   {}
 
   // Vectors that are sent on where the heat of the same sources is, which they never exceed.
@@ -65,21 +64,21 @@ public:
 
 private:
   Vector_diffusion(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors, const Heat_surface& surface,
-                   double time, const Interruption& interruption)
-    : interruption_(interruption), matrix_(heat_matrix(complex, vectors, surface, time)),
+                   const Interruption& interruption)
+    : interruption_(interruption), matrix_(heat_matrix(complex, vectors, surface)),
       solver_(asked(matrix_), "the matrix of tangent vectors")
   {
     for (Edge_index e : complex.edges()) {
       if (surface.weights[e.idx()] == 0)
         continue;
       const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-      const auto in_mean_lengths = [&](Halfedge_index side) {
+      const auto in_units = [&](Halfedge_index side) {
         const Planar_vector<double>& v = vectors[side.idx()];
         const std::size_t row = complex.source(side).idx();
         return Scalar(surface.from_input_unit(v.x(), row), surface.from_input_unit(v.y(), row));
       };
       edges_.push_back({std::uint32_t(complex.source(h).idx()), std::uint32_t(complex.source(g).idx()),
-                        time * surface.weights[e.idx()], in_mean_lengths(h), in_mean_lengths(g)});
+                        surface.weights[e.idx()], in_units(h), in_units(g)});
     }
   }
 
@@ -91,10 +90,10 @@ private:
   }
 
   static Matrix heat_matrix(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
-                            const Heat_surface& surface, double time)
+                            const Heat_surface& surface)
   {
     Matrix result =
-      assemble_connection_Laplacian(complex, vectors, [&](Edge_index e) { return time * (std::max)(surface.weights[e.idx()], 0.); });
+      assemble_connection_Laplacian(complex, vectors, [&](Edge_index e) { return (std::max)(surface.weights[e.idx()], 0.); });
     for (Eigen::Index v = 0; v < result.rows(); ++v) // a vertex without faces keeps its vector
       result.coeffRef(v, v) += surface.mass[v] > 0 ? surface.mass[v] : 1;
     return result;
