@@ -96,7 +96,12 @@ private:
   // faces do not disappear behind one.
   void take_continued_line(std::string text, Text_lines& lines)
   {
-    for (bool goes_on = true; goes_on && lines.next_line();) {
+    for (bool goes_on = true; goes_on;) {
+      if (!lines.next_line()) {
+        if (is_vertex_or_face(text.data(), text.data() + text.size()))
+          refuse_file(path_, "line " + std::to_string(lines.number()) + ": the file ends behind the backslash with which the line goes on");
+        break;
+      }
       if (is_vertex_or_face(lines.p, lines.last))
         refuse_file(path_, "line " + std::to_string(lines.number()) + ": " + quote(lines.rest()) +
                              " belongs to the line before, which ends with a backslash: put a blank line between them, or write them in one");
