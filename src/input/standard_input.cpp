@@ -9,9 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 
-#include <poll.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -68,13 +65,10 @@ private:
     for (;;) {
       if (is_interrupted())
         throw IT::Cancelled_error("-: cancelled while it was read");
-      struct pollfd input = {STDIN_FILENO, POLLIN, 0};
-      if (::poll(&input, 1, 200) <= 0)
-        continue;
-      const ::ssize_t size = ::read(STDIN_FILENO, &block[0], block.size());
+      const long size = read_standard_input(&block[0], unsigned(block.size()));
       if (size == 0)
         return begin;
-      if (size < 0 && errno != EINTR)
+      if (size < 0 && errno != EAGAIN)
         IT::internal::refuse_file("-", std::string("the standard input cannot be read: ") + std::strerror(errno));
       if (size < 0)
         continue;

@@ -16,6 +16,10 @@ namespace idt {
 // is opened later is taken for one of them; writing to them fails as it should.
 void prepare_standard_streams();
 
+// Reads what comes from the standard input, at most `size` bytes.
+// \return their number; 0 at the end; -1 and errno is EAGAIN if nothing came for a moment, so that the caller can ask whether to go on
+long read_standard_input(char* bytes, unsigned size);
+
 bool is_error_output_a_terminal();
 
 // Writes to the standard error, whatever other threads do.

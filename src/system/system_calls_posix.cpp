@@ -27,6 +27,19 @@ void prepare_standard_streams()
       static_cast<void>(::open("/dev/null", descriptor == 2 ? O_WRONLY : O_RDONLY));
 }
 
+long read_standard_input(char* bytes, unsigned size)
+{
+  struct pollfd input = {STDIN_FILENO, POLLIN, 0};
+  if (::poll(&input, 1, 200) <= 0) {
+    errno = EAGAIN;
+    return -1;
+  }
+  const long number = ::read(STDIN_FILENO, bytes, size);
+  if (number < 0 && errno == EINTR)
+    errno = EAGAIN;
+  return number;
+}
+
 bool is_error_output_a_terminal() { return ::isatty(STDERR_FILENO) == 1; }
 
 void write_error_output(const std::string& text)

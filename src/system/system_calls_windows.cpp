@@ -33,6 +33,9 @@ void prepare_standard_streams()
     ::_setmode(descriptor, _O_BINARY);
 }
 
+// Waits for as long as it takes: whoever watches for requests ends the process meanwhile.
+long read_standard_input(char* bytes, unsigned size) { return ::_read(0, bytes, size); }
+
 bool is_error_output_a_terminal() { return ::_isatty(2) != 0; }
 
 void write_error_output(const std::string& text)
