@@ -35,14 +35,15 @@ std::optional<Shape_summary> summarize_shapes(const Triangulation& triangulation
   std::vector<bool> is_listed(complex.number_of_faces());
   for (const IT::Unrefined_face& f : unrefined)
     is_listed[f.face.idx()] = true;
+  const std::vector<double> angles = IT::opposite_angles(triangulation);
   Shape_summary summary;
   summary.minimum_angle = 180;
   for (IT::Face_index f : complex.faces()) {
     const IT::Halfedge_index h = complex.halfedge(f);
     IT::Halfedge_index opposite = h;
-    double smallest = IT::angle(triangulation, h);
+    double smallest = angles[h.idx()];
     for (IT::Halfedge_index side : {complex.next(h), complex.prev(h)}) {
-      const double angle = IT::angle(triangulation, side);
+      const double angle = angles[side.idx()];
       if (angle < smallest) {
         smallest = angle;
         opposite = side;

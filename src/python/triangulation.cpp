@@ -137,12 +137,7 @@ py::array edges(Surface& surface)
 
 py::array lengths(Surface& surface)
 {
-  return to_array(surface.use([](const Triangulation& t) {
-    std::vector<double> result;
-    for (IT::Edge_index e : t.connectivity().edges())
-      result.push_back(t.length(e));
-    return result;
-  }));
+  return to_array(surface.use([](const Triangulation& t) { return IT::edge_lengths(t); }));
 }
 
 py::array weights(Surface& surface)
@@ -164,13 +159,13 @@ py::array corner_angles(Surface& surface)
 {
   return to_array(surface.use([](const Triangulation& t) {
     const IT::Delta_complex& complex = t.connectivity();
+    const std::vector<double> angles = IT::opposite_angles(t);
     std::vector<double> result;
+    result.reserve(angles.size());
     for (IT::Face_index f : complex.faces()) {
-      if (f.idx() % 1024 == 0)
-        Signal_watch::check();
       IT::Halfedge_index h = complex.halfedge(f);
       for (int i = 0; i < 3; ++i, h = complex.next(h))
-        result.push_back(IT::angle(t, complex.next(h)));
+        result.push_back(angles[complex.next(h).idx()]);
     }
     return result;
   }),

@@ -275,17 +275,19 @@ public:
   // counterclockwise.
   std::vector<std::pair<Halfedge_index, Corner>> corners_at(const Delta_complex& complex, Vertex_index v) const;
 
-  // The numbers of all elements, with one corner laid out for each face. NaN where that is not accurate enough to
+  // Numbers of all elements, with one corner laid out for each face. NaN where that is not accurate enough to
   // be rounded as where each corner and edge is laid out.
   struct Rounded_numbers
   {
     explicit Rounded_numbers(const Delta_complex& complex);
     // As cotangent_weight() up to the last digits, or NaN. \pre e is no border edge
     double cotangent_weight(const Delta_complex& complex, Edge_index e) const;
+    // As angle() up to its error, or NaN. \pre h is not a border halfedge
+    double angle(Halfedge_index h) const;
 
     Large_vector<double> lengths; // as length() returns them, up to the last digit
     Large_vector<double> areas;   // in the unit of the metric
-    // Opposite to each halfedge of a face with a positive area: `hi()`, `lo()` and `error()`.
+    // Opposite to each halfedge of a face: `hi()`, `lo()` and `error()`, which is infinite unless the area is known to be positive.
     Large_vector<std::array<double, 3>> cotangents;
   };
   // Finds what belongs to faces from first to before last: any number of threads may do that for other faces.

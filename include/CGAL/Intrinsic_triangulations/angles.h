@@ -10,13 +10,17 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
 #include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -81,6 +85,38 @@ double angle(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_inde
     return triangulation.exact_geometry().angle(triangulation.connectivity(), h);
   else
     return internal::angle_by_number_type(triangulation, h);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsAngles
+/// \brief returns the angle opposite to each halfedge, in the order of the halfedges; 0 for border halfedges.
+///
+/// As `angle()`, with the same bounds, but one corner is laid out for each face instead of each angle by itself.
+/// O(size + number of input edges that the edges cross).
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the angles are the same
+/// \exception Undecided_error as `angle()`
+template <class ConcurrencyTag = Sequential_tag, class Traits>
+std::vector<double> opposite_angles(const Intrinsic_triangulation<Traits>& triangulation)
+{
+  const Delta_complex& complex = triangulation.connectivity();
+  std::vector<double> result;
+  result.reserve(complex.number_of_halfedges());
+  const auto append = [&](Halfedge_index h, const auto& known) {
+    const double a = complex.is_border(h) ? 0 : known(h);
+    result.push_back(std::isnan(a) ? angle(triangulation, h) : a);
+  };
+  if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
+    const Exact_geometry& geometry = triangulation.template exact_geometry<ConcurrencyTag>();
+    Exact_geometry::Rounded_numbers numbers(complex);
+    internal::for_each_block<ConcurrencyTag>(
+      complex.number_of_faces(), internal::elements_of_block,
+      [&](std::size_t first, std::size_t last) { geometry.find_numbers(complex, first, last, numbers); });
+    for (Halfedge_index h : complex.halfedges())
+      append(h, [&](Halfedge_index side) { return numbers.angle(side); });
+  } else {
+    for (Halfedge_index h : complex.halfedges())
+      append(h, [&](Halfedge_index side) { return angle(triangulation, side); });
+  }
+  return result;
 }
 
 /// \ingroup PkgIntrinsicTriangulationsAngles

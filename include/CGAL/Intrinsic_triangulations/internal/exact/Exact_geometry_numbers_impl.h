@@ -267,14 +267,19 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_geometry::Rounded_numbers::cotangent_weight(const Delta_complex& complex, Edge_index e) const
 {
   const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-  if (!(areas[complex.face(h).idx()] > 0 && areas[complex.face(g).idx()] > 0))
-    return std::numeric_limits<double>::quiet_NaN();
   const auto cotangent = [&](Halfedge_index side) {
     const auto& [hi, lo, error] = cotangents[side.idx()];
     return internal::Bounded_double_double(hi, lo, error);
   };
   const internal::Bounded_double_double weight = cotangent(h) + cotangent(g);
   return internal::is_rounded_alike(weight) ? weight.hi() : std::numeric_limits<double>::quiet_NaN();
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_geometry::Rounded_numbers::angle(Halfedge_index h) const
+{
+  const auto& [hi, lo, error] = cotangents[h.idx()];
+  return error < 0x1p-60 * (1 + std::abs(hi)) ? std::atan2(1., hi) : std::numeric_limits<double>::quiet_NaN();
 }
 
 // A corner of a face, and the side that is opposite to it.
@@ -380,6 +385,7 @@ void Exact_geometry::find_numbers(const Delta_complex& complex, const std::size_
     if (internal::is_rounded_alike(l))
       numbers.lengths[e.idx()] = std::ldexp(l.hi(), metric_.unit_exponent());
   };
+  const std::array<Real, 3> unknown_cotangents{Real() / Real(), Real() / Real(), Real() / Real()};
   const auto note_cotangent = [&](Halfedge_index h, const Real& cotangent) {
     numbers.cotangents[h.idx()] = {cotangent.hi(), cotangent.lo(), cotangent.error()};
   };
@@ -390,15 +396,14 @@ void Exact_geometry::find_numbers(const Delta_complex& complex, const std::size_
     note_length(h, [&] { return sqrt(c.s_opposite); });
     note_length(second, [&] { return sqrt(c.s_second); });
     note_length(third, [&] { return sqrt(c.s_first); });
+    const std::array<Real, 3> cotangents = certainly(c.four_areas.sign() == POSITIVE) ? at.cotangents() : unknown_cotangents;
+    note_cotangent(h, cotangents[0]);
+    note_cotangent(second, cotangents[1]);
+    note_cotangent(third, cotangents[2]);
     if (c.four_areas.is_zero())
       numbers.areas[f.idx()] = 0;
-    else if (c.four_areas.hi() > 0 && internal::is_rounded_alike(c.four_areas)) {
-      const Face_cotangents cotangents = at.cotangents();
-      note_cotangent(h, cotangents[0]);
-      note_cotangent(second, cotangents[1]);
-      note_cotangent(third, cotangents[2]);
+    else if (c.four_areas.hi() > 0 && internal::is_rounded_alike(c.four_areas))
       numbers.areas[f.idx()] = c.four_areas.hi() / 4;
-    }
   };
 
   // Straight faces, two at a time.
@@ -428,6 +433,8 @@ void Exact_geometry::find_numbers(const Delta_complex& complex, const std::size_
   };
   const internal::Vertex_positions all = positions();
   for (std::size_t i = first; i < last; ++i) {
+    if (i % 1024 == 0)
+      interruption().check();
     const Face_index f(static_cast<Face_index::size_type>(i));
     if (!is_straight(f) || all.has_inserted_corner(complex, complex.halfedge(f))) {
       find(f);
