@@ -134,6 +134,28 @@ TEST(Exactness, PrismsWhoseFansAreAllTies)
     }
 }
 
+// A bump on a grid, whose heights fall to far below the last place of the other coordinates: nearly all edges are nearly ties.
+TEST(Exactness, BumpsOnGrids)
+{
+  const std::uint32_t n = 14;
+  for (const double steepness : {0.5, 2., 4.}) {
+    SCOPED_TRACE(named("bump", steepness));
+    Indexed_triangles surface;
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (std::uint32_t j = 0; j < n; ++j) {
+        const double x = i * 10. / n - 5, y = j * 10. / n - 5;
+        surface.points.push_back({x, y, 3.1 * std::exp(-steepness * (x * x + y * y))});
+      }
+    for (std::uint32_t i = 0; i + 1 < n; ++i)
+      for (std::uint32_t j = 0; j + 1 < n; ++j) {
+        const std::uint32_t a = i * n + j, b = a + n;
+        surface.triangles.push_back({a, b, b + 1});
+        surface.triangles.push_back({a, b + 1, a + 1});
+      }
+    EXPECT_GT(expect_agreement(surface).flips, n * n / 4);
+  }
+}
+
 TEST(Exactness, CapsOfAnyHeight)
 {
   for (std::uint64_t seed : {0, 1, 2, 3}) {

@@ -354,6 +354,8 @@ private:
   template <class Straight_faces>
   std::optional<Test> test_in_plane(const Delta_complex& complex, Halfedge_index h, Straight_faces& straight_faces) const;
   std::optional<Test> test_by_corners(const Delta_complex& complex, Halfedge_index h, const Opposite_corners& corners) const;
+  std::optional<internal::Bounded_double_double> weight_by_other_diagonal(const Delta_complex& complex, Halfedge_index h,
+                                                                          const Opposite_corners& corners) const;
   Corner known_corner(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;
   Opposite_corners known_corners(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;
   double number_of_quantities(const Delta_complex& complex, Halfedge_index h) const;

@@ -225,6 +225,8 @@ double Exact_geometry::cotangent_weight(const Delta_complex& complex, Edge_index
   const internal::Bounded_double_double weight = k.p / k.four_areas + l.p / l.four_areas;
   if (internal::is_good_weight(weight))
     return weight.hi();
+  if (const auto by_diagonal = weight_by_other_diagonal(complex, h, {k, l}); by_diagonal && internal::is_good_weight(*by_diagonal))
+    return by_diagonal->hi();
   const double sum = cotangent(complex, h, k, *surface) + cotangent(complex, g, l, *surface);
   // Two angles of one triangle sum to less than π.
   const Sign exact_sign = complex.is_self_glued(e) ? POSITIVE : sign_of_cotangents(complex, e, *surface);

@@ -117,10 +117,36 @@ std::optional<Exact_geometry::Test> Exact_geometry::test_by_corners(const Delta_
   const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
   if (is_certain(sign))
     return Test{Stage::UNFOLDING, get_certain(sign)};
+  if (const auto weight = weight_by_other_diagonal(complex, h, corners); weight && is_certain(weight->sign()))
+    return Test{Stage::UNFOLDING, get_certain(weight->sign())};
   if (is_straight(complex.face(h)) && is_straight(complex.face(g)))
     return Test{Stage::RATIONAL, internal::sign_of_cotangents(internal::rational_corner(complex, positions(), h),
                                                               internal::rational_corner(complex, positions(), g))};
   return std::nullopt;
+}
+
+// The sum of the cotangents opposite to kl = h, where its faces make up two faces of the input with the edge ij. Nearly flat grids are full of
+// such edges. The angles sum to 2π, so that sin(i + j) = -sin(k + l), and with w_kl = sin(i + j) / (sin i sin j) it follows that
+// w_kl = -w_ij A_ijk A_jil / (A_ilk A_jkl): however small w_ij is, its points tell it well.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::optional<internal::Bounded_double_double> Exact_geometry::weight_by_other_diagonal(const Delta_complex& complex, Halfedge_index h,
+                                                                                        const Opposite_corners& corners) const
+{
+  const Normal_coordinates& coordinates = correspondence_.coordinates();
+  if (metric_.points().empty() || coordinates.number_of_crossings(complex.edge(h)) != 1)
+    return std::nullopt;
+  const Halfedge_index g = complex.opposite(h);
+  for (Halfedge_index side : {complex.next(h), complex.prev(h), complex.next(g), complex.prev(g)})
+    if (!coordinates.is_original(complex.edge(side)) || correspondence_.is_inserted(complex.source(side)))
+      return std::nullopt;
+  const internal::Bounded_double_double areas = corners.k.four_areas * corners.l.four_areas;
+  if (!certainly(areas.sign() == POSITIVE))
+    return std::nullopt;
+  const Delta_complex& input = correspondence_.input();
+  const Halfedge_index ji = input.next(correspondence_.input_halfedge(complex.next(h)));
+  const Corner k = internal::straight_corner<Corner>(input, positions(), input.opposite(ji)),
+               l = internal::straight_corner<Corner>(input, positions(), ji);
+  return -(k.p * l.four_areas + l.p * k.four_areas) / areas;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
