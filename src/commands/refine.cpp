@@ -97,7 +97,7 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
   command.footer("No length of the surface changes: vertices are added to it, after its own, and the\n"
                  "triangulation is intrinsic Delaunay but for constrained edges. Where the input leaves no\n"
                  "choice, a face stays below the bound; --stats and the report count such faces by reason:\n"
-                 "cone, a vertex whose angles sum to little; small input angle, between edges that stay;\n"
+                 "cone, a vertex with a small angle sum; small input angle, between edges that stay;\n"
                  "unrepresentable, doubles are too coarse for the point; too small, below --minimum-size;\n"
                  "budget, there was no time or no point left. The status is 4 for the last of these alone.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();

@@ -91,7 +91,7 @@ bool may_end_the_process(Number_type number_type)
   return number_type == Number_type::CORE || number_type == Number_type::HALF_ANGLE_CORE;
 }
 
-// Does it in another process, which is all that ends then.
+// Runs it in a child process, so that an abort ends only that.
 Exit_status run_in_subprocess(const std::string& path, const Kernel_options& kernel,
                               const std::function<Exit_status()>& triangulate_input, bool& is_first)
 {

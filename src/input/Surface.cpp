@@ -36,7 +36,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
   const IT::Finding& finding = *report.first_fatal();
   std::optional<std::string> advice;
   if (!is_repaired && is_repairable(finding))
-    advice = "the option --repair does what can be done";
+    advice = "use --repair to fix what can be fixed";
   const std::string text = IT::message(report, path, advice);
   throw IT::Invalid_surface_error(finding.defect, finding.elements.empty() ? 0 : finding.elements.front(),
                                   finding.count, text);

@@ -333,7 +333,7 @@ private:
   struct Memory;
   using Image_corner = Triangle_corner<internal::Residues>;
 
-  // In flips for each edge. A journal is not to become much larger than the triangulation.
+  // In flips for each edge: bounds the memory of the journal.
   static constexpr std::size_t longest_journal = 8;
   // In crossings of the four sides.
   static constexpr std::int64_t long_hinge = 4;

@@ -29,7 +29,7 @@ enum class Geodesic_status {
 /// \brief the result of `Geodesic_path_network::shorten()`.
 struct Geodesic_report
 {
-  /// the worst status of all paths, in the order of the enumeration; contractible ones are none the worse for it
+  /// the worst status of all paths, in the order of the enumeration; a contractible one does not worsen it
   Geodesic_status status = Geodesic_status::GEODESIC;
   std::uint64_t flips = 0; ///< the number of flips
   std::uint64_t steps = 0; ///< how often a part of a path was replaced by a shorter one

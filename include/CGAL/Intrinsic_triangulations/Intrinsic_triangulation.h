@@ -616,7 +616,7 @@ private:
     return sign != NEGATIVE;
   }
 
-  // From their points faces are known as well as on the first day, after any number of flips.
+  // Recomputed from their points, faces are as accurate as before the first flip.
   void measure_straight_faces(const Hinge_halfedges& around)
   {
     const internal::Face_measurer<Sequential_tag, Traits> measurer(connectivity_, traits_, geometry_->metric().points(),
@@ -819,7 +819,7 @@ private:
 
   Delta_complex connectivity_;
   Traits traits_;
-  // Not initialized before they are filled: at this speed, one pass more can be felt.
+  // Left uninitialized until they are filled: one more pass would be measurable.
   Large_vector<Edge_data> edges_;
   Large_vector<Face_data> faces_;
   internal::Cotangent_bounds bounds_; // empty if the traits have none

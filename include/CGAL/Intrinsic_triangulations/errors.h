@@ -72,7 +72,7 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
-/// \brief says that a point is none of the surface: the message says why.
+/// \brief is thrown if a point does not lie on the surface; the message says why.
 class Invalid_point_error : public Error
 {
 public:

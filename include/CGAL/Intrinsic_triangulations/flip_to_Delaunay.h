@@ -173,8 +173,8 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 /// on these threads while nothing is flipped, and the few that are not found to be Delaunay are left to one thread. The result
 /// is the same for any number of threads, and the same as with `Sequential_tag` but for the choice
 /// among the Delaunay triangulations where there are ties. So are the numbers of tests and of what each stage decided, but they may
-/// differ from those with `Sequential_tag`. It pays where edges with near numbers lie
-/// near to each other. With another number type than `double` and `float` it is as `Sequential_tag`.
+/// differ from those with `Sequential_tag`. It helps if edges that are close on the surface
+/// have close numbers. With another number type than `double` and `float` it is as `Sequential_tag`.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
 /// \tparam NamedParameters a sequence of named parameters

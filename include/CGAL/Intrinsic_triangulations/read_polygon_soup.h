@@ -40,7 +40,7 @@ namespace Intrinsic_triangulations {
 /// \return the points and polygons; whether they are a surface is another question, see `examine_polygons()`
 ///
 /// \exception Invalid_surface_error if the file cannot be read. The message begins with the name of the file, and
-///   names the line or the element at fault. What a header announces is believed as far as it fits into the file: so memory is bounded
+///   names the line or the element at fault. Header counts are checked against the file size: so memory is bounded
 ///   by the size of the file
 /// \exception Cancelled_error if `progress` returns `false`
 ///

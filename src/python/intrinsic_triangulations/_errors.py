@@ -38,7 +38,7 @@ class InvalidSurfaceError(Error, ValueError):
 
 
 class InvalidPointError(Error, ValueError):
-    """A point, a direction or a vertex is none of the surface, or no path leads there."""
+    """A point, a direction or a vertex does not belong to the surface, or no path leads there."""
 
 
 class UndecidedError(Error, RuntimeError):

@@ -60,7 +60,7 @@ inline void two_product(double a, double b, double& p, double& e)
 // The double next to a number.
 inline double high(double x) { return x; }
 
-// Additions and multiplications are good to 2^-103 of the result; who uses them bounds the
+// Additions and multiplications are good to 2^-103 of the result; the caller bounds the
 // error of the whole expression.
 struct Double_double
 {

@@ -34,8 +34,8 @@ struct Type
   using type = T;
 };
 
-// In a function, not in the traits: a class with such an error is no class any more, and whatever uses it
-// is one more error.
+// In a function, not in the traits: there the error would leave the class incomplete, and each use would be
+// another one.
 template <class FT>
 auto checked_number_type()
 {

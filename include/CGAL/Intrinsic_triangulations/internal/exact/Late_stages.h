@@ -114,8 +114,8 @@ public:
     return unfolding(metric).squared_length(e);
   }
 
-  // The length of e, within one unit in the last place. An interval around a double is two units
-  // in its last place wide, however high the precision: then the middle is taken.
+  // The length of e, within one unit in the last place. If the root is itself a double, rounding outward
+  // always leaves an interval of two units in the last place: then the middle is taken.
   double length(Edge_index e)
   {
     for (long precision = 128;; precision = doubled(precision)) {

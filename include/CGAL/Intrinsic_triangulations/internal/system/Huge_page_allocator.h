@@ -24,7 +24,7 @@ namespace internal {
 
 constexpr std::size_t huge_page = std::size_t(1) << 21;
 
-// Asks for huge pages for memory that is not used yet. A wish: failure changes nothing.
+// Asks for huge pages for memory that is not used yet. Best effort: a failure is ignored.
 inline void wish_for_huge_pages(void* const p, const std::size_t size)
 {
 #ifdef __linux__
