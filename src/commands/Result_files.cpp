@@ -22,7 +22,8 @@ namespace idt {
 
 void Result_files::add_options(CLI::App& command, CLI::Option* repair)
 {
-  command.add_option("--stats", stats, "write what the report says as a JSON object")->type_name("F.json");
+  command.add_flag("--verbose", is_verbose, "report also how edges were decided, where the input lies in the result, and what took how long");
+  command.add_option("--stats", stats, "write what the verbose report says as a JSON object")->type_name("F.json");
   command
     .add_option("--edges", edges,
                 "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,"

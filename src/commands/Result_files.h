@@ -24,6 +24,7 @@ struct Result_files
   std::string stats, edges, Laplacian, mass, crossings, overlay, points, repair_map, vertex_map;
   std::string overlay_format = "ply"; // on the standard output
   bool has_overlay_triangles = false;
+  bool is_verbose = false; // of the report
 
   // Declares the options that all triangulations have. \param repair the option without which there is no repair map
   void add_options(CLI::App& command, CLI::Option* repair);

@@ -74,7 +74,7 @@ Exit_status refine_file(const std::string& path, const Refine_options& options)
   kernel.wanted.verification = options.is_verified;
   Triangulation_result result = triangulate(std::move(surface), kernel);
   options.files.write(result);
-  write_report(std::cout, result);
+  write_report(std::cout, result, options.files.is_verbose);
   flush_standard_output();
   const Exit_status status = exit_status(result.outcome);
   if (status != Exit_status::DONE)

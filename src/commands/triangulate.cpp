@@ -77,7 +77,7 @@ Exit_status triangulate_file(const std::string& path, const Triangulate_options&
   if (!is_first)
     std::cout << '\n';
   is_first = false;
-  write_report(std::cout, result);
+  write_report(std::cout, result, options.files.is_verbose);
   flush_standard_output();
   const Exit_status status = exit_status(result.outcome);
   if (status != Exit_status::DONE)

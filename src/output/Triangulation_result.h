@@ -62,8 +62,8 @@ std::map<std::string, std::size_t> unrefined_faces(const Outcome& outcome);
 // What the exact check found, in words. \pre it was made
 std::string describe_verification(const Outcome& outcome);
 
-// The text that people read.
-void write_report(std::ostream& os, const Triangulation_result& result);
+// The text that people read: what they want to know, or all that is known.
+void write_report(std::ostream& os, const Triangulation_result& result, bool is_verbose);
 
 // The object that programs read; what is not known is null.
 nlohmann::ordered_json statistics(const Triangulation_result& result);

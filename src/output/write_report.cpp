@@ -67,9 +67,55 @@ std::string shapes_text(const Outcome& outcome)
   return text + ", largest circumradius " + in_short(shapes.maximum_circumradius);
 }
 
+std::string number_type_text(const Kernel_options& options)
+{
+  std::string text = name(options.number_type);
+  if (options.number_type == Number_type::MPFR)
+    text += ", " + std::to_string(options.precision) + " bits";
+  return text;
+}
+
+// How edges were decided, and where the input lies in the result.
+void write_details(Report_writer& report, const Triangulation_result& result)
+{
+  const Outcome& outcome = result.outcome;
+  if (outcome.stages)
+    report.line("decided", stages_text(*outcome.stages));
+  if (outcome.tessellation)
+    report.line("ties", with_separators(outcome.tessellation->ties) + ", which leaves " +
+                          counted(outcome.tessellation->cells, "cell", "cells"));
+  if (outcome.crossing_summary) {
+    report.line("changed edges", with_separators(outcome.crossing_summary->changed));
+    report.line("crossings", with_separators(outcome.crossing_summary->crossings));
+    report.line("simple edges", with_separators(outcome.crossing_summary->simple));
+    report.line("longest edge", counted(outcome.crossing_summary->longest, "segment", "segments"));
+  }
+  report.line("loops", with_separators(result.counts.loops));
+  report.line("multiple edges", with_separators(result.counts.multiple_edges));
+}
+
+std::string times_text(const Triangulation_result& result)
+{
+  const Outcome& outcome = result.outcome;
+  std::string times = "read " + seconds_text(result.surface.read_seconds) + ", build " +
+                      seconds_text(result.surface.build_seconds + outcome.build_seconds) + ", flip " +
+                      seconds_text(outcome.flip_seconds);
+  if (outcome.refinement)
+    times += ", refine " + seconds_text(outcome.refinement->seconds);
+  if (outcome.crossing_summary)
+    times += ", crossings " + seconds_text(outcome.crossing_summary->seconds);
+  if (outcome.subdivision)
+    times += ", positions " + seconds_text(outcome.crossing_summary->position_seconds);
+  if (result.options.wanted.numbers)
+    times += ", numbers " + seconds_text(outcome.number_seconds);
+  for (const auto& [option, seconds] : result.file_seconds)
+    times += std::string(", write ") + option + ' ' + seconds_text(seconds);
+  return times;
+}
+
 } // namespace
 
-void write_report(std::ostream& os, const Triangulation_result& result)
+void write_report(std::ostream& os, const Triangulation_result& result, bool is_verbose)
 {
   const Surface_counts& counts = result.counts;
   const Outcome& outcome = result.outcome;
@@ -93,10 +139,8 @@ void write_report(std::ostream& os, const Triangulation_result& result)
                   in_short(100 * surface.mollification->largest_relative_change) + " %)");
   if (surface.input_vertices)
     report.line("flat sides", counted(surface.number_of_removed_vertices, "vertex", "vertices") + " removed");
-  std::string number_type = name(result.options.number_type);
-  if (result.options.number_type == Number_type::MPFR)
-    number_type += ", " + std::to_string(result.options.precision) + " bits";
-  report.line("number type", number_type);
+  if (is_verbose || result.options.number_type != default_number_type)
+    report.line("number type", number_type_text(result.options));
   if (surface.untwisting)
     report.line("fast forward", surface.untwisting->number_of_flips.str() + (surface.untwisting->number_of_flips == 1 ? " flip in " : " flips in ") +
                                   counted(surface.untwisting->twists.size(), "twist", "twists"));
@@ -108,19 +152,8 @@ void write_report(std::ostream& os, const Triangulation_result& result)
     report.line("shapes", shapes_text(outcome));
   for (const auto& [reason, faces] : unrefined_faces(outcome))
     report.line("left", counted(faces, "face", "faces") + ": " + reason);
-  if (outcome.stages)
-    report.line("decided", stages_text(*outcome.stages));
-  if (outcome.tessellation)
-    report.line("ties", with_separators(outcome.tessellation->ties) + ", which leaves " +
-                          counted(outcome.tessellation->cells, "cell", "cells"));
-  if (outcome.crossing_summary) {
-    report.line("changed edges", with_separators(outcome.crossing_summary->changed));
-    report.line("crossings", with_separators(outcome.crossing_summary->crossings));
-    report.line("simple edges", with_separators(outcome.crossing_summary->simple));
-    report.line("longest edge", counted(outcome.crossing_summary->longest, "segment", "segments"));
-  }
-  report.line("loops", with_separators(counts.loops));
-  report.line("multiple edges", with_separators(counts.multiple_edges));
+  if (is_verbose)
+    write_details(report, result);
   if (outcome.weights_before)
     report.line("weights before", weights_text(*outcome.weights_before));
   if (outcome.weights_after)
@@ -128,21 +161,9 @@ void write_report(std::ostream& os, const Triangulation_result& result)
   if (outcome.verification)
     report.line("verification", describe_verification(outcome));
 
-  std::string times = "read " + seconds_text(surface.read_seconds) + ", build " +
-                      seconds_text(surface.build_seconds + outcome.build_seconds) + ", flip " +
-                      seconds_text(outcome.flip_seconds);
-  if (outcome.refinement)
-    times += ", refine " + seconds_text(outcome.refinement->seconds);
-  if (outcome.crossing_summary)
-    times += ", crossings " + seconds_text(outcome.crossing_summary->seconds);
-  if (outcome.subdivision)
-    times += ", positions " + seconds_text(outcome.crossing_summary->position_seconds);
-  if (result.options.wanted.numbers)
-    times += ", numbers " + seconds_text(outcome.number_seconds);
-  for (const auto& [option, seconds] : result.file_seconds)
-    times += std::string(", write ") + option + ' ' + seconds_text(seconds);
-  report.line("time", times + "; " + seconds_text(surface.stopwatch.seconds()) + " in all");
-  report.line("peak memory", in_short(double(peak_memory_bytes()) / (1 << 20)) + " MiB");
+  report.line("time", (is_verbose ? times_text(result) + "; " : "") + seconds_text(surface.stopwatch.seconds()) + (is_verbose ? " in all" : ""));
+  if (is_verbose)
+    report.line("peak memory", in_short(double(peak_memory_bytes()) / (1 << 20)) + " MiB");
   report.line("status", describe_status(result));
 }
 

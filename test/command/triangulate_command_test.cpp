@@ -40,6 +40,10 @@ TEST_F(Triangulate_command, reports_what_it_did)
   EXPECT_TRUE(contains(run.out, "4 vertices, 5 edges, 2 faces"));
   EXPECT_TRUE(contains(run.out, "1 in "));
   EXPECT_TRUE(contains(run.out, "status          Delaunay"));
+  for (const char* detail : {"decided", "finite fields", "crossings", "loops", "number type", "peak memory", "build"}) {
+    EXPECT_FALSE(contains(run.out, detail)) << detail;
+    EXPECT_TRUE(contains(idt("triangulate kite.off --verbose").out, detail)) << detail;
+  }
 }
 
 TEST_F(Triangulate_command, writes_the_keys_of_the_statistics_in_order)
