@@ -10,6 +10,7 @@
 PYBIND11_MODULE(_core, module)
 {
   module.doc() = "What the package intrinsic_triangulations calls.";
+  module.attr("version") = INTRINSIC_TRIANGULATIONS_VERSION;
   idt_python::register_errors();
   idt_python::add_files(module);
   idt_python::add_Laplacian(module);

@@ -36,6 +36,12 @@ def test_the_examples_of_the_manual():
             assert line == comment.split(":")[0].strip()
 
 
+def test_the_version_is_that_of_the_project():
+    """CMakeLists.txt is where it is written."""
+    with open(os.path.join(os.path.dirname(MANUAL), "..", "CMakeLists.txt"), encoding="utf-8") as file:
+        assert re.search(r"^  VERSION (\S+)$", file.read(), re.MULTILINE).group(1) == it.__version__
+
+
 def test_the_eigenvalues_of_the_manual_are_those_of_the_square():
     with open(MANUAL, encoding="utf-8") as file:
         example = re.search(r"^```python\n(from scipy.*?)^```", file.read(), re.MULTILINE | re.DOTALL).group(1)

@@ -13,6 +13,7 @@ not of the type or the shape that is asked for raises `ValueError`. Long calls l
 The package is under the LGPL, but for `point_cloud_laplacian` and `repair`, which are under the GPL.
 """
 
+from ._core import version as __version__
 from ._errors import (CancelledError, Error, IntegerOverflowError, InvalidPointError, InvalidSurfaceError, NumericalError,
                       UndecidedError)
 from ._files import Repair, RepairedMesh, orient, read_mesh, repair
