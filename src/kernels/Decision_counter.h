@@ -38,9 +38,9 @@ public:
   bool is_known_Delaunay(Edge_index) const { return false; }
   unsigned are_known_Delaunay(Edge_index) const { return 0; }
   void count_as_tested(std::uint64_t) {}
-  Boolean test_and_refine(Edge_index e)
+  Boolean test_and_recompute(Edge_index e)
   {
-    const Boolean answer = Base::test_and_refine(e);
+    const Boolean answer = Base::test_and_recompute(e);
     if (CGAL::is_certain(answer) && is_wrong(e, CGAL::certainly(answer)))
       ++wrong_decisions_;
     return answer;

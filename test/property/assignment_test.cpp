@@ -34,7 +34,7 @@ void ask(Triangulation& t)
 {
   for (IT::Edge_index e : t.connectivity().edges())
     if (t.connectivity().is_flippable(e))
-      IT::internal::Whole_triangulation<Triangulation::Traits>(t).test_and_refine(e);
+      IT::internal::Whole_triangulation<Triangulation::Traits>(t).test_and_recompute(e);
 }
 
 void flip_some(Triangulation& t, std::uint64_t number)

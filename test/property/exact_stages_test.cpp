@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_fallback.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
@@ -154,12 +154,12 @@ TEST(Exact_stages, the_rationals_decide_where_no_area_has_a_root)
   for (const Triangulation& t : {input, make_Delaunay(surface)}) {
     const IT::Exact_geometry& geometry = t.exact_geometry();
     const auto input_surface = geometry.input_surface();
-    IT::internal::Late_stages late_stages(t.connectivity(), geometry.correspondence(),
-                                          *input_surface);
+    IT::internal::Exact_fallback exact_fallback(t.connectivity(), geometry.correspondence(),
+                                                *input_surface);
     for (IT::Edge_index e : t.connectivity().edges()) {
       if (!t.connectivity().is_flippable(e))
         continue;
-      const auto decision = late_stages.sign_of_cotangents(IT::internal::corners_beside(t.connectivity(), e));
+      const auto decision = exact_fallback.sign_of_cotangents(IT::internal::corners_beside(t.connectivity(), e));
       EXPECT_EQ(decision.stage, IT::Stage::ALGEBRAIC);
       EXPECT_EQ(decision.sign, CGAL::sign(t.cotangent_weight(e)));
       ++number_of_signs[std::size_t(1 + decision.sign)];
@@ -226,10 +226,10 @@ TEST(Exact_stages, a_length_that_is_a_double_is_found_by_multiple_precision)
                         grid.points);
   const IT::Exact_geometry& geometry = t.exact_geometry();
   const auto input_surface = geometry.input_surface();
-  IT::internal::Late_stages late_stages(t.connectivity(), geometry.correspondence(),
-                                        *input_surface);
+  IT::internal::Exact_fallback exact_fallback(t.connectivity(), geometry.correspondence(),
+                                              *input_surface);
   for (IT::Edge_index e : t.connectivity().edges())
-    EXPECT_NEAR(std::ldexp(late_stages.length(e), t.unit_exponent()), t.length(e),
+    EXPECT_NEAR(std::ldexp(exact_fallback.length(e), t.unit_exponent()), t.length(e),
                 0x1p-52 * t.length(e));
 }
 

@@ -44,7 +44,7 @@ namespace Intrinsic_triangulations {
 namespace internal {
 class Input_surface;
 class Interruption;
-class Late_stages;
+class Exact_fallback;
 class Residues;
 class Vertex_positions;
 template <class Corner, class Image_corner>
@@ -385,7 +385,7 @@ private:
   Corner unfolded_corner(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;
   internal::Bounded_double_double squared_length(const Delta_complex& complex, Edge_index e,
                                                  internal::Input_surface& surface) const;
-  internal::Late_stages late_stages(const Delta_complex& complex, internal::Input_surface& surface) const;
+  internal::Exact_fallback exact_fallback(const Delta_complex& complex, internal::Input_surface& surface) const;
   bool is_straight(Face_index f) const;
   template <class Real>
   struct Side_and_corner;

@@ -491,20 +491,20 @@ public:
   ///
   /// After many flips their error bounds are so wide that filters decide little. For traits with exact geometry. Costs time
   /// proportional to the number of input edges that the sides cross.
-  void refine(Face_index f)
+  void recompute(Face_index f)
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     CGAL_precondition(keeps_input());
     const Halfedge_index h = connectivity_.halfedge(f);
-    refine(h, geometry_->kept_corner(connectivity_, h));
+    recompute(h, geometry_->kept_corner(connectivity_, h));
   }
 
   /// \brief replaces the stored numbers of all faces around `v` by those that follow from the input.
   ///
-  /// As `refine(Face_index)` for each of them, but each edge from `v` is laid out once. `v` lies inside the surface or on its border.
+  /// As `recompute(Face_index)` for each of them, but each edge from `v` is laid out once. `v` lies inside the surface or on its border.
   /// \pre `v` has a face
-  void refine(Vertex_index v)
+  void recompute(Vertex_index v)
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
@@ -595,21 +595,21 @@ private:
     const auto by_filter = traits_.is_convex_object();
     if (const Boolean answer = by_filter(hinge(e)); is_certain(answer))
       return certainly(answer);
-    refine(connectivity_.face(connectivity_.halfedge(e)));
-    refine(connectivity_.face(connectivity_.opposite(connectivity_.halfedge(e))));
+    recompute(connectivity_.face(connectivity_.halfedge(e)));
+    recompute(connectivity_.face(connectivity_.opposite(connectivity_.halfedge(e))));
     const Boolean answer = by_filter(hinge(e));
     return is_certain(answer) ? certainly(answer) : geometry_->decide_convexity(connectivity_, e);
   }
 
   // Decides by the exact geometry, and replaces what was stored.
-  BOOST_NOINLINE bool decide_and_refine(Edge_index e)
+  BOOST_NOINLINE bool decide_and_recompute(Edge_index e)
   {
     std::optional<Exact_geometry::Opposite_corners> corners;
     const Sign sign = geometry_->decide(connectivity_, e, corners);
     const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
     if (corners) {
-      refine(h, corners->k);
-      refine(g, corners->l);
+      recompute(h, corners->k);
+      recompute(g, corners->l);
     } else {
       measure_straight_faces(connectivity_.hinge(e));
     }
@@ -628,7 +628,7 @@ private:
         return false;
       if (!geometry_->has_inserted_corner(connectivity_, face.h))
         return true;
-      refine(face.h, geometry_->corner(connectivity_, face.h)); // the points of inserted vertices are no doubles
+      recompute(face.h, geometry_->corner(connectivity_, face.h)); // the points of inserted vertices are no doubles
       return false;
     };
     const bool measures_one = measures(one), measures_two = measures(two);
@@ -641,7 +641,7 @@ private:
       measurer.measure(two);
   }
 
-  void refine(Halfedge_index h, const Exact_geometry::Corner& c)
+  void recompute(Halfedge_index h, const Exact_geometry::Corner& c)
   {
     const Face_data face =
       traits_.construct_refined_data_object()(c.four_areas, c.s_first, c.s_second, c.s_opposite);

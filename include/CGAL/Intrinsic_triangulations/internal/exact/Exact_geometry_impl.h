@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Developed_faces.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_fallback.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Straight_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/corner_signs.h>
@@ -622,7 +622,7 @@ internal::Bounded_double_double Exact_geometry::squared_length(const Delta_compl
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-internal::Late_stages Exact_geometry::late_stages(const Delta_complex& complex, internal::Input_surface& surface) const
+internal::Exact_fallback Exact_geometry::exact_fallback(const Delta_complex& complex, internal::Input_surface& surface) const
 {
   return {complex, correspondence_, surface};
 }

@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/exact/Double_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_geometry_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_fallback.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Two_straight_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Vertex_positions.h>
@@ -128,7 +128,7 @@ double Exact_geometry::length(const Delta_complex& complex, Edge_index e) const
   const internal::Bounded_double_double s = squared_length(complex, e, *surface);
   if (internal::has_good_root(s))
     return internal::rounded_root(s, metric_.unit_exponent());
-  return std::ldexp(late_stages(complex, *surface).length(e), metric_.unit_exponent());
+  return std::ldexp(exact_fallback(complex, *surface).length(e), metric_.unit_exponent());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -146,7 +146,7 @@ Interval_nt<> Exact_geometry::length_interval(const Delta_complex& complex, Edge
     while (high - l.hi() < l.lo() + 1.01 * l.error())
       high = std::nextafter(high, 2 * high);
   } else {
-    const internal::Mpfr_interval m = sqrt(late_stages(complex, *surface).squared_length(e, 128));
+    const internal::Mpfr_interval m = sqrt(exact_fallback(complex, *surface).squared_length(e, 128));
     low = m.lower_double();
     high = m.upper_double();
   }
@@ -174,7 +174,7 @@ double Exact_geometry::cotangent(const Delta_complex& complex, Halfedge_index h,
   const double p = corner.p.hi(), four_areas = corner.four_areas.hi();
   if (corner.four_areas.relative_error() < 0x1p-60 && corner.p.error() < 0x1p-60 * (std::abs(p) + four_areas))
     return p / four_areas;
-  return late_stages(complex, surface).cotangent(h, [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
+  return exact_fallback(complex, surface).cotangent(h, [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
 }
 
 // As cotangent(), and zero only for a right angle, else with the right sign.
@@ -182,11 +182,11 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_geometry::signed_cotangent(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const
 {
   const Corner c = corner(complex, h, surface);
-  const Sign sign = is_certain(c.p.sign()) ? get_certain(c.p.sign()) : late_stages(complex, surface).sign_of_scalar_product(h);
+  const Sign sign = is_certain(c.p.sign()) ? get_certain(c.p.sign()) : exact_fallback(complex, surface).sign_of_scalar_product(h);
   if (sign == ZERO)
     return 0;
   const double value = cotangent(complex, h, c, surface);
-  return CGAL::sign(value) == sign ? value : late_stages(complex, surface).cotangent(h, internal::is_narrow);
+  return CGAL::sign(value) == sign ? value : exact_fallback(complex, surface).cotangent(h, internal::is_narrow);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -199,13 +199,13 @@ double Exact_geometry::angle(const Delta_complex& complex, Halfedge_index h) con
   const Corner c = corner(complex, h, *surface);
   if (c.four_areas.relative_error() < 0x1p-60 && c.p.error() < 0x1p-60 * (std::abs(c.p.hi()) + c.four_areas.hi()))
     return std::atan2(std::abs(c.four_areas.hi()), c.p.hi()); // of a zero without its sign
-  internal::Late_stages late = late_stages(complex, *surface);
+  internal::Exact_fallback fallback = exact_fallback(complex, *surface);
   if (sign_of_area(complex, complex.face(h), *surface) == ZERO)
-    return late.sign_of_scalar_product(h) == NEGATIVE ? CGAL_PI : 0;
-  const long scale = late.scale_of_corner(h);
-  const double four_areas = late.number_of_corner(
+    return fallback.sign_of_scalar_product(h) == NEGATIVE ? CGAL_PI : 0;
+  const long scale = fallback.scale_of_corner(h);
+  const double four_areas = fallback.number_of_corner(
     h, [&](const auto& corner) { return ldexp(corner.four_areas, scale); }, internal::is_narrow);
-  const double p = late.number_of_corner(
+  const double p = fallback.number_of_corner(
     h, [&](const auto& corner) { return ldexp(corner.p, scale); },
     [&](double width, double magnitude) { return internal::is_narrow(width, (std::max)(magnitude, four_areas)); });
   return std::atan2(four_areas, p);
@@ -234,7 +234,7 @@ double Exact_geometry::cotangent_weight(const Delta_complex& complex, Edge_index
     return 0;
   return CGAL::sign(sum) == exact_sign
            ? sum
-           : late_stages(complex, *surface).sum_of_cotangents(internal::corners_beside(complex, e));
+           : exact_fallback(complex, *surface).sum_of_cotangents(internal::corners_beside(complex, e));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -252,7 +252,7 @@ double Exact_geometry::area(const Delta_complex& complex, Face_index f) const
     return 0;
   // In the unit of the input, since in that of the numbers it may be subnormal.
   const int unit = metric_.unit_exponent();
-  const double value = late_stages(complex, *surface).number_of_corner(
+  const double value = exact_fallback(complex, *surface).number_of_corner(
     h, [&](const auto& corner) { return ldexp(corner.four_areas, 2 * long(unit) - 2); }, internal::is_narrow);
   return unit < 0 ? internal::area_in_input_unit(std::ldexp(value, -2 * unit), unit, f) : value;
 }

@@ -15,7 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_geometry_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Late_stages.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_fallback.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Sign_in_plane.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/corner_signs.h>
@@ -62,7 +62,7 @@ Sign Exact_geometry::decide(const Delta_complex& complex, Edge_index e, std::opt
   if (forget_developed_faces(complex, e))
     if (const std::optional<Test> test = test_by_developed_corners())
       return memory.decided(*test);
-  const auto decision = late_stages(complex, *surface).sign_of_cotangents(internal::corners_beside(complex, e));
+  const auto decision = exact_fallback(complex, *surface).sign_of_cotangents(internal::corners_beside(complex, e));
   if (decision.is_rational && !memory.images)
     carry_images();
   return memory.decided({decision.stage, decision.sign});
@@ -203,7 +203,7 @@ Sign Exact_geometry::sign_of_cotangents(const Delta_complex& complex, Edge_index
   const auto find_image = [&](Halfedge_index side) { return image_of_developed_corner(complex, side); };
   if (const std::optional<Sign> tie = sign_by_images(complex, e, corners, surface, find_image))
     return *tie;
-  return late_stages(complex, surface).sign_of_cotangents(internal::corners_beside(complex, e)).sign;
+  return exact_fallback(complex, surface).sign_of_cotangents(internal::corners_beside(complex, e)).sign;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -217,7 +217,7 @@ Sign Exact_geometry::sign_by_unfolding(const Delta_complex& complex, Edge_index 
   const Opposite_corners corners = internal::unfolded_corners(
     Unfolding<internal::Double_double_metric>(complex, correspondence_, metric), beside);
   const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
-  return is_certain(sign) ? get_certain(sign) : late_stages(complex, *surface).sign_of_cotangents(beside).sign;
+  return is_certain(sign) ? get_certain(sign) : exact_fallback(complex, *surface).sign_of_cotangents(beside).sign;
 }
 
 // The sign of the sum of cotangents, if images that were carried along tell that the edge is a tie, or that both
@@ -266,7 +266,7 @@ bool Exact_geometry::is_convex(const Delta_complex& complex, Edge_index e) const
   return is_convex(complex, e, [&](const internal::Two_corners& at_end) {
     const Uncertain<Sign> sign = internal::sign_of_cotangents(known_corner(complex, at_end.opposite_to_k, *surface),
                                                               known_corner(complex, at_end.opposite_to_l, *surface));
-    return is_certain(sign) ? get_certain(sign) : late_stages(complex, *surface).sign_of_cotangents(at_end).sign;
+    return is_certain(sign) ? get_certain(sign) : exact_fallback(complex, *surface).sign_of_cotangents(at_end).sign;
   });
 }
 
@@ -284,13 +284,13 @@ bool Exact_geometry::decide_convexity(const Delta_complex& complex, Edge_index e
                                           developed_corner(complex, at_end.opposite_to_l, *surface));
     };
     Uncertain<Sign> answer = sign();
-    internal::Late_stages late = late_stages(complex, *surface);
-    if (!is_certain(answer) && !is_laid_out_anew && !late.is_level(at_end)) {
+    internal::Exact_fallback fallback = exact_fallback(complex, *surface);
+    if (!is_certain(answer) && !is_laid_out_anew && !fallback.is_level(at_end)) {
       forget_developed_faces(complex, e);
       is_laid_out_anew = true;
       answer = sign();
     }
-    return is_certain(answer) ? get_certain(answer) : late.sign_of_cotangents(at_end).sign;
+    return is_certain(answer) ? get_certain(answer) : fallback.sign_of_cotangents(at_end).sign;
   });
 }
 
@@ -329,7 +329,7 @@ Sign Exact_geometry::sign_of_area(const Delta_complex& complex, Face_index f, in
 {
   const Halfedge_index h = complex.halfedge(f);
   const Uncertain<Sign> sign = unfolded_corner(complex, h, surface).four_areas.sign();
-  return is_certain(sign) ? get_certain(sign) : late_stages(complex, surface).sign_of_area(h);
+  return is_certain(sign) ? get_certain(sign) : exact_fallback(complex, surface).sign_of_area(h);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -344,7 +344,7 @@ bool Exact_geometry::has_length_zero(const Delta_complex& complex, Edge_index e)
         return false;
   const Surface_lease surface = input_surface();
   const internal::Bounded_double_double s = squared_length(complex, e, *surface);
-  return is_certain(s.sign()) ? s.is_zero() : late_stages(complex, *surface).has_length_zero(e);
+  return is_certain(s.sign()) ? s.is_zero() : exact_fallback(complex, *surface).has_length_zero(e);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

@@ -263,7 +263,7 @@ private:
         postponed_.push_back(e);
         continue;
       }
-      const auto is_Delaunay = triangulation_.test_and_refine(e);
+      const auto is_Delaunay = triangulation_.test_and_recompute(e);
       if (!is_whole && !is_certain(is_Delaunay)) {
         uncertain_.push_back(e);
         continue;

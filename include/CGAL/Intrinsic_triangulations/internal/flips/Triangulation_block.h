@@ -100,7 +100,7 @@ public:
   {
     return triangulation_.traits_.is_locally_Delaunay_object()(triangulation_.hinge(connectivity().hinge(e)));
   }
-  Boolean test_and_refine(Edge_index e) const { return is_locally_Delaunay(e); }
+  Boolean test_and_recompute(Edge_index e) const { return is_locally_Delaunay(e); }
   void count_as_tested(std::uint64_t) const {} // all at once, when the blocks are done
 
   Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around)

@@ -55,12 +55,12 @@ public:
   }
 
   // Where the stored numbers cannot decide, they are replaced by the tight ones that do.
-  Boolean test_and_refine(Edge_index e)
+  Boolean test_and_recompute(Edge_index e)
   {
     const Boolean answer = is_Delaunay_by_filter(e);
     if constexpr (Triangulation::uses_exact_geometry)
       if (!is_certain(answer))
-        return triangulation_.decide_and_refine(e);
+        return triangulation_.decide_and_recompute(e);
     count_as_tested(1);
     return answer;
   }

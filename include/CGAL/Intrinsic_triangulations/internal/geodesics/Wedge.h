@@ -109,7 +109,7 @@ private:
     if (!sum.is_below_pi() && !sum.is_above_pi()) {
       for (const Estimated_corner& corner : corners_)
         if (!(corner.angle.error < 0x1p-44))
-          triangulation_.refine(complex().face(corner.opposite));
+          triangulation_.recompute(complex().face(corner.opposite));
       sum = estimate();
     }
     if (angle)

@@ -57,7 +57,7 @@ public:
       h = complex_.next_around_target(h);
     } while (h != first);
     if (!are_good)
-      triangulation_.refine(v);
+      triangulation_.recompute(v);
     do {
       measure(complex_.edge(h));
       h = complex_.next_around_target(h);

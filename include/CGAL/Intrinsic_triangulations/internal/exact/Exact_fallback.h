@@ -5,8 +5,8 @@
 //
 // What double-doubles leave open: multiple precision, and proofs that a number is zero.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_LATE_STAGES_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_LATE_STAGES_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_FALLBACK_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_FALLBACK_H
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
@@ -52,11 +52,11 @@ Opposite_corners<typename Metric::Real> unfolded_corners(const Unfolding<Metric>
           unfolding.opposite_corner(corners.opposite_to_l)};
 }
 
-class Late_stages
+class Exact_fallback
 {
 public:
-  Late_stages(const Delta_complex& complex, const Correspondence& correspondence,
-              Input_surface& surface)
+  Exact_fallback(const Delta_complex& complex, const Correspondence& correspondence,
+                 Input_surface& surface)
     : complex_(complex), correspondence_(correspondence), surface_(surface)
   {}
 
@@ -274,4 +274,4 @@ private:
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_LATE_STAGES_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EXACT_EXACT_FALLBACK_H
