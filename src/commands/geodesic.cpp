@@ -18,8 +18,13 @@
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
+#include <CGAL/Intrinsic_triangulations/cut_along_path.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_points.h>
+#include <CGAL/Intrinsic_triangulations/locate.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
+#include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <nlohmann/json.hpp>
@@ -33,7 +38,9 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace idt {
@@ -46,46 +53,81 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 struct Geodesic_options
 {
   std::string input;
-  std::uint64_t from = 0;
-  std::optional<std::uint64_t> to;
-  std::vector<std::uint64_t> via;
-  bool is_closed = false;
+  std::string from, to; // stops, as Stop reads them
+  std::vector<std::string> via;
+  bool is_closed = false, is_shortest = false;
   std::optional<double> direction, length;
   std::uint64_t maximum_number_of_faces = 1000000;
-  std::string output_path, stats_path, format = "csv";
+  std::string output_path, cut_path, stats_path, format = "csv";
   bool is_repaired = false;
 
   // What tells the format of the curve.
   std::string extension() const { return std::filesystem::path(name_with_format(output_path, format)).extension().string(); }
 };
 
+// A vertex, or a point in space.
+struct Stop
+{
+  std::optional<std::uint64_t> vertex;
+  std::array<double, 3> point{};
+
+  // \param text "V" or "X,Y,Z"
+  Stop(const std::string& option, std::string text)
+  {
+    if (text.find(',') == std::string::npos) {
+      if (!whole_number()(text).empty())
+        throw Usage_error(option + ": \"" + text + "\" is neither a vertex nor a point: write V or X,Y,Z");
+      vertex = std::stoull(text);
+      return;
+    }
+    std::replace(text.begin(), text.end(), ',', ' ');
+    std::istringstream numbers(text);
+    std::string rest;
+    for (double& x : point)
+      if (!(numbers >> x))
+        throw Usage_error(option + ": a point has three coordinates: write X,Y,Z");
+    if (numbers >> rest)
+      throw Usage_error(option + ": a point has three coordinates: write X,Y,Z");
+  }
+};
+
 struct Curve
 {
   std::vector<IT::Surface_point> points;
   std::optional<double> initial_length; // of paths
+  std::optional<double> distance;       // if the shortest was asked for
   double length = 0;
   IT::Geodesic_report report;
   bool is_geodesic = true;
   std::string status;
   std::optional<IT::Vertex_index> vertex; // where it was shrunk to, or ends
+
+  bool is_shortest() const { return distance && std::abs(length - *distance) <= 1e-9 * *distance; }
 };
 
 void check(const Geodesic_options& options)
 {
   if (options.direction.has_value() != options.length.has_value())
     throw Usage_error("--direction and --length belong together");
-  if (options.direction && (options.to || !options.via.empty() || options.is_closed))
+  if (options.direction && (!options.to.empty() || !options.via.empty() || options.is_closed))
     throw Usage_error("a line in a direction has no --to, --via or --closed");
-  if (!options.direction && !options.to && !options.is_closed)
+  if (!options.direction && options.to.empty() && !options.is_closed)
     throw Usage_error("a path needs --to, a closed one --via or --to with --closed, and a line --direction and --length");
-  if (options.is_closed && options.via.size() + (options.to ? 1 : 0) < 2)
+  if (options.is_closed && options.via.size() + (options.to.empty() ? 0 : 1) < 2)
     throw Usage_error("--closed needs two of --via and --to beside --from: the curve begins as the one through these vertices");
   if (options.direction && (!std::isfinite(*options.direction) || !std::isfinite(*options.length) || *options.length < 0))
     throw Usage_error("--direction and --length have to be finite, and the length not negative");
+  if (options.is_shortest && (options.direction || options.is_closed))
+    throw Usage_error("--shortest is for paths: without --direction and --closed");
+  if (options.direction && !Stop("--from", options.from).vertex)
+    throw Usage_error("a line in a direction begins at a vertex: --from V");
+  const std::optional<Mesh_format> cut_format = find_mesh_format(options.cut_path);
+  if (!options.cut_path.empty() && (!cut_format || cut_format == Mesh_format::STL))
+    throw Usage_error(options.cut_path + ": the surface that is cut open is written as a file whose name ends in .off, .obj, .ply, .ts or .vtp");
   const std::string type = options.extension();
   if (!options.output_path.empty() && type != ".obj" && type != ".csv" && type != ".ply" && type != ".vtp")
     throw Usage_error(options.output_path + ": a curve is written as a file whose name ends in .obj, .csv, .ply or .vtp");
-  check_output_paths({options.output_path, options.stats_path}, {options.input});
+  check_output_paths({options.output_path, options.cut_path, options.stats_path}, {options.input});
 }
 
 struct Visitor
@@ -113,33 +155,71 @@ std::string name(IT::Geodesic_status status)
 
 IT::Vertex_index vertex(const Triangulation& triangulation, std::uint64_t number)
 {
-  const std::uint64_t n = triangulation.connectivity().number_of_vertices();
+  const std::uint64_t n = triangulation.exact_geometry().correspondence().input().number_of_vertices();
   if (number >= n)
     throw Usage_error("there is no vertex " + std::to_string(number) + ": the surface has " + std::to_string(n) + ", counted from 0");
   return IT::Vertex_index(IT::Vertex_index::size_type(number));
 }
 
-Curve find_path(const Geodesic_options& options, Triangulation& triangulation)
+// The vertex of a stop; one at the nearest point of the surface is inserted.
+IT::Vertex_index vertex(const Surface& surface, Triangulation& triangulation, const Stop& stop)
 {
-  std::vector<IT::Vertex_index> stops{vertex(triangulation, options.from)};
-  for (std::uint64_t v : options.via)
-    stops.push_back(vertex(triangulation, v));
-  if (options.to)
-    stops.push_back(vertex(triangulation, *options.to));
+  if (stop.vertex)
+    return vertex(triangulation, *stop.vertex);
+  if (!surface.has_points())
+    throw Usage_error(surface.path + " has lengths alone, no points: begin and end at vertices");
+  return IT::vertex_at_point(triangulation, IT::locate(surface.connectivity, surface.points, stop.point));
+}
+
+struct Flips : IT::Default_flip_visitor
+{
+  bool go_further(std::uint64_t, std::uint64_t) { return !is_interrupted(); }
+};
+
+// Where the curve begins, on edges from stop to stop; and the length of the shortest path.
+std::vector<IT::Halfedge_index> first_path(const Geodesic_options& options, Triangulation& triangulation,
+                                           const std::vector<IT::Vertex_index>& stops, Curve& curve)
+{
+  std::vector<IT::Halfedge_index> result;
+  IT::Geodesic_distance_options distance_options;
+  distance_options.go_further = [] { return !is_interrupted(); };
+  if (options.is_shortest) {
+    curve.distance = 0;
+    if (IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(Flips())).status != IT::Flip_status::DELAUNAY)
+      throw IT::Cancelled_error(options.input + ": the search for the path was cancelled");
+  }
+  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+    std::vector<IT::Halfedge_index> part;
+    if (options.is_shortest) {
+      IT::Shortest_path found = IT::shortest_path(triangulation, stops[i], stops[i + 1], distance_options);
+      *curve.distance += found.distance;
+      part = std::move(found.halfedges);
+    } else {
+      part = IT::shortest_edge_path(triangulation, stops[i], stops[i + 1]);
+    }
+    result.insert(result.end(), part.begin(), part.end());
+  }
+  return result;
+}
+
+Curve find_path(const Geodesic_options& options, const Surface& surface, Triangulation& triangulation)
+{
+  std::vector<IT::Vertex_index> stops{vertex(surface, triangulation, Stop("--from", options.from))};
+  for (const std::string& text : options.via)
+    stops.push_back(vertex(surface, triangulation, Stop("--via", text)));
+  const std::size_t last_via = stops.size();
+  if (!options.to.empty())
+    stops.push_back(vertex(surface, triangulation, Stop("--to", options.to)));
   if (options.is_closed)
     stops.push_back(stops.front());
-  std::vector<IT::Halfedge_index> start;
-  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-    const auto part = IT::shortest_edge_path(triangulation, stops[i], stops[i + 1]);
-    start.insert(start.end(), part.begin(), part.end());
-  }
+  Curve curve;
+  const std::vector<IT::Halfedge_index> start = first_path(options, triangulation, stops, curve);
   IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(triangulation);
   const std::size_t p = options.is_closed ? network.add_closed_path(start) : network.add_path(start);
-  if (!options.is_closed)
-    for (std::uint64_t v : options.via)
-      network.fix(vertex(triangulation, v));
-  Curve curve;
-  curve.initial_length = network.length(p);
+  for (std::size_t i = 1; !options.is_closed && i < last_via; ++i)
+    network.fix(stops[i]);
+  if (!options.is_shortest)
+    curve.initial_length = network.length(p);
   curve.report = network.shorten(CGAL::parameters::visitor(Visitor()));
   if (network.status(p) == IT::Geodesic_status::UNFINISHED)
     throw IT::Cancelled_error(options.input + ": the search for the path was cancelled");
@@ -171,7 +251,7 @@ IT::Halfedge_index reference(const IT::Delta_complex& complex, IT::Vertex_index 
 
 Curve trace(const Geodesic_options& options, const Triangulation& triangulation)
 {
-  const IT::Halfedge_index h = reference(triangulation.connectivity(), vertex(triangulation, options.from));
+  const IT::Halfedge_index h = reference(triangulation.connectivity(), vertex(triangulation, *Stop("--from", options.from).vertex));
   IT::Traced_geodesic line =
     IT::trace_geodesic(triangulation, IT::direction_at_vertex(triangulation, h, *options.direction), *options.length,
                        std::size_t(options.maximum_number_of_faces));
@@ -272,6 +352,10 @@ Json json_value(const Geodesic_options& options, const Surface& surface, const C
   json["is_geodesic"] = curve.is_geodesic;
   json["length"] = curve.length;
   json["initial_length"] = curve.initial_length ? Json(*curve.initial_length) : Json(nullptr);
+  if (curve.distance) {
+    json["distance"] = *curve.distance;
+    json["is_shortest"] = curve.is_shortest();
+  }
   json["flips"] = curve.report.flips;
   json["segments"] = curve.points.empty() ? 0 : curve.points.size() - 1;
   json["vertex"] = curve.vertex ? Json(curve.vertex->idx()) : Json(nullptr);
@@ -288,6 +372,8 @@ void write_report(std::ostream& os, const Geodesic_options& options, const Curve
   os << (curve.is_geodesic ? "" : "; not locally shortest") << "\n  length    " << in_full(curve.length);
   if (curve.initial_length)
     os << " (along edges: " << in_short(*curve.initial_length) << ')';
+  if (curve.distance)
+    os << "\n  distance  " << in_full(*curve.distance) << (curve.is_shortest() ? "; the path is shortest" : "; the path is not shortest");
   os << "\n  segments  " << with_separators(curve.points.empty() ? 0 : curve.points.size() - 1) << "\n  flips     "
      << with_separators(curve.report.flips) << "\n  time      " << seconds_text(seconds) << '\n';
 }
@@ -300,11 +386,13 @@ Exit_status run_geodesic(const Geodesic_options& options)
     const std::string type = options.extension();
     if (!surface.has_points() && !type.empty() && type != ".csv")
       throw Usage_error(options.output_path + ": " + path + " has lengths alone, no points: write a .csv file");
+    if (!surface.has_points() && !options.cut_path.empty())
+      throw Usage_error(options.cut_path + ": " + path + " has lengths alone, no points");
     const Stopwatch stopwatch;
     const Curve curve = [&] {
       const Progress progress(path, "looking for the line");
       auto triangulation = make_triangulation<Triangulation::Traits>(surface);
-      return options.direction ? trace(options, triangulation) : find_path(options, triangulation);
+      return options.direction ? trace(options, triangulation) : find_path(options, surface, triangulation);
     }();
     const double seconds = stopwatch.seconds();
     Points points;
@@ -321,10 +409,14 @@ Exit_status run_geodesic(const Geodesic_options& options)
       else
         write_csv(os, surface.connectivity, curve, points);
     });
+    write_file(options.cut_path, [&](std::ostream& os) {
+      const IT::Cut_surface cut = IT::cut_along_path(surface.connectivity, surface.points, curve.points);
+      write_mesh(os, cut.points, cut.triangles, *find_mesh_format(options.cut_path));
+    });
     write_json(options.stats_path, json_value(options, surface, curve, seconds));
     write_report(std::cout, options, curve, seconds);
     flush_standard_output();
-    return curve.is_geodesic && curve.status != "unfinished" ? Exit_status::DONE : Exit_status::NOT_FINISHED;
+    return curve.is_geodesic && curve.status != "unfinished" && (!curve.distance || curve.is_shortest()) ? Exit_status::DONE : Exit_status::NOT_FINISHED;
   });
 }
 
@@ -336,17 +428,22 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
   CLI::App& command = *app.add_subcommand("geodesic", "Find straight lines on a surface");
   command.footer("A path or a closed curve begins along edges and is shortened by flips until it is proven to be\n"
                  "locally shortest. A line is followed over the faces, with exact decisions. Vertices are counted from\n"
-                 "zero. The exit status is 4 if a curve could not be made locally shortest, or a line came to --maximum-faces.\n");
+                 "zero. The exit status is 4 if a curve could not be made locally shortest, or shortest with --shortest, or a\n"
+                 "line came to --maximum-faces.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
-  command.add_option("--from", options->from, "the vertex where it begins")->transform(whole_number())->required();
-  command.add_option("--to", options->to, "the vertex where a path ends")->transform(whole_number());
+  command.add_option("--from", options->from, "where it begins: a vertex, or the point of the surface that is nearest to a point in space")
+    ->type_name("V|X,Y,Z")
+    ->required();
+  command.add_option("--to", options->to, "where a path ends")->type_name("V|X,Y,Z");
   command
     .add_option("--via", options->via,
-                "a vertex in between; can be repeated. A path goes on to pass through it, a closed curve only begins so")
-    ->transform(whole_number())
+                "a vertex or point in between; can be repeated. A path goes on to pass through it, a closed curve only begins so")
+    ->type_name("V|X,Y,Z")
     ->expected(1)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_flag("--closed", options->is_closed, "a closed curve: from the last vertex back to the first");
+  command.add_flag("--shortest", options->is_shortest,
+                   "the shortest path of all, from stop to stop, and its exact length up to rounding beside it");
   command.add_option("--direction", options->direction,
                      "a line instead: in this direction, an angle on the surface in radians, counterclockwise from the "
                      "neighbour with the smallest number, or from the border");
@@ -360,6 +457,7 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
     .add_option("-o,--output", options->output_path,
                 "write the curve: as a polyline, or its points with input face and barycentric coordinates (CSV)")
     ->type_name("F.(obj|csv|ply|vtp)");
+  command.add_option("--cut", options->cut_path, "write the surface, cut open along the curve")->type_name("F.(off|obj|ply|ts|vtp)");
   set_words(command.add_option("--format", options->format, "the format of -o -, on the standard output"), {"csv", "obj", "ply", "vtp"})
     ->type_name("EXT")
     ->capture_default_str();

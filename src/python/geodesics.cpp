@@ -10,9 +10,14 @@
 #include "python/tangent_direction.h"
 
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
+#include <CGAL/Intrinsic_triangulations/cut_along_path.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_points.h>
+#include <CGAL/Intrinsic_triangulations/locate.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
+#include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -39,12 +44,22 @@ struct Path
   bool is_geodesic = false;
   const char* status = "";
   std::uint64_t flips = 0;
+  std::optional<double> distance; // if the shortest was asked for
+};
+
+// A vertex, or a point in space.
+struct Stop
+{
+  static constexpr std::uint32_t no_vertex = std::uint32_t(-1);
+
+  std::uint32_t vertex;
+  std::array<double, 3> point;
 };
 
 py::tuple to_tuple(Path&& path)
 {
   return py::make_tuple(to_array(std::move(path.positions), 3), path.points.to_arrays(), path.length, path.initial_length,
-                        path.is_geodesic, path.status, path.flips);
+                        path.is_geodesic, path.status, path.flips, path.distance);
 }
 
 const char* name_of(IT::Geodesic_status status)
@@ -67,15 +82,22 @@ public:
     surface_.use([](const Triangulation& t) { return &t.exact_geometry(); }); // prepared, for all copies
   }
 
-  // From vertex to vertex.
-  Path path(const std::vector<std::uint32_t>& stops, bool is_closed, std::uint64_t maximum_number)
+  // From stop to stop.
+  Path path(const std::vector<Stop>& stops, bool is_closed, bool is_shortest, std::uint64_t maximum_number)
   {
     Surface copy = surface_;
     return copy.use([&](Triangulation& t) {
-      IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(t);
-      const std::vector<IT::Halfedge_index> start = edge_path(t, stops, is_closed);
-      const std::size_t p = is_closed ? network.add_closed_path(start) : network.add_path(start);
+      std::vector<IT::Vertex_index> vertices;
+      for (const Stop& stop : stops)
+        vertices.push_back(stop.vertex != Stop::no_vertex ? IT::Vertex_index(stop.vertex) : IT::vertex_at_point(t, nearest(t, stop.point)));
+      if (is_closed)
+        vertices.push_back(vertices.front());
       Path result;
+      const std::vector<IT::Halfedge_index> start = is_shortest ? shortest_path(t, vertices, result) : edge_path(t, vertices);
+      if (is_closed && start.empty())
+        throw IT::Invalid_point_error("a closed curve needs two different vertices");
+      IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(t);
+      const std::size_t p = is_closed ? network.add_closed_path(start) : network.add_path(start);
       result.initial_length = network.length(p);
       result.flips = network.shorten(CGAL::parameters::visitor(Signal_visitor()).maximum_number(maximum_number)).flips;
       Signal_watch::check();
@@ -88,6 +110,40 @@ public:
         append(t, point, result);
       return result;
     });
+  }
+
+  // A face, and coordinates there.
+  py::tuple locate(const std::array<double, 3>& p)
+  {
+    Point_table table = surface_.use([&](const Triangulation& t) {
+      Point_table result;
+      append(t, nearest(t, p), result);
+      return result;
+    });
+    return table.to_arrays();
+  }
+
+  // Cut open along a path that is given by faces and coordinates: points, triangles, their faces, and where new vertices lie.
+  py::tuple cut_along_path(const std::vector<std::uint32_t>& faces, const std::vector<std::array<double, 3>>& coordinates)
+  {
+    Point_table locations;
+    const IT::Cut_surface cut = surface_.use([&](const Triangulation& t) {
+      std::vector<IT::Surface_point> path;
+      for (std::size_t i = 0; i < faces.size(); ++i)
+        path.push_back({surface_.input_sides()[faces[i]], coordinates[i]});
+      IT::Cut_surface result = IT::cut_along_path(t.exact_geometry().correspondence().input(), points_, path);
+      for (const IT::Surface_point& p : result.locations)
+        append(t, p, locations);
+      return result;
+    });
+    std::vector<double> points;
+    std::vector<std::int64_t> corners;
+    for (const auto& p : cut.points)
+      points.insert(points.end(), p.begin(), p.end());
+    for (const auto& triangle : cut.triangles)
+      corners.insert(corners.end(), triangle.begin(), triangle.end());
+    return py::make_tuple(to_array(std::move(points), 3), to_array(std::move(corners), 3),
+                          to_array(std::vector<std::int64_t>(cut.input_faces.begin(), cut.input_faces.end())), locations.to_arrays());
   }
 
   Path trace_from_vertex(std::uint32_t v, const std::array<double, 3>& vector, const std::optional<std::uint64_t>& maximum_number)
@@ -116,17 +172,35 @@ public:
   }
 
 private:
-  static std::vector<IT::Halfedge_index> edge_path(const Triangulation& t, const std::vector<std::uint32_t>& stops, bool is_closed)
+  static std::vector<IT::Halfedge_index> edge_path(const Triangulation& t, const std::vector<IT::Vertex_index>& stops)
   {
     std::vector<IT::Halfedge_index> result;
-    for (std::size_t i = 0; i + (is_closed ? 0 : 1) < stops.size(); ++i) {
-      const std::uint32_t from = stops[i], to = stops[(i + 1) % stops.size()];
-      if (from == to)
-        throw IT::Invalid_point_error("the path leads from vertex " + std::to_string(from) + " to itself");
-      const auto part = IT::shortest_edge_path(t, IT::Vertex_index(from), IT::Vertex_index(to));
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+      const auto part = IT::shortest_edge_path(t, stops[i], stops[i + 1]);
       result.insert(result.end(), part.begin(), part.end());
     }
     return result;
+  }
+
+  static std::vector<IT::Halfedge_index> shortest_path(Triangulation& t, const std::vector<IT::Vertex_index>& stops, Path& path)
+  {
+    IT::flip_to_Delaunay(t, CGAL::parameters::visitor(Signal_visitor()));
+    Signal_watch::check();
+    IT::Geodesic_distance_options options;
+    options.go_further = &Signal_watch::goes_on;
+    path.distance = 0;
+    std::vector<IT::Halfedge_index> result;
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+      const IT::Shortest_path part = IT::shortest_path(t, stops[i], stops[i + 1], options);
+      *path.distance += part.distance;
+      result.insert(result.end(), part.halfedges.begin(), part.halfedges.end());
+    }
+    return result;
+  }
+
+  IT::Surface_point nearest(const Triangulation& t, const std::array<double, 3>& p) const
+  {
+    return IT::locate(t.exact_geometry().correspondence().input(), points_, p);
   }
 
   // A border halfedge may point to the vertex, but its opposite has a face.
@@ -160,7 +234,12 @@ private:
     const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
     for (double x : IT::point_in_space(input, points_, point))
       path.positions.push_back(x);
-    path.points.append(input, point, surface_.input_sides()[input.face(point.halfedge).idx()]);
+    append(t, point, path.points);
+  }
+  void append(const Triangulation& t, const IT::Surface_point& point, Point_table& table) const
+  {
+    const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
+    table.append(input, point, surface_.input_sides()[input.face(point.halfedge).idx()]);
   }
 
   // Else a typing error in the length would fill the memory.
@@ -185,11 +264,24 @@ void add_geodesics(py::module_& module)
     .def(py::init(&surface_in_space), py::arg("points").noconvert(), py::arg("triangles").noconvert())
     .def(
       "path",
-      [](Surface_in_space& s, const Indices& stops, bool is_closed, std::uint64_t maximum_number) {
-        const auto vertices = copied(stops);
-        return to_tuple(without_lock([&] { return s.path(vertices, is_closed, maximum_number); }));
+      [](Surface_in_space& s, const Indices& vertices, const Doubles& points, bool is_closed, bool is_shortest, std::uint64_t maximum_number) {
+        const auto v = copied(vertices);
+        const auto p = copied_rows(points);
+        require(v.size() == p.size(), "there are not as many points as vertices");
+        std::vector<Stop> stops;
+        for (std::size_t i = 0; i < v.size(); ++i)
+          stops.push_back({v[i], p[i]});
+        return to_tuple(without_lock([&] { return s.path(stops, is_closed, is_shortest, maximum_number); }));
       },
-      py::arg("stops").noconvert(), py::arg("is_closed"), py::arg("maximum_number"))
+      py::arg("vertices").noconvert(), py::arg("points").noconvert(), py::arg("is_closed"), py::arg("is_shortest"), py::arg("maximum_number"))
+    .def("locate", &Surface_in_space::locate)
+    .def("cut_along_path",
+         [](Surface_in_space& s, const Indices& faces, const Doubles& coordinates) {
+           const auto f = copied(faces);
+           const auto c = copied_rows(coordinates);
+           require(f.size() == c.size(), "there are not as many coordinates as faces");
+           return s.cut_along_path(f, c);
+         })
     .def("trace_from_vertex",
          [](Surface_in_space& s, std::uint32_t v, const std::array<double, 3>& vector, const std::optional<std::uint64_t>& maximum_number) {
            return to_tuple(s.trace_from_vertex(v, vector, maximum_number));

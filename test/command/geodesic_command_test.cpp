@@ -100,13 +100,71 @@ TEST_F(Geodesic_command, follows_a_line)
   EXPECT_EQ(json::parse(content(folder_ / "s.json")).at("segments"), 3);
 }
 
+TEST_F(Geodesic_command, goes_between_points_and_finds_the_shortest_path)
+{
+  write_sheet("sheet.off");
+  for (const char* option : {"", " --shortest"}) {
+    ASSERT_EQ(idt(std::string("geodesic sheet.off --from=-1,-2,5 --to 3.5,0.25,1 -o p.obj --stats s.json") + option).status, 0);
+    const std::vector<std::string> text = lines(content(folder_ / "p.obj"));
+    EXPECT_EQ(text.front(), "v 0 0 0");
+    EXPECT_EQ(text.at(text.size() - 2), "v 3.5 0.25 0");
+    EXPECT_NEAR(json::parse(content(folder_ / "s.json")).at("length").get<double>(), std::hypot(3.5, 0.25), 1e-14);
+  }
+  EXPECT_TRUE(json::parse(content(folder_ / "s.json")).at("is_shortest").get<bool>());
+  // A pyramid with its peak near the front: edges lead over its back.
+  write("pyramid.off", "OFF\n5 4 0\n-5 0 0\n5 0 0\n0 1 6\n0 -4 0\n0 4.5 0\n3 0 2 4\n3 2 1 4\n3 0 3 2\n3 3 1 2\n");
+  ASSERT_EQ(idt("geodesic pyramid.off --from 0 --to 1 --shortest --stats s.json").status, 0);
+  ASSERT_EQ(idt("distance pyramid.off --source 0 --method exact --cover none -o d.csv").status, 0);
+  const std::string distance = lines(content(folder_ / "d.csv")).at(2);
+  const json stats = json::parse(content(folder_ / "s.json"));
+  EXPECT_NEAR(stats.at("length").get<double>(), std::stod(distance.substr(2)), 1e-12);
+  EXPECT_NEAR(stats.at("distance").get<double>(), std::stod(distance.substr(2)), 1e-12);
+}
+
+TEST_F(Geodesic_command, cuts_the_surface_open)
+{
+  write_sheet("sheet.off");
+  ASSERT_EQ(idt("geodesic sheet.off --from 1 --to 23 --cut opened.off").status, 0);
+  ASSERT_EQ(idt("triangulate opened.off --verify").status, 0);
+  const std::vector<std::string> text = lines(content(folder_ / "opened.off"));
+  std::istringstream counts(text.at(1));
+  std::size_t vertices, faces;
+  counts >> vertices >> faces;
+  // Two sheets, with twice the vertices on the path.
+  ASSERT_EQ(idt("geodesic sheet.off --from 1 --to 23 --stats s.json").status, 0);
+  const std::size_t segments = json::parse(content(folder_ / "s.json")).at("segments").get<std::size_t>();
+  EXPECT_GT(faces, 32u);
+  EXPECT_EQ(vertices, 25 + 2 * (segments + 1) - 3); // three vertices of the sheet lie on it
+  EXPECT_NE(idt("geodesic opened.off --from 0 --to 24").status, 0);
+}
+
+TEST_F(Geodesic_command, needs_no_squares_of_lengths)
+{
+  write("large.off", "OFF\n4 2 0\n0 0 0\n1e300 0 0\n1e300 1e300 0\n0 1e300 0\n3 0 1 2\n3 0 2 3\n");
+  for (const char* option : {"", " --shortest"}) {
+    ASSERT_EQ(idt(std::string("geodesic large.off --from 1 --to 3 --stats s.json") + option).status, 0);
+    EXPECT_NEAR(json::parse(content(folder_ / "s.json")).at("length").get<double>() / 1e300, std::sqrt(2.), 1e-14);
+  }
+}
+
+TEST_F(Geodesic_command, to_itself_is_an_empty_path)
+{
+  write_sheet("sheet.off");
+  for (const char* option : {"", " --shortest"}) {
+    ASSERT_EQ(idt(std::string("geodesic sheet.off --from 7 --to 7 -o p.csv --stats s.json") + option).status, 0);
+    EXPECT_EQ(json::parse(content(folder_ / "s.json")).at("length"), 0);
+    EXPECT_EQ(lines(content(folder_ / "p.csv")).size(), 1u);
+  }
+}
+
 TEST_F(Geodesic_command, refuses_what_makes_no_sense)
 {
   write_sheet("sheet.off");
   for (const char* options :
        {"--from 0", "--from 0 --to 25", "--from 99 --to 1", "--from 0 --to 1 --direction 1 --length 1", "--from 0 --direction 1",
         "--from 0 --length 1", "--from 0 --direction nan --length 1", "--from 0 --direction 1 --length -1",
-        "--from 0 --to 1 --closed", "--from 0 --to 1 -o path.txt", "--from 0 --to 1 -o sheet.off", "--to 1", "--from -1 --to 1"})
+        "--from 0 --to 1 --closed", "--from 0,1 --to 1", "--from 0,1,x --to 1", "--from 0,1,2,3 --to 1", "--from 0 --via 3 --to 5 --closed --shortest",
+        "--from 0,0,0 --direction 1 --length 1", "--from 0 --to 1 --cut c.stl", "--from 0 --to 1 -o path.txt", "--from 0 --to 1 -o sheet.off", "--to 1", "--from -1 --to 1"})
     EXPECT_EQ(idt(std::string("geodesic sheet.off ") + options).status, 2) << options;
   EXPECT_EQ(idt("geodesic missing.off --from 0 --to 1").status, 3);
   // The whole fan at a corner of the sheet is π/2.

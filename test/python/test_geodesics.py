@@ -77,16 +77,65 @@ def test_closed_curves():
 def test_bad_paths():
     V, F = icosphere(1)
     solver = it.EdgeFlipGeodesicSolver(numpy.concatenate([V, V + 3]), numpy.concatenate([F, F + len(V)]))
-    for a, b in ((0, 0), (0, 84), (-1, 2), (0, 50), (0, 1.5), (0, None)):
+    for a, b in ((0, 84), (-1, 2), (0, 50), (0, 1.5), (0, None)):
         with pytest.raises(ValueError):
             solver.find_geodesic_path(a, b)
-    for stops in ([], [3], [[0, 1]], [0, 1, 1], "01", None):
+    for stops in ([], [3], [[0, 1]], [4, 4], "01", None):
         with pytest.raises(ValueError):
             solver.find_geodesic_loop(stops)
     with pytest.raises(ValueError):
         solver.find_geodesic_path(0, 5, max_relative_length_decrease=0.5)
     with pytest.raises(ValueError):
         it.EdgeFlipGeodesicSolver(V, numpy.concatenate([F, F]))
+
+
+def test_a_path_to_itself_is_empty():
+    V, F = icosphere(1)
+    for is_shortest in (False, True):
+        path = it.geodesic_path(V, F, 7, 7, is_shortest)
+        assert path.positions.shape == (0, 3) and path.length == 0 and path.is_geodesic
+
+
+def test_the_shortest_path():
+    # A pyramid with a peak near its front: edges lead over its back.
+    V = [[-5, 0, 0], [5, 0, 0], [0, 1, 6], [0, -4, 0], [0, 4.5, 0]]
+    F = [[0, 2, 4], [2, 1, 4], [0, 3, 2], [3, 1, 2]]
+    path = it.geodesic_path(V, F, 0, 1, is_shortest=True)
+    assert path.distance == pytest.approx(it.geodesic_distances(V, F, [0], tolerance=0)[1], rel=1e-12)
+    assert path.length == pytest.approx(path.distance, rel=1e-12) and path.is_geodesic
+    assert it.geodesic_path(V, F, 0, 1).distance is None
+    with pytest.raises(ValueError):
+        it.EdgeFlipGeodesicSolver(V, F).find_path([0, 1, 2], is_closed=True, is_shortest=True)
+
+
+def test_paths_between_points():
+    V, F = grid(9)
+    solver = it.EdgeFlipGeodesicSolver(V, F)
+    face, coordinates = solver.locate([2.25, 3.5, 7])
+    assert numpy.allclose(coordinates @ V[F[face]], [2.25, 3.5, 0]) and coordinates.sum() == pytest.approx(1)
+    for is_shortest in (False, True):
+        path = solver.find_path([[2.25, 3.5, 7], 0, numpy.array([6.5, 3, -1])], is_shortest=is_shortest)
+        assert numpy.allclose(path.positions[0], [2.25, 3.5, 0]) and numpy.allclose(path.positions[-1], [6.5, 3, 0])
+    with pytest.raises(ValueError):
+        solver.locate([0, numpy.inf, 0])
+    with pytest.raises(ValueError):
+        solver.find_path([[0, 0], 1])
+
+
+def test_a_cut():
+    V, F = icosphere(2)
+    V = numpy.asarray(V)
+    path = it.geodesic_path(V, F, 3, [1, 0.3, 0.2], is_shortest=True)
+    cut = it.cut_along_path(V, F, path)
+    sides = {(int(a), int(b)) for t in cut.triangles for a, b in ((t[0], t[1]), (t[1], t[2]), (t[2], t[0]))}
+    assert len(sides) == 3 * len(cut.triangles)
+    border = [(a, b) for a, b in sides if (b, a) not in sides]
+    assert sum(numpy.linalg.norm(cut.positions[a] - cut.positions[b]) for a, b in border) == pytest.approx(2 * path.length)
+    assert numpy.array_equal(cut.positions[: len(V)], V) and cut.input_faces.shape == (len(cut.triangles),)
+    corners = V[numpy.asarray(F)[cut.faces]]
+    assert numpy.allclose((cut.coordinates[:, :, None] * corners).sum(axis=1), cut.positions[len(V) :])
+    with pytest.raises(ValueError):
+        it.cut_along_path(V, F, path._replace(faces=path.faces[:1]))
 
 
 def test_a_budget_of_flips(thin):

@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_DISTANCES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_DISTANCES_H
 
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
@@ -56,6 +57,12 @@ struct Geodesic_distances
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
+// How many may be followed.
+inline std::uint64_t number_of_ways(const Geodesic_distance_options& options, const Delta_complex& complex)
+{
+  return options.maximum_number > 0 ? options.maximum_number : 1000000 + 500 * std::uint64_t(complex.number_of_faces());
+}
+
 template <class Traits, class Row>
 Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& triangulation, const Row& row,
                                         const std::vector<std::uint32_t>& sources, const Geodesic_distance_options& options)
@@ -65,9 +72,8 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
   const Interruption interruption(options.go_further);
   const Laid_out_faces faces(triangulation, row);
   Window_propagation windows(faces, options.tolerance);
-  const std::uint64_t most = options.maximum_number > 0 ? options.maximum_number : 1000000 + 500 * std::uint64_t(triangulation.connectivity().number_of_faces());
   Geodesic_distances result;
-  result.is_complete = windows.run(sources, most, interruption);
+  result.is_complete = windows.run(sources, number_of_ways(options, triangulation.connectivity()), interruption);
   result.number_of_ways = windows.number_of_steps();
   std::vector<double> distances = windows.distances();
   std::map<std::uint32_t, double> pins;

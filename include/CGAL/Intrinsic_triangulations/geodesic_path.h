@@ -66,8 +66,17 @@ inline Surface_point seen_from_one_side(const Delta_complex& input, const Surfac
   return {along, {a, b, 0}};
 }
 
-// The vertex at a point of the input, inserted if there is none. No edge is flipped for it: so another point can be
-// inserted on any input edge after it.
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief returns the vertex at a point of the input, which is inserted if there is none.
+///
+/// No edge is flipped for it. So several points can be inserted one after the other, also on the same edge, before all other flips.
+///
+/// \param triangulation a triangulation that has all edges of its input, divided by inserted vertices
+/// \param point a point of the input, as `locate()` finds it
+/// \exception Invalid_point_error if the point is none of the surface. \exception Undecided_error as `insert_vertex()`
 template <class Traits>
 Vertex_index vertex_at_point(Intrinsic_triangulation<Traits>& triangulation, const Surface_point& point)
 {
@@ -83,16 +92,19 @@ Vertex_index vertex_at_point(Intrinsic_triangulation<Traits>& triangulation, con
     if (a == 0 && b == 0 && c > 0)
       return input.target(input.next(h));
   }
-  check_new_vertex(input, point);
-  const Surface_point p = seen_from_one_side(input, point);
+  internal::check_new_vertex(input, point);
+  const Surface_point p = internal::seen_from_one_side(input, point);
   for (auto v = input.number_of_vertices(); v < triangulation.connectivity().number_of_vertices(); ++v) {
-    const Surface_point q = seen_from_one_side(input, correspondence.location(Vertex_index(v)));
-    if (input.face(p.halfedge) == input.face(q.halfedge) && are_same_points(input, p, q))
+    const Surface_point q = internal::seen_from_one_side(input, correspondence.location(Vertex_index(v)));
+    if (input.face(p.halfedge) == input.face(q.halfedge) && internal::are_same_points(input, p, q))
       return Vertex_index(v);
   }
   return insert_vertex(triangulation, p,
                        parameters::edge_is_constrained_map(Static_boolean_property_map<Edge_index, true>()));
 }
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
 
 // From a triangulation of the mesh that has both vertices.
 template <class TriangleMesh, class Traits, class NamedParameters>
@@ -167,8 +179,8 @@ Geodesic_path geodesic_path(const TriangleMesh& mesh, const Surface_point& sourc
                             const NamedParameters& np = parameters::default_values())
 {
   auto triangulation = intrinsic_triangulation(mesh, np);
-  const Vertex_index s = internal::vertex_at_point(triangulation, source);
-  const Vertex_index t = internal::vertex_at_point(triangulation, target);
+  const Vertex_index s = vertex_at_point(triangulation, source);
+  const Vertex_index t = vertex_at_point(triangulation, target);
   return internal::shortened_edge_path(mesh, triangulation, s, t, np);
 }
 

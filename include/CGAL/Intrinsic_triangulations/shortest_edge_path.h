@@ -14,7 +14,6 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -59,7 +58,7 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
     Halfedge_index h = first;
     do {
       const Halfedge_index out = complex.opposite(h);
-      const double through = d + std::sqrt(CGAL::to_double(triangulation.squared_length(complex.edge(h))));
+      const double through = d + CGAL::to_double(triangulation.length(complex.edge(h)));
       const auto next = complex.target(out).idx();
       if (through < distance[next]) {
         distance[next] = through;

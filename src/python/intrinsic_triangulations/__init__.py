@@ -17,7 +17,7 @@ from ._core import version as __version__
 from ._errors import (CancelledError, Error, IntegerOverflowError, InvalidPointError, InvalidSurfaceError, NumericalError,
                       UndecidedError)
 from ._files import Repair, RepairedMesh, orient, read_mesh, repair
-from ._geodesics import EdgeFlipGeodesicSolver, GeodesicPath, GeodesicTracer, geodesic_path
+from ._geodesics import CutSurface, EdgeFlipGeodesicSolver, GeodesicPath, GeodesicTracer, cut_along_path, geodesic_path
 from ._heat import MeshHeatMethodDistanceSolver, compute_distance, compute_distance_multisource, geodesic_distances
 from ._laplacian import laplacian, mesh_laplacian, point_cloud_laplacian
 from ._mesh import cotan_laplacian, face_areas, vertex_areas
@@ -28,6 +28,7 @@ from ._vectors import MeshVectorHeatSolver
 __all__ = [
     "CancelledError",
     "CommonSubdivision",
+    "CutSurface",
     "EdgeFlipGeodesicSolver",
     "Error",
     "FlipReport",
@@ -48,6 +49,7 @@ __all__ = [
     "compute_distance",
     "compute_distance_multisource",
     "cotan_laplacian",
+    "cut_along_path",
     "face_areas",
     "geodesic_distances",
     "geodesic_path",

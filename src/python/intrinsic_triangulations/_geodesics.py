@@ -7,11 +7,13 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Optional
+from typing import Any, NamedTuple, Optional, Tuple
 
 import numpy
 
 from . import _arrays, _core
+
+_NO_VERTEX = 2**32 - 1
 
 
 class GeodesicPath(NamedTuple):
@@ -34,11 +36,28 @@ class GeodesicPath(NamedTuple):
     For traced lines: "at_length", "at_border" or "at_vertex"."""
     flips: int
     """The number of flips."""
+    distance: Optional[float] = None
+    """The length of the shortest path, up to rounding, if it was asked for: if `length` is the same, this is one."""
 
 
 def _path(parts: tuple) -> GeodesicPath:
-    positions, (faces, coordinates), length, initial_length, is_geodesic, status, flips = parts
-    return GeodesicPath(positions, faces, coordinates, length, initial_length, is_geodesic, status, flips)
+    positions, (faces, coordinates), *others = parts
+    return GeodesicPath(positions, faces, coordinates, *others)
+
+
+class CutSurface(NamedTuple):
+    """A surface that was cut open."""
+
+    positions: numpy.ndarray
+    """(k, 3) array: the points of the vertices, first those of the input."""
+    triangles: numpy.ndarray
+    """(l, 3) array of int64: their corners."""
+    input_faces: numpy.ndarray
+    """(l,) array of int64: the face of the input that each triangle is a part of."""
+    faces: numpy.ndarray
+    """For each vertex behind those of the input, a face of the input that it lies in."""
+    coordinates: numpy.ndarray
+    """The barycentric coordinates of these vertices there."""
 
 
 class _Lines:
@@ -47,6 +66,45 @@ class _Lines:
         self._number_of_vertices = len(points)
         self._number_of_faces = len(faces)
         self._surface = _core.SurfaceInSpace(points, faces)
+
+    def locate(self, point: Any) -> Tuple[int, numpy.ndarray]:
+        """The point of the surface that is nearest to a point in space, as one that was picked.
+
+        Parameters
+        ----------
+        point : (3,) array of integers or floats
+            The point.
+
+        Returns
+        -------
+        face : int
+            A face of the input.
+        coordinates : (3,) array
+            The barycentric coordinates there: exactly on an edge or at a vertex, if these are nearest.
+        """
+        faces, coordinates = self._surface.locate(_arrays.vector(point, "point"))
+        return int(faces[0]), coordinates[0]
+
+    def cut_along_path(self, path: GeodesicPath) -> CutSurface:
+        """The surface, cut open along a path or a traced line.
+
+        Faces that it crosses are divided, and each vertex on it gets a copy for each side. The ends of an open path are not
+        divided, unless they lie on the border.
+
+        Parameters
+        ----------
+        path : GeodesicPath
+            A path on this surface that does not cross itself.
+
+        Returns
+        -------
+        CutSurface
+        """
+        faces = _arrays.indices(path.faces, "path.faces", (None,), self._number_of_faces)
+        points, triangles, input_faces, (new_faces, new_coordinates) = self._surface.cut_along_path(
+            faces, _arrays.doubles(path.coordinates, "path.coordinates", (len(faces), 3))
+        )
+        return CutSurface(points, triangles, input_faces, new_faces, new_coordinates)
 
 
 class EdgeFlipGeodesicSolver(_Lines):
@@ -102,21 +160,24 @@ class EdgeFlipGeodesicSolver(_Lines):
         return self.find_path(v_list, True, max_iterations, max_relative_length_decrease).positions
 
     def find_path(self, v_list: Any, is_closed: bool = False, max_iterations: Optional[int] = None,
-                  max_relative_length_decrease: Optional[float] = None) -> GeodesicPath:
+                  max_relative_length_decrease: Optional[float] = None, *, is_shortest: bool = False) -> GeodesicPath:
         """As the other functions, with all that is known of the path.
 
         Parameters
         ----------
-        v_list : (k,) array of integers
-            The vertices, at least two; consecutive ones are different.
+        v_list : (k,) array of integers, or a list in which there are also (3,) arrays of floats
+            The vertices, at least two; or points in space, for which the nearest points of the surface stand.
         is_closed : bool
             Whether the curve returns to its first vertex.
         max_iterations, max_relative_length_decrease
             As for `find_geodesic_path`.
+        is_shortest : bool
+            Whether the path begins beside the shortest one, from stop to stop, and `distance` tells its length; not for closed curves.
 
         Returns
         -------
         GeodesicPath
+            Without points, if an open path leads to where it begins.
 
         Raises
         ------
@@ -126,21 +187,38 @@ class EdgeFlipGeodesicSolver(_Lines):
         if max_relative_length_decrease not in (None, 0):
             raise ValueError("max_relative_length_decrease has to be None or 0: paths are straightened completely")
         maximum = 2**64 - 1 if max_iterations is None else _arrays.integer(max_iterations, "max_iterations")
-        stops = _arrays.indices(v_list, "v_list", (None,), self._number_of_vertices)
-        if len(stops) < 2:
+        if is_closed and is_shortest:
+            raise ValueError("is_shortest is for open paths")
+        vertices, points = self._stops(v_list)
+        if len(vertices) < 2:
             raise ValueError("a path needs two vertices")
-        return _path(self._surface.path(stops, bool(is_closed), maximum))
+        return _path(self._surface.path(vertices, points, bool(is_closed), bool(is_shortest), maximum))
+
+    def _stops(self, v_list: Any) -> Tuple[numpy.ndarray, numpy.ndarray]:
+        if not numpy.iterable(v_list) or not any(numpy.ndim(stop) for stop in v_list):
+            vertices = _arrays.indices(v_list, "v_list", (None,), self._number_of_vertices)
+            return vertices, numpy.zeros((len(vertices), 3))
+        vertices = numpy.full(len(v_list), _NO_VERTEX, dtype=numpy.uint32)
+        points = numpy.zeros((len(v_list), 3))
+        for i, stop in enumerate(v_list):
+            if numpy.ndim(stop):
+                points[i] = _arrays.vector(stop, "v_list")
+            else:
+                vertices[i] = _arrays.vertex(stop, "v_list", self._number_of_vertices)
+        return vertices, points
 
 
-def geodesic_path(V: Any, F: Any, source: int, target: int) -> GeodesicPath:
-    """A locally shortest path between two vertices, in one call.
+def geodesic_path(V: Any, F: Any, source: Any, target: Any, is_shortest: bool = False) -> GeodesicPath:
+    """A locally shortest path between two vertices or points, in one call.
 
     Parameters
     ----------
     V, F
         As for `EdgeFlipGeodesicSolver`.
-    source, target : int
-        Its ends.
+    source, target : int, or (3,) array of floats
+        Its ends: vertices, or points in space, for which the nearest points of the surface stand.
+    is_shortest : bool
+        Whether it is to be the shortest of all.
 
     Returns
     -------
@@ -154,7 +232,32 @@ def geodesic_path(V: Any, F: Any, source: int, target: int) -> GeodesicPath:
     >>> path.length, path.is_geodesic, path.positions[1]
     (2.0, True, array([2., 0., 0.]))
     """
-    return EdgeFlipGeodesicSolver(V, F).find_path([source, target])
+    return EdgeFlipGeodesicSolver(V, F).find_path([source, target], is_shortest=is_shortest)
+
+
+def cut_along_path(V: Any, F: Any, path: GeodesicPath) -> CutSurface:
+    """A surface that is cut open along a path, in one call.
+
+    Parameters
+    ----------
+    V, F
+        As for `EdgeFlipGeodesicSolver`.
+    path : GeodesicPath
+        As for `EdgeFlipGeodesicSolver.cut_along_path`.
+
+    Returns
+    -------
+    CutSurface
+
+    Examples
+    --------
+    >>> import intrinsic_triangulations as it
+    >>> V, F = [[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]], [[0, 1, 2], [1, 0, 3]]
+    >>> cut = it.cut_along_path(V, F, it.geodesic_path(V, F, 2, 3))
+    >>> len(cut.triangles), len(cut.positions)
+    (4, 8)
+    """
+    return EdgeFlipGeodesicSolver(V, F).cut_along_path(path)
 
 
 class GeodesicTracer(_Lines):

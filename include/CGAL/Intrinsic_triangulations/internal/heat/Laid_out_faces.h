@@ -52,6 +52,7 @@ public:
       lengths.push_back(shapes.length(e));
     std::vector<std::uint32_t> side_of(complex.number_of_halfedges(), none);
     sides_.reserve(3 * complex.number_of_faces());
+    halfedges_.reserve(3 * complex.number_of_faces());
     for (Face_index f : complex.faces()) {
       Halfedge_index base = complex.halfedge(f);
       for (Halfedge_index h : {complex.next(base), complex.prev(base)})
@@ -61,6 +62,7 @@ public:
       std::array<double, 3> length;
       for (int i = 0; i < 3; ++i) {
         side_of[around[i].idx()] = std::uint32_t(sides_.size() + std::size_t(i));
+        halfedges_.push_back(around[i]);
         length[i] = lengths[complex.edge(around[i]).idx()];
       }
       const std::array<double, 2> apex = shapes.has_area(f) ? apex_of_shape(length[0], shapes.cotangent(around[1]), shapes.cotangent(around[2]))
@@ -76,6 +78,7 @@ public:
   std::size_t number_of_rows() const { return first_.size() - 1; }
   const std::vector<Side>& sides() const { return sides_; }
   const Side& side(std::uint32_t i) const { return sides_[i]; }
+  Halfedge_index halfedge(std::uint32_t i) const { return halfedges_[i]; }
   static std::uint32_t next(std::uint32_t i) { return i % 3 == 2 ? i - 2 : i + 1; }
   static std::uint32_t prev(std::uint32_t i) { return i % 3 == 0 ? i + 2 : i - 1; }
   // The next side that begins at the same vertex, to the left or to the right; none behind a border.
@@ -141,7 +144,8 @@ private:
   }
 
   std::vector<Side> sides_;
-  std::vector<double> angle_sums_; // by vertex
+  std::vector<Halfedge_index> halfedges_; // of the sides
+  std::vector<double> angle_sums_;        // by vertex
   std::vector<std::uint32_t> first_, corners_;
   int exponent_ = 0;
 };

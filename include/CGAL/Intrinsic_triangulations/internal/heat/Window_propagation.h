@@ -41,10 +41,17 @@ namespace internal {
 class Window_propagation
 {
 public:
+  // How the shortest way comes to a row: to the vertex where the side begins, from this angle to the left of it.
+  struct Arrival
+  {
+    std::uint32_t side = Laid_out_faces::none; // none at sources, and where no way leads
+    double angle = 0;
+  };
+
   // \param surface has to live as long
   // \param tolerance of the lengths of ways, as a part of each edge that they cross
   Window_propagation(const Laid_out_faces& surface, double tolerance)
-    : surface_(surface), tolerance_(tolerance), distances_(surface.number_of_rows(), infinity), splits_(surface.sides().size()),
+    : surface_(surface), tolerance_(tolerance), distances_(surface.number_of_rows(), infinity), arrivals_(surface.number_of_rows()), splits_(surface.sides().size()),
       waiting_(surface.sides().size(), none)
   {}
 
@@ -78,6 +85,7 @@ public:
 
   // Of the rows, in the unit of the faces; infinite where no way leads.
   const std::vector<double>& distances() const { return distances_; }
+  const Arrival& arrival(std::uint32_t row) const { return arrivals_[row]; }
   std::uint64_t number_of_steps() const { return number_of_steps_; }
 
 private:
@@ -194,6 +202,7 @@ private:
     if (!(distance < known * shorter))
       return;
     known = distance;
+    arrivals_[surface_.side(side).row] = {side, angle};
     add({0, 0, angle, 0, -1, side}, distance);
   }
 
@@ -346,6 +355,7 @@ private:
   const Laid_out_faces& surface_;
   double tolerance_;
   std::vector<double> distances_; // of the rows
+  std::vector<Arrival> arrivals_; // likewise
   std::vector<Split> splits_;     // of the sides
   std::vector<Window> windows_;
   std::vector<std::uint32_t> free_;    // places for windows

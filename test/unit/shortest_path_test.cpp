@@ -1,0 +1,309 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shortest paths, points that are picked, and surfaces that are cut open.
+
+#include "evaluation_data.h"
+#include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
+#include <CGAL/Intrinsic_triangulations/cut_along_path.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_points.h>
+#include <CGAL/Intrinsic_triangulations/locate.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
+#include <CGAL/Intrinsic_triangulations/shortest_path.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using IT::Delta_complex;
+using IT::Halfedge_index;
+using IT::Surface_point;
+using IT::Vertex_index;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+using Network = IT::Geodesic_path_network<IT::Filtered_edge_length_traits>;
+using Points = std::vector<std::array<double, 3>>;
+
+Triangulation Delaunay(const IT::Indexed_triangles& surface)
+{
+  Triangulation result(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
+  IT::flip_to_Delaunay(result);
+  return result;
+}
+
+// How much longer the path is than the distance, as a part of that; and the path on the input.
+double excess(Triangulation& triangulation, Vertex_index s, Vertex_index t, std::vector<Surface_point>* points = nullptr)
+{
+  const IT::Shortest_path start = IT::shortest_path(triangulation, s, t);
+  EXPECT_TRUE(start.is_complete);
+  Network network(triangulation);
+  const std::size_t p = network.add_path(start.halfedges);
+  network.shorten();
+  EXPECT_TRUE(network.is_geodesic(p));
+  if (points != nullptr)
+    *points = IT::geodesic_points(triangulation, network.halfedges(p));
+  return network.length(p) / start.distance - 1;
+}
+
+TEST(Shortest_path, is_as_long_as_the_distance)
+{
+  std::mt19937 random(3);
+  for (const IT::Indexed_triangles& surface :
+       {IT::bumpy_sphere(24, 16), IT::bad_torus(16, 12), IT::Schwarz_lantern(8, 24), IT::pillow(30), IT::random_diagonal_grid(20, 20), IT::strip(60, 12, 1),
+        IT::sheared_grid(15, 15, 5)}) {
+    const Triangulation triangulation = Delaunay(surface);
+    for (int i = 0; i < 15; ++i) {
+      const Vertex_index s(random() % std::uint32_t(surface.points.size())), t(random() % std::uint32_t(surface.points.size()));
+      if (s == t)
+        continue;
+      Triangulation copy = triangulation;
+      EXPECT_LT(std::abs(excess(copy, s, t)), 1e-9) << s.idx() << ' ' << t.idx();
+    }
+  }
+}
+
+// A ridge between two vertices: the shortest path along edges runs over the wrong side of it.
+TEST(Shortest_path, is_found_where_edges_lead_elsewhere)
+{
+  IT::Indexed_triangles surface;
+  // Seen from above, a square of side 10 with a peak that stands nearer to the front; edges lead along the back.
+  surface.points = {{-5, 0, 0}, {5, 0, 0}, {0, 1, 6}, {0, -4, 0}, {0, 4.5, 0}};
+  surface.triangles = {{0, 2, 4}, {2, 1, 4}, {0, 3, 2}, {3, 1, 2}};
+  Triangulation triangulation = Delaunay(surface);
+  EXPECT_LT(std::abs(excess(triangulation, Vertex_index(0), Vertex_index(1))), 1e-12);
+}
+
+// Squares of lengths are beyond the range of double.
+TEST(Shortest_path, of_very_large_and_small_surfaces)
+{
+  const Triangulation triangulation = Delaunay(IT::pillow(30));
+  Triangulation first = triangulation;
+  const double distance = IT::shortest_path(first, Vertex_index(0), Vertex_index(17)).distance;
+  for (int exponent : {-990, 990}) {
+    IT::Indexed_triangles surface = IT::pillow(30);
+    for (auto& p : surface.points)
+      for (double& x : p)
+        x = std::ldexp(x, exponent);
+    Triangulation scaled = Delaunay(surface);
+    EXPECT_EQ(IT::shortest_edge_path(scaled, Vertex_index(0), Vertex_index(17)), IT::shortest_edge_path(triangulation, Vertex_index(0), Vertex_index(17)));
+    EXPECT_LT(std::abs(excess(scaled, Vertex_index(0), Vertex_index(17))), 1e-9);
+    Triangulation again = Delaunay(surface);
+    EXPECT_EQ(IT::shortest_path(again, Vertex_index(0), Vertex_index(17)).distance, std::ldexp(distance, exponent));
+  }
+}
+
+TEST(Shortest_path, to_itself_is_empty)
+{
+  Triangulation triangulation = Delaunay(IT::pillow(12));
+  const IT::Shortest_path path = IT::shortest_path(triangulation, Vertex_index(3), Vertex_index(3));
+  EXPECT_TRUE(path.halfedges.empty() && path.is_complete);
+  EXPECT_EQ(path.distance, 0);
+}
+
+TEST(Shortest_path, needs_vertices_that_are_connected)
+{
+  IT::Indexed_triangles surface = IT::pillow(12);
+  const std::uint32_t n = std::uint32_t(surface.points.size());
+  surface.points.insert(surface.points.end(), {{9, 0, 0}, {10, 0, 0}, {9, 1, 0}});
+  surface.triangles.push_back({n, n + 1, n + 2});
+  Triangulation triangulation = Delaunay(surface);
+  EXPECT_THROW(IT::shortest_path(triangulation, Vertex_index(0), Vertex_index(n)), IT::Invalid_point_error);
+  EXPECT_THROW(IT::shortest_path(triangulation, Vertex_index(0), Vertex_index(n + 3)), IT::Invalid_point_error);
+}
+
+Surface_point located(const IT::Indexed_triangles& surface, const std::array<double, 3>& p)
+{
+  return IT::locate(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points, p);
+}
+
+TEST(Locate, finds_faces_edges_and_vertices)
+{
+  IT::Indexed_triangles surface;
+  surface.points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}};
+  surface.triangles = {{0, 1, 2}, {2, 1, 3}};
+  const Delta_complex complex = IT::make_Delta_complex_from_triangles(4, surface.triangles);
+  for (double scale : {1., 1e-300, 1e300}) {
+    IT::Indexed_triangles scaled = surface;
+    for (auto& p : scaled.points)
+      for (double& x : p)
+        x *= scale;
+    const auto at = [&](double x, double y, double z) { return located(scaled, {x * scale, y * scale, z * scale}); };
+    const auto expect_at = [&](const Surface_point& p, double x, double y, int dimension) {
+      EXPECT_EQ(p.dimension(), dimension);
+      const auto q = IT::point_in_space(complex, surface.points, p);
+      EXPECT_NEAR(q[0], x, 1e-15);
+      EXPECT_NEAR(q[1], y, 1e-15);
+    };
+    expect_at(at(1, 1, 7), 1, 1, 2);
+    expect_at(at(3, 2, -1), 3, 2, 2);
+    expect_at(at(1, -5, 1), 1, 0, 1);
+    expect_at(at(2, 2, 3), 2, 2, 1);
+    expect_at(at(-3, -4, 2), 0, 0, 0);
+    expect_at(at(5, 5, 0), 4, 4, 0);
+  }
+}
+
+TEST(Locate, refuses_what_is_no_point)
+{
+  const IT::Indexed_triangles surface = IT::pillow(12);
+  EXPECT_THROW(located(surface, {0, std::nan(""), 0}), IT::Invalid_point_error);
+  EXPECT_THROW(located(surface, {INFINITY, 0, 0}), IT::Invalid_point_error);
+  EXPECT_THROW(located({{}, {}}, {0, 0, 0}), IT::Invalid_point_error);
+}
+
+double area(const IT::Cut_surface& surface)
+{
+  double sum = 0;
+  for (const auto& [a, b, c] : surface.triangles) {
+    std::array<double, 3> u, v;
+    for (std::size_t k = 0; k < 3; ++k) {
+      u[k] = surface.points[b][k] - surface.points[a][k];
+      v[k] = surface.points[c][k] - surface.points[a][k];
+    }
+    sum += std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2;
+  }
+  return sum;
+}
+
+// The edges with one side, summed up; of an oriented manifold, as is checked.
+double border_length(const IT::Cut_surface& surface)
+{
+  const Delta_complex complex = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
+  double sum = 0;
+  for (Halfedge_index h : complex.halfedges())
+    if (complex.is_border(h)) {
+      const auto &p = surface.points[complex.source(h).idx()], &q = surface.points[complex.target(h).idx()];
+      sum += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    }
+  return sum;
+}
+
+IT::Cut_surface cut(const IT::Indexed_triangles& surface, const std::vector<Surface_point>& path)
+{
+  return IT::cut_along_path(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points, path);
+}
+
+TEST(Cut_along_path, opens_the_surface_on_both_sides)
+{
+  for (const IT::Indexed_triangles& surface : {IT::bumpy_sphere(24, 16), IT::pillow(30), IT::bad_torus(16, 12)}) {
+    Triangulation triangulation = Delaunay(surface);
+    std::vector<Surface_point> path;
+    const Vertex_index s(1), t(std::uint32_t(surface.points.size() / 2));
+    EXPECT_LT(excess(triangulation, s, t, &path), 1e-9);
+    double length = 0;
+    const Delta_complex input = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      const auto p = IT::point_in_space(input, surface.points, path[i]), q = IT::point_in_space(input, surface.points, path[i + 1]);
+      length += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    }
+    const IT::Cut_surface whole = cut(surface, {}), opened = cut(surface, path);
+    EXPECT_EQ(whole.triangles.size(), surface.triangles.size());
+    EXPECT_EQ(border_length(whole), 0);
+    EXPECT_NEAR(border_length(opened), 2 * length, 1e-9 * length);
+    EXPECT_NEAR(area(opened), area(whole), 1e-9 * area(whole));
+    EXPECT_EQ(opened.points.size(), surface.points.size() + opened.locations.size());
+    EXPECT_EQ(opened.input_faces.size(), opened.triangles.size());
+    for (std::size_t v = surface.points.size(); v < opened.points.size(); ++v)
+      EXPECT_EQ(opened.points[v], IT::point_in_space(input, surface.points, opened.locations[v - surface.points.size()]));
+  }
+}
+
+TEST(Cut_along_path, divides_a_sheet_in_two)
+{
+  const IT::Indexed_triangles surface = IT::random_diagonal_grid(6, 6);
+  Triangulation triangulation = Delaunay(surface);
+  std::vector<Surface_point> path;
+  excess(triangulation, Vertex_index(2), Vertex_index(std::uint32_t(surface.points.size() - 2)), &path);
+  const IT::Cut_surface opened = cut(surface, path);
+  const Delta_complex complex = IT::make_Delta_complex_from_triangles(opened.points.size(), opened.triangles);
+  std::set<std::uint32_t> reached{0};
+  std::vector<std::uint32_t> open{0};
+  while (!open.empty()) {
+    const IT::Face_index f(open.back());
+    open.pop_back();
+    Halfedge_index h = complex.halfedge(f);
+    for (int i = 0; i < 3; ++i, h = complex.next(h))
+      if (!complex.is_border(complex.opposite(h)) && reached.insert(complex.face(complex.opposite(h)).idx()).second)
+        open.push_back(complex.face(complex.opposite(h)).idx());
+  }
+  EXPECT_GT(reached.size(), 1u);
+  EXPECT_LT(reached.size(), opened.triangles.size());
+}
+
+TEST(Cut_along_path, leaves_a_slit_within_a_face_and_along_an_edge)
+{
+  const IT::Indexed_triangles surface = IT::random_diagonal_grid(3, 3);
+  const Delta_complex complex = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
+  const double border = border_length(cut(surface, {}));
+  const Halfedge_index h = [&] {
+    for (Halfedge_index g : complex.halfedges())
+      if (!complex.is_border(complex.halfedge(complex.source(g))) && !complex.is_border(complex.halfedge(complex.target(g))))
+        return g;
+    return Halfedge_index();
+  }();
+  ASSERT_TRUE(h.is_valid());
+  for (const std::vector<Surface_point>& path :
+       {std::vector<Surface_point>{{h, {0.5, 0.25, 0.25}}, {h, {0.125, 0.5, 0.375}}}, std::vector<Surface_point>{{h, {1, 0, 0}}, {h, {0, 1, 0}}},
+        std::vector<Surface_point>{{h, {0.5, 0.5, 0}}, {h, {0.25, 0.25, 0.5}}}}) {
+    const IT::Cut_surface opened = cut(surface, path);
+    const auto p = IT::point_in_space(complex, surface.points, path[0]), q = IT::point_in_space(complex, surface.points, path[1]);
+    EXPECT_NEAR(border_length(opened), border + 2 * std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]), 1e-12);
+    EXPECT_NEAR(area(opened), area(cut(surface, {})), 1e-12);
+  }
+}
+
+TEST(Cut_along_path, refuses_what_is_no_path)
+{
+  const IT::Indexed_triangles surface = IT::random_diagonal_grid(3, 3);
+  const Delta_complex complex = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
+  const Halfedge_index h = complex.halfedge(IT::Face_index(0)), g = complex.halfedge(IT::Face_index(17));
+  EXPECT_THROW(cut(surface, {{h, {1, 0, 0}}, {g, {0.2, 0.3, 0.5}}}), IT::Invalid_point_error);
+  EXPECT_THROW(cut(surface, {{h, {1, 0, 0}}, {h, {0, -1, 0}}}), IT::Invalid_point_error);
+  EXPECT_THROW(cut(surface, {{Halfedge_index(), {1, 0, 0}}, {h, {0, 1, 0}}}), IT::Invalid_point_error);
+  // Across each other.
+  EXPECT_THROW(cut(surface, {{h, {0.5, 0.5, 0}}, {h, {0.2, 0, 0.8}}, {h, {0.8, 0, 0.2}}, {h, {0, 0.5, 0.5}}, {h, {0.9, 0.1, 0}}, {h, {0.6, 0, 0.4}}}), IT::Invalid_point_error);
+}
+
+// A thousand pairs of vertices of surfaces of all kinds.
+TEST(Shortest_path, between_vertices_of_scans_and_parts)
+{
+  const std::filesystem::path folder = evaluation_data();
+  if (folder.empty())
+    GTEST_SKIP() << "no evaluation data";
+  std::mt19937 random(5);
+  std::size_t number_of_pairs = 0;
+  for (const char* name : {"table1/cathead.off", "table1/bunnyhead.off", "table1/beautiful_freak.off", "good/cgal_rotor.off", "good/cgal_pipe.off"}) {
+    IT::Indexed_triangles surface;
+    IT::read_triangles((folder / name).string(), surface.points, surface.triangles);
+    const Triangulation triangulation = Delaunay(surface);
+    for (int i = 0; i < 200; ++i) {
+      const Vertex_index s(random() % std::uint32_t(surface.points.size())), t(random() % std::uint32_t(surface.points.size()));
+      if (s == t || triangulation.connectivity().halfedge(s) == Halfedge_index() || triangulation.connectivity().halfedge(t) == Halfedge_index())
+        continue;
+      Triangulation copy = triangulation;
+      EXPECT_LT(std::abs(excess(copy, s, t)), 1e-9) << name << ' ' << s.idx() << ' ' << t.idx();
+      ++number_of_pairs;
+    }
+  }
+  EXPECT_GT(number_of_pairs, 950u);
+}
+
+} // namespace
