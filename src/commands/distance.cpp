@@ -79,6 +79,7 @@ struct Distance_result
   std::uint64_t flips = 0;
   std::size_t number_of_inserted_vertices = 0;
   std::optional<double> mean_edge_length; // by heat
+  std::size_t number_of_bounded_distances = 0;
   bool is_complete = true;
   std::optional<std::array<double, 2>> errors;       // the mean and the largest one, as parts of the exact distance
   std::optional<IT::Common_subdivision> subdivision; // for the overlay
@@ -91,6 +92,8 @@ struct Distance_result
     const auto& d = surface.distances;
     return std::size_t(std::count(d.begin(), d.end(), std::numeric_limits<double>::infinity()));
   }
+  // Whether heat gave more than a few distances that none can be. Beside the sources there are always some.
+  bool is_far_from_right() const { return number_of_bounded_distances > 3 + surface.number_of_vertices / 100; }
   // Of those that can be reached.
   double largest_distance() const
   {
@@ -205,6 +208,7 @@ void find_distances(const Distance_options& options, const Any_surface& surface,
       heat.add_source(v);
     result.mean_edge_length = heat.mean_edge_length();
     result.surface.distances = heat.distances();
+    result.number_of_bounded_distances = heat.number_of_bounded_distances();
   } else {
     progress.begin("following straight ways");
     if (options.method == "exact")
@@ -349,8 +353,10 @@ Json statistics(const Distance_options& options, const Distance_result& result)
                 {{"read", result.read_seconds},
                  {"triangulation", result.triangulation_seconds},
                  {"distances", result.distance_seconds}}}};
-  if (result.mean_edge_length)
+  if (result.mean_edge_length) {
     json["mean_edge_length"] = *result.mean_edge_length;
+    json["bounded"] = result.number_of_bounded_distances;
+  }
   if (result.errors)
     json["error"] = {{"mean", (*result.errors)[0]}, {"largest", (*result.errors)[1]}};
   return json;
@@ -363,6 +369,8 @@ std::string accuracy(const Distance_options& options, const Distance_result& res
     return "some distances may be too large, up to those along edges: too many straight ways had to be followed";
   if (result.errors)
     return "mean error " + in_short(100 * (*result.errors)[0]) + " %, largest " + in_short(100 * (*result.errors)[1]) + " %";
+  if (result.is_far_from_right())
+    return "far from right: see the warning";
   if (options.is_by_heat())
     return "that of the heat method; --compare-exact tells";
   return options.method == "exact" ? "exact up to rounding" : "errors of about 0.1 %, seldom more than 1 %";
@@ -392,6 +400,12 @@ Exit_status run_distance(const Distance_options& options)
         find_on_surface(options, result);
     } catch (const IT::Numerical_error& error) {
       throw IT::Numerical_error(error.what() + std::string(options.time_coefficient > 1 ? "; try a smaller --time" : ""));
+    }
+    if (result.is_far_from_right()) {
+      result.warnings.push_back("heat gave " + std::to_string(result.number_of_bounded_distances) + " of " + std::to_string(result.surface.number_of_vertices) +
+                                " distances which are shorter than straight lines or longer than paths along edges, by more than 5 %: others are far from right, "
+                                "too; leave --method heat away");
+      std::cerr << "idt: " << path << ": " << result.warnings.back() << std::endl;
     }
     const std::string& output = options.output_path;
     const std::string type = std::filesystem::path(name_with_format(output, options.format)).extension().string();

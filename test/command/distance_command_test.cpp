@@ -221,7 +221,12 @@ TEST_F(Distance_command, methods_and_their_errors)
   EXPECT_LT(largest_error("--method exact"), 1e-12);
   EXPECT_LT(largest_error(""), 0.01);
   EXPECT_LT(largest_error("--method approximate"), 0.01);
-  EXPECT_GT(largest_error("--method heat"), 0.01);
+  // Heat is far from right, but in a convex plane the bounds of all distances are exact.
+  EXPECT_LT(largest_error("--method heat"), 1e-10);
+  EXPECT_EQ(json::parse(content(folder_ / "s.json"))["warnings"].size(), 1u);
+  EXPECT_GT(json::parse(content(folder_ / "s.json"))["bounded"], 3);
+  const Command_run by_heat = idt("distance polygon.off --source 0 --method heat");
+  EXPECT_TRUE(contains(by_heat.out, "far from right") && contains(by_heat.err, "leave --method heat away")) << by_heat.err;
   EXPECT_TRUE(contains(idt("distance polygon.off --source 0 --method exact").out, "accuracy          exact up to rounding\n"));
   EXPECT_EQ(json::parse(content(folder_ / "s.json"))["method"], "heat");
 }

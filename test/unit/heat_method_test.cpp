@@ -238,6 +238,70 @@ TEST(Heat_method, pinned_values_solve_the_system)
   }
 }
 
+const double pi = std::acos(-1.);
+
+// Of the vertices from one, along edges of the input.
+std::vector<double> edge_paths(const Points& points, const Triangles& triangles, std::size_t source)
+{
+  std::vector<double> result(points.size(), std::numeric_limits<double>::infinity());
+  result[source] = 0;
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    for (const auto& t : triangles)
+      for (int i = 0; i < 6; ++i) {
+        const std::uint32_t a = t[std::size_t(i % 3)], b = t[std::size_t((i + (i < 3 ? 1 : 2)) % 3)];
+        const double through = result[a] + std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1], points[a][2] - points[b][2]);
+        if (through < result[b]) {
+          result[b] = through;
+          is_changed = true;
+        }
+      }
+  }
+  return result;
+}
+
+// Polygons without inner vertices, where heat alone gives anything from 0 to three times the distance.
+TEST(Heat_method, stays_between_straight_lines_and_paths_along_edges)
+{
+  for (std::uint32_t n : {5u, 16u, 64u, 200u}) {
+    Points points;
+    Triangles triangles;
+    for (std::uint32_t i = 0; i < n; ++i)
+      points.push_back({10 * std::cos(2 * pi * i / n), 10 * std::sin(2 * pi * i / n), 0.01 * (i % 3)});
+    for (std::uint32_t i = 1; i + 1 < n; ++i)
+      triangles.push_back({0, i, i + 1});
+    IT::Tufted_cover cover = IT::make_tufted_cover(points, triangles);
+    IT::flip_to_Delaunay(cover.triangulation);
+    for (std::uint32_t source : {0u, 3u}) {
+      IT::Heat_method<> on_triangulation(Delaunay(points, triangles)), on_cover(cover);
+      const std::vector<double> paths = edge_paths(points, triangles, source);
+      for (IT::Heat_method<>* heat : {&on_triangulation, &on_cover}) {
+        heat->add_source(Vertex_index(source));
+        const std::vector<double>& distances = heat->distances();
+        for (std::uint32_t v = 0; v < n; ++v) {
+          const auto &p = points[v], &q = points[source];
+          EXPECT_GE(distances[v], std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) * (1 - 1e-14)) << n << ' ' << v;
+          EXPECT_LE(distances[v], paths[v] * (1 + 1e-14)) << n << ' ' << v;
+          EXPECT_EQ(distances[v] == 0, v == source);
+        }
+        if (n >= 64) {
+          EXPECT_GT(heat->number_of_bounded_distances(), 3u) << n << ' ' << source;
+        }
+      }
+    }
+  }
+}
+
+// But for some beside the source.
+TEST(Heat_method, needs_no_bounds_on_fine_surfaces)
+{
+  const Grid grid(40, 40);
+  IT::Heat_method<> heat(Delaunay(grid.points, grid.triangles));
+  heat.add_source(grid.vertex(17, 22));
+  heat.distances();
+  EXPECT_LE(heat.number_of_bounded_distances(), grid.points.size() / 100);
+}
+
 TEST(Heat_method, infinite_where_no_source_is_connected)
 {
   // Two triangles apart, a vertex without faces, and a face without area.
@@ -351,8 +415,16 @@ TEST(Heat_method, points_and_vertices_as_sources_for_short_times)
 
 TEST(Heat_method, boundary_conditions)
 {
+  // From lengths alone: in space, straight lines would be a bound.
   const Grid grid(20, 20);
-  const Triangulation triangulation = Delaunay(grid.points, grid.triangles);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(grid.points.size(), grid.triangles);
+  std::vector<double> lengths;
+  for (IT::Edge_index e : complex.edges()) {
+    const Point &p = grid.points[complex.source(complex.halfedge(e)).idx()], &q = grid.points[complex.target(complex.halfedge(e)).idx()];
+    lengths.push_back(std::hypot(p[0] - q[0], p[1] - q[1]));
+  }
+  Triangulation triangulation = Triangulation::from_lengths(complex, lengths);
+  IT::flip_to_Delaunay(triangulation);
   std::vector<std::vector<double>> results;
   for (auto boundary : {IT::Heat_boundary::NEUMANN, IT::Heat_boundary::DIRICHLET, IT::Heat_boundary::AVERAGED}) {
     IT::Heat_method_options options;
@@ -371,8 +443,9 @@ TEST(Heat_method, boundary_conditions)
   const std::size_t middle = grid.number(10, 0), corner = grid.number(0, 0);
   const auto along = [&](const std::vector<double>& d) { return d[corner] - d[middle]; };
   EXPECT_LT(along(results[1]), along(results[0]));
-  EXPECT_GT((std::max)(results[0][middle], results[1][middle]), results[2][middle]);
-  EXPECT_LT((std::min)(results[0][middle], results[1][middle]), results[2][middle]);
+  const std::size_t beside = grid.number(13, 0); // no edges lead straight there, which would be a bound
+  EXPECT_GT((std::max)(results[0][beside], results[1][beside]), results[2][beside]);
+  EXPECT_LT((std::min)(results[0][beside], results[1][beside]), results[2][beside]);
 }
 
 TEST(Heat_method, sphere)

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Distance_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
@@ -21,6 +22,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/point_source.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/unit_gradient.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <Eigen/SparseCore>
@@ -76,7 +78,8 @@ struct Heat_method_options
 /// Heat spreads from the sources for a short time. Away from them its gradient has the direction of that of the distance, and the
 /// distance is the function whose gradient fits this direction best, raised where it is less than those of the vertices around
 /// allow. It is exactly zero at each source, however
-/// many there are, and never negative. In parts of the surface that no source is connected with, and at vertices without faces, it is
+/// many there are, positive elsewhere, never above the shortest path along edges, and where the surface lies in space never below the
+/// straight line. In parts of the surface that no source is connected with, and at vertices without faces, it is
 /// infinite.
 ///
 /// The matrices are factorized once. A set of sources then costs two solutions of linear systems, and more than one source in a
@@ -105,7 +108,8 @@ public:
   template <class Traits>
   explicit Heat_method(const Intrinsic_triangulation<Traits>& triangulation,
                        const Heat_method_options& options = Heat_method_options())
-    : Heat_method(internal::make_heat_surface(triangulation), options)
+    : Heat_method(internal::make_heat_surface(triangulation),
+                  internal::Distance_bounds(triangulation, internal::Row_of_vertex(triangulation.connectivity())), options)
   {}
 
   /// \brief as above, for any triangles. The vertices are those of the input, and
@@ -114,7 +118,8 @@ public:
   /// A closed cover has no border, so all boundary conditions are the same there.
   /// \pre the cover was made Delaunay by `flip_to_Delaunay(cover.triangulation)`
   explicit Heat_method(const Tufted_cover& cover, const Heat_method_options& options = Heat_method_options())
-    : Heat_method(internal::make_heat_surface(cover), options)
+    : Heat_method(internal::make_heat_surface(cover), internal::Distance_bounds(cover.triangulation, internal::Row_of_cover_vertex(cover)),
+                  options)
   {
     representative_ = cover.representative;
   }
@@ -204,6 +209,10 @@ public:
     return diffusion_->number_of_factorizations() + (cold_border_ ? cold_border_->number_of_factorizations() : 0) +
            (poisson_ ? poisson_->number_of_factorizations() : 0);
   }
+  /// \brief returns how many of the last `distances()` were changed by more than five percent by the bounds of all distances.
+  ///
+  /// Where there are more than a few of them, heat is far from right: `geodesic_distances()` is not.
+  std::size_t number_of_bounded_distances() const { return number_of_bounded_distances_; }
   /// returns the mean length of the edges, in the unit of the input: how fine the triangulation is.
   double mean_edge_length() const { return std::ldexp(surface_->mean_length, surface_->exponent); }
 
@@ -211,9 +220,9 @@ private:
   using Diffusion = internal::Heat_diffusion<LinearSolver>;
   using Poisson = internal::Pinned_system<LinearSolver>;
 
-  Heat_method(internal::Heat_surface surface, const Heat_method_options& options)
+  Heat_method(internal::Heat_surface surface, internal::Distance_bounds bounds, const Heat_method_options& options)
     : options_(checked(options)), interruption_(std::make_unique<internal::Interruption>(options.go_further)), surface_(std::make_unique<internal::Heat_surface>(std::move(surface))),
-      diffusion_(std::make_unique<Diffusion>(*surface_, options.time_coefficient, *interruption_))
+      diffusion_(std::make_unique<Diffusion>(*surface_, options.time_coefficient, *interruption_)), bounds_(std::move(bounds))
   {}
 
   static const Heat_method_options& checked(const Heat_method_options& options)
@@ -279,12 +288,29 @@ private:
         ridge_keeper_ = std::make_unique<internal::Ridge_keeper>(*surface_);
       ridge_keeper_->raise(phi, pins, *interruption_);
     }
+    std::vector<double> of_rows = within_bounds(phi, pins);
     distances_.resize(surface_->size());
     for (std::size_t v = 0; v < distances_.size(); ++v) {
       const std::uint32_t row = row_of_input(v);
-      distances_[v] = is_reachable[row] ? surface_->in_input_unit(phi[row], row)
-                                        : std::numeric_limits<double>::infinity();
+      distances_[v] = is_reachable[row] ? std::ldexp(of_rows[row], surface_->exponent) : std::numeric_limits<double>::infinity();
     }
+  }
+
+  // In the unit that all components have in common.
+  std::vector<double> within_bounds(const Eigen::VectorXd& phi, internal::Pins pins)
+  {
+    std::vector<double> result;
+    result.reserve(surface_->size());
+    for (std::size_t row = 0; row < surface_->size(); ++row)
+      result.push_back(phi[Eigen::Index(row)] * surface_->units[row]);
+    for (auto& pin : pins)
+      pin.second *= surface_->units[pin.first];
+    const std::vector<double> before = result;
+    bounds_.apply(result, pins);
+    number_of_bounded_distances_ = 0;
+    for (std::size_t row = 0; row < result.size(); ++row)
+      number_of_bounded_distances_ += std::abs(result[row] - before[row]) > 0.05 * result[row];
+    return result;
   }
 
   // Heat of the sources: 1, and less at corners of a source inside a face, as it decreases with the distance. The rate is that on a
@@ -339,11 +365,13 @@ private:
   std::unique_ptr<Diffusion> cold_border_;
   std::unique_ptr<Poisson> poisson_;
   std::unique_ptr<const internal::Ridge_keeper> ridge_keeper_;
+  internal::Distance_bounds bounds_;
   std::vector<std::uint32_t> representative_;
   std::map<Vertex_index, std::uint32_t> vertex_sources_; // with their rows
   std::vector<std::array<internal::Source_corner, 3>> point_sources_;
   bool is_changed_ = true;
   std::vector<double> distances_;
+  std::size_t number_of_bounded_distances_ = 0;
 };
 
 } // namespace Intrinsic_triangulations

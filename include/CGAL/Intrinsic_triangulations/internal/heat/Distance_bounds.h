@@ -44,7 +44,8 @@ public:
       edges.push_back({std::uint32_t(row(complex.source(h))), std::uint32_t(row(complex.target(h))), length});
     };
     for (Edge_index e : triangulation.connectivity().edges())
-      add(triangulation.connectivity(), e, shapes.length(e));
+      if (!is_input_edge(triangulation, e))
+        add(triangulation.connectivity(), e, shapes.length(e));
     if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
       const Delta_complex& input = triangulation.exact_geometry().correspondence().input();
       const auto& metric = triangulation.exact_geometry().metric();
@@ -92,6 +93,20 @@ public:
 
 private:
   static constexpr double nowhere = std::numeric_limits<double>::infinity(); // of rows that the input does not have
+
+  // Whether an edge is also one of the input, which is added anyway.
+  template <class Traits>
+  static bool is_input_edge(const Intrinsic_triangulation<Traits>& triangulation, Edge_index e)
+  {
+    if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
+      const Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+      const Delta_complex& complex = triangulation.connectivity();
+      const Halfedge_index h = complex.halfedge(e);
+      return correspondence.coordinates().is_original(e) && !correspondence.is_inserted(complex.source(h)) &&
+             !correspondence.is_inserted(complex.target(h));
+    }
+    return false;
+  }
 
   struct Edge
   {
