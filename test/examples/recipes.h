@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
 #include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
+#include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
