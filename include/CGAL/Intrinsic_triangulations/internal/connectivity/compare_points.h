@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/unfused.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
@@ -32,8 +32,7 @@ inline Sign compare_products(double a, double b, double c, double d)
       int of_x = 0, of_y = 0;
       x = std::frexp(x, &of_x);
       y = std::frexp(y, &of_y);
-      high = unfused(x * y);
-      low = std::fma(x, y, -high);
+      two_product(x, y, high, low); // std::fma() is not exact everywhere
       exponent = of_x + of_y;
     }
     double high, low;
