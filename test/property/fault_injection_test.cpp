@@ -4,7 +4,7 @@
 // Every operation is interrupted at each question that it asks, and at each of its allocations. Then the triangulation is checked
 // exactly, and the operation goes on.
 //
-// Memory of GMP and MPFR is left alone: these end the program if there is none.
+// Memory of GMP and MPFR is left alone: these end the program if there is none. So is that of CGAL::Mpzf, which frees what it has not got.
 
 #include "samples/sample_exact_gluings.h"
 #include "samples/sample_surfaces.h"
@@ -643,7 +643,7 @@ TEST_F(Operations, DISABLED_at_all_points)
 
 // ---------------------------------------------------------------- memory
 
-// Those for arrays call these. Where it inlines them, GCC warns of pairs that do not match.
+// Where it inlines them, GCC warns of pairs that do not match.
 BOOST_NOINLINE void* operator new(std::size_t size)
 {
   if (void* const p = may_allocate() ? std::malloc(size != 0 ? size : 1) : nullptr)
@@ -654,5 +654,15 @@ BOOST_NOINLINE void* operator new(std::size_t size, const std::nothrow_t&) noexc
 {
   return may_allocate() ? std::malloc(size != 0 ? size : 1) : nullptr;
 }
+BOOST_NOINLINE void* operator new[](std::size_t size, const std::nothrow_t& none) noexcept { return operator new(size, none); }
+// The numbers of CGAL::Mpzf, and hardly anything else.
+BOOST_NOINLINE void* operator new[](std::size_t size)
+{
+  if (void* const p = std::malloc(size != 0 ? size : 1))
+    return p;
+  throw std::bad_alloc();
+}
+BOOST_NOINLINE void operator delete[](void* p) noexcept { std::free(p); }
+BOOST_NOINLINE void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
 BOOST_NOINLINE void operator delete(void* p) noexcept { std::free(p); }
 BOOST_NOINLINE void operator delete(void* p, std::size_t) noexcept { std::free(p); }
