@@ -26,6 +26,7 @@ int main(int argc, char** argv)
   Exit_status status = Exit_status::DONE;
   try {
     CLI::App app("Intrinsic Delaunay triangulations of triangulated surfaces", "idt");
+    app.allow_windows_style_options(false); // a name may begin with a slash
     app.footer("Exit status: 0 done; 1 a result could not be written; 2 the command line is wrong;\n"
                "3 an input is unusable; 4 undecided, not flippable, out of budget or cancelled\n"
                "(what was found so far is still written, if that takes less than a second).\n"
