@@ -154,10 +154,12 @@ struct Refinement_watch : IT::Default_refinement_visitor
   explicit Refinement_watch(Progress& progress) : progress(progress) {}
   bool go_further(std::uint64_t points, std::uint64_t)
   {
-    progress.show_points(points);
+    progress.show_points(points, refinement.waiting_faces, refinement.size);
     return !is_interrupted();
   }
+  void before_step(const IT::Refinement_progress& step) { refinement = step; }
   Progress& progress;
+  IT::Refinement_progress refinement;
 };
 
 void require(bool is_finished)

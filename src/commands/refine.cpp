@@ -4,15 +4,20 @@
 // `idt refine`
 
 #include "commands/Result_files.h"
+#include "commands/Smallest_size.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "commands/triangulate.h"
+#include "input/constraints.h"
 #include "input/flat_vertices.h"
-#include "input/sharp_edges.h"
 #include "output/Output_file.h"
+#include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/sharp_edges.h>
 
+#include <cstdint>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -25,7 +30,8 @@ struct Refine_options
 {
   std::string input;
   Refinement_options refinement;
-  std::optional<double> constrained_angle;
+  std::optional<double> constrained_angle, minimum_size;
+  std::string constraints, kept_edges;
   bool is_repaired = false;
   bool removes_flat_vertices = false;
   bool is_verified = false;
@@ -42,11 +48,17 @@ void check(const Refine_options& options)
     throw Usage_error("--maximum-circumradius: R is larger than 0");
   if (!(criteria.maximum_edge_length > 0))
     throw Usage_error("--maximum-edge-length: L is larger than 0");
-  if (!(criteria.minimum_size >= 0))
+  if (options.minimum_size && !(*options.minimum_size >= 0))
     throw Usage_error("--minimum-size: S is not negative");
   if (options.constrained_angle && !(*options.constrained_angle >= 0 && *options.constrained_angle <= 180))
     throw Usage_error("--constrain-angle: D is between 0 and 180 degrees");
   options.files.check_paths({options.input});
+  std::vector<std::string> outputs = options.files.paths();
+  outputs.push_back(options.kept_edges);
+  std::vector<std::string> inputs = {options.input};
+  if (!options.constraints.empty())
+    inputs.push_back(options.constraints);
+  check_output_paths(outputs, inputs);
 }
 
 // \exception Invalid_surface_error if the surface has no dihedral angles
@@ -56,7 +68,47 @@ void constrain_sharp_edges(const Surface& surface, double degrees, Refinement_op
   if (!surface.has_points())
     throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, 0, 1,
                                 surface.path + ": --constrain-angle needs a surface in space, and this one has edge lengths alone");
-  refinement.is_constrained = sharp_edges(surface, degrees);
+  const std::vector<bool> is_sharp =
+    CGAL::Intrinsic_triangulations::sharp_edges(surface.connectivity, surface.points, degrees, refinement.criteria.minimum_size);
+  refinement.is_constrained.resize(is_sharp.size());
+  for (std::size_t e = 0; e < is_sharp.size(); ++e)
+    if (is_sharp[e])
+      refinement.is_constrained[e] = true;
+}
+
+std::uint64_t budget(const Surface& surface, const Refine_options& options)
+{
+  return options.refinement.maximum_number_of_points.value_or(10 * std::uint64_t(surface.connectivity.number_of_vertices()) + 1000000);
+}
+
+// Begins anew with a larger smallest size where that was not given and is too small.
+Triangulation_result refine_surface(Surface surface, Kernel_options kernel, const Refine_options& options)
+{
+  Smallest_size chosen(surface);
+  Budget_warning warning(surface.path, budget(surface, options));
+  Refinement_options& refinement = *kernel.refinement;
+  const std::vector<bool> is_constrained =
+    options.constraints.empty() ? std::vector<bool>() : read_constraints(options.constraints, surface);
+  refinement.gives_up = [&](const CGAL::Intrinsic_triangulations::Refinement_progress& progress, const std::function<Short_side()>& where) {
+    if (options.minimum_size || !chosen.covers(progress.size)) {
+      warning.look(progress, where);
+      return false;
+    }
+    return chosen.is_exceeded(progress);
+  };
+  while (true) {
+    refinement.criteria.minimum_size = options.minimum_size.value_or(chosen.size());
+    refinement.is_constrained = is_constrained;
+    if (options.constrained_angle)
+      constrain_sharp_edges(surface, *options.constrained_angle, refinement);
+    Triangulation_result result = triangulate(std::move(surface), kernel);
+    if (!result.outcome.refinement || !result.outcome.refinement->is_given_up) {
+      result.smallest_size = options.minimum_size ? in_short(*options.minimum_size) : chosen.text();
+      return result;
+    }
+    surface = std::move(result.surface);
+    chosen.increase();
+  }
 }
 
 Exit_status refine_file(const std::string& path, const Refine_options& options)
@@ -67,13 +119,14 @@ Exit_status refine_file(const std::string& path, const Refine_options& options)
   options.files.check_surface(surface);
   Kernel_options kernel;
   kernel.refinement = options.refinement;
-  if (options.constrained_angle)
-    constrain_sharp_edges(surface, *options.constrained_angle, *kernel.refinement);
   options.files.add_to(kernel.wanted);
   kernel.wanted.shapes = true;
   kernel.wanted.verification = options.is_verified;
-  Triangulation_result result = triangulate(std::move(surface), kernel);
+  Triangulation_result result = refine_surface(std::move(surface), kernel, options);
   options.files.write(result);
+  write_file(options.kept_edges, [&](std::ostream& os) {
+    write_constraints(os, options.kept_edges, result.surface, result.options.refinement->is_constrained);
+  });
   write_report(std::cout, result, options.files.is_verbose);
   flush_standard_output();
   const Exit_status status = exit_status(result.outcome);
@@ -114,10 +167,10 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
                 "no edge is to be longer (default: unlimited)")
     ->type_name("L");
   command
-    .add_option("--minimum-size", options->refinement.criteria.minimum_size,
-                "insert no vertex for a face with a side shorter than S: so refinement ends soon where sheets and slivers are thinner than what matters")
-    ->type_name("S")
-    ->capture_default_str();
+    .add_option("--minimum-size", options->minimum_size,
+                "insert no vertex for a face with a side shorter than S: so refinement ends soon where sheets and slivers are thinner than what "
+                "matters (default: 0, or up to 2^-14 of the box where smaller sides need many vertices)")
+    ->type_name("S");
   command
     .add_option("--maximum-points", options->refinement.maximum_number_of_points,
                 "give up after that many new vertices (default: 1,000,000 and 10 for each vertex)")
@@ -127,6 +180,16 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
     .add_option("--constrain-angle", options->constrained_angle,
                 "keep the edges whose two faces have normals that differ by more than D degrees: they are split, and not flipped")
     ->type_name("D");
+  CLI::Option* const constraints =
+    command
+      .add_option("--constraints", options->constraints,
+                  "keep these edges as well: pairs of vertices, one pair a line, or a line on the surface as `idt geodesic` writes it as CSV, "
+                  "along which faces are cut first")
+      ->type_name("F.csv");
+  command
+    .add_option("--kept-edges", options->kept_edges,
+                "write the edges of --constrain-angle and --constraints: pairs of vertices, which --constraints reads, or lines in space")
+    ->type_name("F.(csv|vtp)");
   CLI::Option* const flat =
     command.add_flag("--remove-flat-vertices", options->removes_flat_vertices,
                      "first remove the vertices in flat sides and on straight edges, exactly: the surface stays the same, and its "
@@ -145,6 +208,7 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
     ->type_name("F.csv");
   options->files.add_options(command, repair);
   command.get_option("--repair-map")->excludes(flat);
+  constraints->excludes(flat);
   command.callback([options, &selected] { selected = [options] { return run_refine(*options); }; });
 }
 

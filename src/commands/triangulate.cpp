@@ -166,8 +166,8 @@ Triangulation_result triangulate(Surface surface, const Kernel_options& options)
         was_interrupted = is_interrupted();
       return *was_interrupted || !is_interrupted();
     };
-    const auto show_points = [&](std::uint64_t points, std::uint64_t) {
-      progress.show_points(points);
+    const auto show_points = [&](const CGAL::Intrinsic_triangulations::Refinement_progress& refinement) {
+      progress.show_points(refinement.points, refinement.waiting_faces, refinement.size);
       return !is_interrupted();
     };
     result.outcome = run({result.surface, options, show_flips, has_time_to_decide, show_overlay, show_points});

@@ -20,6 +20,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -57,12 +58,21 @@ struct Requested_results
   }
 };
 
+// A face that refinement has left or is at, by its shortest side.
+struct Short_side
+{
+  double length = 0;
+  std::optional<std::array<double, 3>> place; // of an end, if the surface is in space
+};
+
 // What Delaunay refinement is to do once the flips are done.
 struct Refinement_options
 {
   CGAL::Intrinsic_triangulations::Refinement_criteria criteria;
   std::optional<std::uint64_t> maximum_number_of_points;
   std::vector<bool> is_constrained; // for each input edge: whether no flip may remove it
+  // Is asked before each face that is refined, and may ask where that is: if it says yes, the run ends, and nothing else is found out.
+  std::function<bool(const CGAL::Intrinsic_triangulations::Refinement_progress&, const std::function<Short_side()>&)> gives_up;
 };
 
 struct Kernel_options
@@ -80,7 +90,7 @@ struct Kernel_options
 // when it answers `false`.
 using Continue_function = std::function<bool(std::uint64_t tests, std::uint64_t flips)>;
 // The same of refinement, which asks before each new vertex.
-using Continue_refining_function = std::function<bool(std::uint64_t points, std::uint64_t flips)>;
+using Continue_refining_function = std::function<bool(const CGAL::Intrinsic_triangulations::Refinement_progress&)>;
 
 struct Job
 {
@@ -124,8 +134,13 @@ struct Tessellation_summary
 // What refinement did.
 struct Refinement_summary
 {
+  bool is_given_up = false;
   CGAL::Intrinsic_triangulations::Refinement_report report;
   std::vector<CGAL::Intrinsic_triangulations::Surface_point> points; // on the input, of the new vertices in order
+  // Of the faces that were left as too small, or for the budget, the one with the shortest side.
+  std::optional<Short_side> smallest_left;
+  // A smallest size with which a tenth of the budget would suffice for what it has left, as areas tell; 0 if that is not known.
+  double sufficient_size = 0;
   double seconds = 0;
 };
 

@@ -323,6 +323,8 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
   } else {
     flip_and_refine(triangulation, job, outcome);
   }
+  if (outcome.refinement && outcome.refinement->is_given_up)
+    return outcome;
   if (wanted.overlay && job.overlay_progress)
     job.overlay_progress(0);
 

@@ -8,3 +8,4 @@
 #include <CGAL/Intrinsic_triangulations/internal/reports/Surface_report_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/polygon_texts_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/remove_flat_vertices_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/sharp_edges_impl.h>

@@ -35,8 +35,10 @@ std::string describe_refinement(const Outcome& outcome)
   case IT::Refinement_status::REFINED:
     return report.unrefined.empty() ? "refined, " : "refined but for " + counted(report.unrefined.size(), "face", "faces") + ", ";
   case IT::Refinement_status::BUDGET_EXHAUSTED:
-    return "not refined: the budget of " + counted(report.insertions + report.segment_splits, "new vertex", "new vertices") +
-           " is spent (try a larger --maximum-points); ";
+    return "not refined: the budget of " + counted(report.insertions + report.segment_splits, "new vertex", "new vertices") + " is spent, " +
+           counted(unrefined_faces(outcome)["budget"], "face is", "faces are") + " left for that, with sides down to " +
+           text(*outcome.refinement->smallest_left) + " (try a larger --maximum-points" +
+           (outcome.refinement->sufficient_size > 0 ? ", or --minimum-size " + in_short(outcome.refinement->sufficient_size) : "") + "); ";
   case IT::Refinement_status::CANCELLED:
     return "not refined: cancelled; ";
   }
@@ -68,6 +70,14 @@ std::map<std::string, std::size_t> unrefined_faces(const Outcome& outcome)
   if (outcome.refinement)
     for (const IT::Unrefined_face& f : outcome.refinement->report.unrefined)
       ++result[name(f.reason)];
+  return result;
+}
+
+std::string text(const Short_side& side)
+{
+  std::string result = in_short(side.length);
+  if (side.place)
+    result += " at (" + in_short((*side.place)[0]) + ", " + in_short((*side.place)[1]) + ", " + in_short((*side.place)[2]) + ')';
   return result;
 }
 

@@ -29,6 +29,7 @@ struct Triangulation_result
   Surface surface;
   Kernel_options options;
   Outcome outcome;
+  std::string smallest_size;                                // of a refinement, and why it was chosen
   Surface_counts counts;                                    // of the intrinsic triangulation
   double count_seconds = 0;                                 // for `counts`
   std::vector<std::pair<const char*, double>> file_seconds; // for each file, by the option that asked for it
@@ -58,6 +59,9 @@ const char* name(CGAL::Intrinsic_triangulations::Refinement_obstacle reason);
 
 // How many faces were left, by reason; reasons without a face are missing.
 std::map<std::string, std::size_t> unrefined_faces(const Outcome& outcome);
+
+// "1.2e-07 at (0.1, 0.2, 0.3)"
+std::string text(const Short_side& side);
 
 // What the exact check found, in words. \pre it was made
 std::string describe_verification(const Outcome& outcome);

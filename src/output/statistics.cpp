@@ -8,7 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace idt {
 namespace {
@@ -114,6 +116,14 @@ Json seconds(const Triangulation_result& result)
   return json;
 }
 
+Json shortest_left(const Refinement_summary& refinement)
+{
+  if (!refinement.smallest_left)
+    return nullptr;
+  const Short_side& side = *refinement.smallest_left;
+  return {{"length", side.length}, {"place", side.place ? Json(*side.place) : Json(nullptr)}};
+}
+
 Json refinement_statistics(const Triangulation_result& result)
 {
   const Outcome& outcome = result.outcome;
@@ -126,6 +136,10 @@ Json refinement_statistics(const Triangulation_result& result)
   json["segment_splits"] = report.segment_splits;
   json["removed"] = result.surface.number_of_removed_vertices;
   json["flips"] = outcome.report.flips + report.flips;
+  const std::vector<bool>& is_constrained = result.options.refinement->is_constrained;
+  json["kept_edges"] = std::count(is_constrained.begin(), is_constrained.end(), true);
+  json["minimum_size"] = number(result.options.refinement->criteria.minimum_size);
+  json["shortest_left"] = outcome.refinement ? shortest_left(*outcome.refinement) : Json(nullptr);
   json["minimum_angle_degrees"] = member(outcome.shapes, &Shape_summary::minimum_angle);
   json["minimum_angle_degrees_of_refined_faces"] = outcome.shapes ? number(outcome.shapes->minimum_refined_angle) : Json(nullptr);
   json["maximum_circumradius"] = outcome.shapes ? number(outcome.shapes->maximum_circumradius) : Json(nullptr);

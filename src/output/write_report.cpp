@@ -6,6 +6,7 @@
 #include "system/system_calls.h"
 #include "system/text.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -50,12 +51,17 @@ std::string weights_text(const Weight_summary& summary)
   return text;
 }
 
-void write_refinement(Report_writer& report, const Refinement_summary& summary)
+void write_refinement(Report_writer& report, const Triangulation_result& result)
 {
+  const Refinement_summary& summary = *result.outcome.refinement;
+  const std::vector<bool>& is_constrained = result.options.refinement->is_constrained;
+  if (const auto kept = std::count(is_constrained.begin(), is_constrained.end(), true); kept > 0)
+    report.line("kept edges", with_separators(std::uint64_t(kept)));
   const std::uint64_t on_edges = summary.report.segment_splits;
   report.line("new vertices", with_separators(summary.report.insertions + on_edges) + ", " + with_separators(on_edges) +
                                 " of them on edges that are not flipped");
   report.line("later flips", with_separators(summary.report.flips));
+  report.line("smallest size", result.smallest_size);
 }
 
 std::string shapes_text(const Outcome& outcome)
@@ -147,11 +153,13 @@ void write_report(std::ostream& os, const Triangulation_result& result, bool is_
   report.line("flips", with_separators(outcome.report.flips) + " in " +
                          with_separators(outcome.report.tests) + " tests");
   if (outcome.refinement)
-    write_refinement(report, *outcome.refinement);
+    write_refinement(report, result);
   if (outcome.shapes)
     report.line("shapes", shapes_text(outcome));
   for (const auto& [reason, faces] : unrefined_faces(outcome))
     report.line("left", counted(faces, "face", "faces") + ": " + reason);
+  if (outcome.refinement && outcome.refinement->smallest_left)
+    report.line("shortest left", "a side of " + text(*outcome.refinement->smallest_left));
   if (is_verbose)
     write_details(report, result);
   if (outcome.weights_before)

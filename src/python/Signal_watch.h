@@ -7,6 +7,7 @@
 #define INTRINSIC_TRIANGULATIONS_PYTHON_SIGNAL_WATCH_H
 
 #include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/Refinement_report.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <pybind11/pybind11.h>
@@ -100,6 +101,7 @@ struct Signal_visitor
 {
   bool go_further(std::uint64_t, std::uint64_t) { return ++calls % 16 != 0 || Signal_watch::goes_on(); }
   void after_flip(IT::Edge_index) {}
+  void before_step(const IT::Refinement_progress&) {}
   void after_insertion(IT::Vertex_index) {}
 
   std::uint64_t calls = 0;

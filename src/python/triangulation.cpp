@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/sharp_edges.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -279,6 +280,19 @@ py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumra
                         to_array(std::move(unrefined)), reasons);
 }
 
+py::array sharp_edges(Surface& surface, const Doubles& points, double degrees, double minimum_size)
+{
+  require(degrees >= 0 && degrees <= 180, "degrees is not between 0 and 180");
+  require(minimum_size >= 0, "minimum_size is negative");
+  const std::vector<std::array<double, 3>> places = copied_rows(points);
+  return to_array(surface.use([&](const Triangulation& t) {
+    Numbers result;
+    for (bool is_sharp : IT::sharp_edges(t.exact_geometry().correspondence().input(), places, degrees, minimum_size))
+      result.push_back(is_sharp);
+    return result;
+  }));
+}
+
 // ----------------------------------------------------------------- matrices
 
 py::tuple stiffness(Surface& surface)
@@ -345,6 +359,7 @@ void add_triangulation(py::module_& module)
     .def("verify", &verify, py::arg("constrained").noconvert())
     .def("refine", &refine, py::arg("minimum_angle"), py::arg("maximum_circumradius"), py::arg("maximum_edge_length"),
          py::arg("constrained").noconvert(), py::arg("maximum_number"), py::arg("minimum_size"))
+    .def("sharp_edges", &sharp_edges, py::arg("points").noconvert(), py::arg("degrees"), py::arg("minimum_size"))
     .def("stiffness", &stiffness)
     .def("mass", &mass, py::arg("is_lumped"))
     .def("inserted_vertices", &inserted_vertices);

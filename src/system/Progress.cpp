@@ -4,6 +4,7 @@
 #include "system/Progress.h"
 
 #include "system/system_calls.h"
+#include "system/text.h"
 
 #include <algorithm>
 #include <atomic>
@@ -78,10 +79,10 @@ void Progress::show_phases()
   }
 }
 
-void Progress::show_points(std::uint64_t points)
+void Progress::show_points(std::uint64_t points, std::size_t faces, double size)
 {
   if (is_shown_ && is_due(stopwatch_.seconds()))
-    write("refining, " + std::to_string(points) + " new vertices");
+    write("refining, " + std::to_string(points) + " new vertices, " + std::to_string(faces) + " faces left, sides of " + in_short(size));
 }
 
 void Progress::show(const char* what, double fraction)

@@ -9,6 +9,7 @@
 #include "system/Stopwatch.h"
 
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <string>
@@ -39,7 +40,8 @@ public:
       look(tests, flips);
   }
   // The same of refinement, where a step takes long enough for a look at the clock.
-  void show_points(std::uint64_t points);
+  // \param faces how many are to be refined, at most \param size the shortest side of the next one
+  void show_points(std::uint64_t points, std::size_t faces, double size);
   // A bar. \param fraction what is done of it, from 0 to 1
   void show(const char* what, double fraction);
 

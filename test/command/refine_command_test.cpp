@@ -161,6 +161,74 @@ TEST_F(Refine_command, keeps_sharp_edges)
   EXPECT_LT(stats()["segment_splits"], constrained["segment_splits"]);
 }
 
+TEST_F(Refine_command, keeps_the_edges_that_it_is_told)
+{
+  write_roof("roof.off");
+  write("pairs.csv", "# the ridge\n\n3,2\n");
+  ASSERT_EQ(idt("refine roof.off --maximum-edge-length 0.3 --constrain-angle 80 --edges e.csv").status, 0);
+  const auto sharp = rows("e.csv");
+  const Command_run run = idt("refine roof.off --maximum-edge-length 0.3 --constraints pairs.csv --verify --edges e.csv --kept-edges k.csv --stats s.json");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "kept edges      1\n")) << run.out;
+  EXPECT_EQ(stats()["kept_edges"], 1);
+  EXPECT_EQ(rows("e.csv"), sharp);
+  EXPECT_EQ(rows("k.csv"), (std::vector<std::vector<double>>{{2, 3}}));
+  // What it writes, it reads; in ParaView's format, it is a line.
+  ASSERT_EQ(idt("refine roof.off --maximum-edge-length 0.3 --constraints k.csv --edges e.csv --kept-edges k.vtp").status, 0);
+  EXPECT_EQ(rows("e.csv"), sharp);
+  EXPECT_TRUE(contains(content(folder_ / "k.vtp"), "NumberOfLines=\"1\"")) << content(folder_ / "k.vtp");
+}
+
+// A line between vertices, and one that ends in the middle of a face: the result has edges along them.
+TEST_F(Refine_command, keeps_straight_lines_across_faces)
+{
+  write_roof("roof.off");
+  for (const char* line : {"--from 0 --to 5", "--from 0 --direction 0.2 --length 1.9", "--from 0 --direction 0.2 --length 0.5", "--from 1 --to 4",
+                           "--from 2 --direction 1 --length 1"}) {
+    ASSERT_EQ(idt(std::string("geodesic roof.off -o g.csv --stats s.json ") + line).status, 0) << line;
+    const double length = stats()["length"];
+    const Command_run run =
+      idt("refine roof.off --minimum-angle 0 --constraints g.csv --verify --edges e.csv --kept-edges k.csv --stats s.json");
+    ASSERT_EQ(run.status, 0) << line << run.err;
+    std::map<std::pair<double, double>, double> lengths;
+    for (const std::vector<double>& row : rows("e.csv"))
+      lengths[std::minmax(row[0], row[1])] = row[2];
+    double sum = 0;
+    for (const std::vector<double>& row : rows("k.csv"))
+      sum += lengths.at(std::minmax(row[0], row[1]));
+    EXPECT_NEAR(sum, length, 1e-14) << line;
+    EXPECT_EQ(idt("refine roof.off --constraints g.csv --verify").status, 0) << line;
+  }
+}
+
+TEST_F(Refine_command, names_constraints_that_do_not_fit)
+{
+  write_roof("roof.off");
+  const std::vector<std::pair<std::string, std::string>> files = {
+    {"0 2\n0 5\n", "c.csv, line 2: no edge joins vertex 0 and vertex 5"},
+    {"0 6\n", "line 1: there is no such vertex: the surface has 6"},
+    {"0 0.5\n", "line 1: there is no such vertex"},
+    {"-1 0\n", "there is no such vertex"},
+    {"0\n", "expected are two vertices"},
+    {"0 1 2\n", "expected are two vertices, and nothing behind them"},
+    {"zero one\n", "expected are two vertices"},
+    {"face,vertex_0\n0,1\n", "line 2: expected are a face, three vertices"},
+    {"face,vertex_0\n0,0,2,1,0,0,0\n", "the coordinates are not positive"},
+    {"face,vertex_0\n0,0,2,1,0.5,0.5,0\n0,0,2,1,0.25,0.75,0\n", "crossed a second time"},
+    {"face,vertex_0\n0,0,5,1,0.5,0.5,0\n", "no edge joins vertex 0 and vertex 5"}};
+  for (const auto& [text, message] : files) {
+    write("c.csv", text);
+    const Command_run run = idt("refine roof.off --constraints c.csv");
+    EXPECT_EQ(run.status, 3) << text;
+    EXPECT_TRUE(contains(run.err, message)) << text << run.err;
+  }
+  EXPECT_TRUE(contains(idt("refine roof.off --constraints none.csv").err, "none.csv: the file cannot be opened"));
+  EXPECT_EQ(idt("refine roof.off --constraints c.csv --kept-edges c.csv").status, 2);
+  EXPECT_EQ(idt("refine roof.off --constraints c.csv --remove-flat-vertices").status, 2);
+  ASSERT_EQ(idt("sample one-vertex-torus -o t.gluing").status, 0);
+  EXPECT_TRUE(contains(idt("refine t.gluing --constraints c.csv").err, "--constraints needs a surface in space"));
+}
+
 // The tip of a needle: a face below the bound, and listed. The smallest angle is that of all faces.
 TEST_F(Refine_command, tells_what_it_left)
 {
@@ -187,6 +255,60 @@ TEST_F(Refine_command, leaves_what_is_smaller_than_matters)
   EXPECT_EQ(stats()["inserted"], 0);
   for (const char* bad : {"-1", "nan"})
     EXPECT_EQ(idt(std::string("refine sliver.off --minimum-size ") + bad).status, 2);
+}
+
+// A closed tube, 1 long and 1e-6 around, beside a tetrahedron.
+constexpr const char* tube = "OFF\n14 20 0\n0 0 0\n1e-7 0 0\n1e-7 1e-7 0\n0 2e-7 0\n-1e-7 1e-7 0\n0 0 1\n1e-7 0 1\n1e-7 1e-7 1\n0 2e-7 1\n-1e-7 1e-7 1\n"
+                             "1 1 1\n2 1 1\n1 2 1\n1 1 2\n"
+                             "3 0 1 6\n3 0 6 5\n3 1 2 7\n3 1 7 6\n3 2 3 8\n3 2 8 7\n3 3 4 9\n3 3 9 8\n3 4 0 5\n3 4 5 9\n"
+                             "3 2 1 0\n3 3 2 0\n3 4 3 0\n3 5 6 7\n3 5 7 8\n3 5 8 9\n3 10 12 11\n3 10 11 13\n3 11 12 13\n3 12 10 13\n";
+
+TEST_F(Refine_command, chooses_a_smallest_size_where_it_needs_one)
+{
+  write("tube.off", tube);
+  const Command_run run = idt("refine tube.off --verify --stats s.json");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "chosen as 2^-20 of the box")) << run.out;
+  EXPECT_TRUE(contains(run.out, "shortest left   a side of 1e-07 at (")) << run.out;
+  EXPECT_NEAR(stats()["minimum_size"], std::ldexp(2., -20), 1e-12);
+  EXPECT_NEAR(stats()["shortest_left"]["length"], 1e-7, 1e-20);
+  EXPECT_EQ(stats()["shortest_left"]["place"].size(), 3u);
+  EXPECT_GT(stats()["unrefined"]["too small"], 0);
+  EXPECT_LT(stats()["inserted"], 100);
+}
+
+TEST_F(Refine_command, says_early_that_the_budget_will_not_suffice)
+{
+  write("tube.off", tube);
+  const Command_run run = idt("refine tube.off --minimum-size 0 --maximum-points 3000 --stats s.json");
+  EXPECT_EQ(run.status, 4);
+  EXPECT_TRUE(contains(run.err, "the budget of 3,000 will not suffice")) << run.err;
+  EXPECT_TRUE(contains(run.err, "the budget of 3,000 new vertices is spent")) << run.err;
+  EXPECT_EQ(stats()["minimum_size"], 0);
+  // What it advises is enough.
+  const std::size_t advice = run.err.find("or --minimum-size ");
+  ASSERT_NE(advice, std::string::npos) << run.err;
+  const std::string size = run.err.substr(advice + 18, run.err.find(')', advice) - advice - 18);
+  const Command_run again = idt("refine tube.off --maximum-points 3000 --minimum-size " + size);
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(again.err, "");
+}
+
+// Features of 1e-4 of the box are refined, and scans, of course.
+TEST_F(Refine_command, chooses_no_size_where_none_is_needed)
+{
+  ASSERT_EQ(idt("sample bad-torus -o t.off").status, 0);
+  write("feature.off", "OFF\n8 12 0\n0 0 0\n1 0 0\n1 1e-4 0\n0 1e-4 0\n0 0 1e-4\n1 0 1e-4\n1 1e-4 1e-4\n0 1e-4 1e-4\n"
+                       "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
+  for (const char* name : {"t.off", "feature.off"}) {
+    ASSERT_EQ(idt(std::string("refine ") + name + " --minimum-size 0 --stats s.json").status, 0);
+    const Json without = stats();
+    const Command_run run = idt(std::string("refine ") + name + " --stats s.json");
+    EXPECT_EQ(run.status, 0);
+    EXPECT_TRUE(contains(run.out, "smallest size   0: no place needs one")) << run.out;
+    EXPECT_EQ(stats()["inserted"], without["inserted"]);
+    EXPECT_EQ(stats()["unrefined"], without["unrefined"]);
+  }
 }
 
 TEST_F(Refine_command, stops_at_the_budget)

@@ -268,6 +268,7 @@ struct Flip_visitor
 struct Refinement_visitor
 {
   bool go_further(std::uint64_t, std::uint64_t) { return goes_further(); }
+  void before_step(const IT::Refinement_progress&) {}
   void after_insertion(IT::Vertex_index) {}
 };
 

@@ -180,6 +180,30 @@ def test_constrained_edges_of_a_refinement():
     assert t.lengths[along].sum() == pytest.approx(2)
 
 
+def test_sharp_edges_are_kept():
+    # Two strips of a roof with a sliver along the ridge.
+    V = numpy.array([[0, -1, 0], [4, -1, 0], [0, 0, 1], [4, 0, 1], [0, 1e-6, 1], [4, 1e-6, 1], [0, 1, 0], [4, 1, 0]])
+    F = [[0, 1, 3], [0, 3, 2], [2, 3, 5], [2, 5, 4], [4, 5, 7], [4, 7, 6]]
+    t = it.Triangulation(V, F)
+    assert t.lengths[t.sharp_edges(30)].sum() == pytest.approx(8)
+    sharp = t.sharp_edges(30, minimum_size=1e-3)
+    assert t.lengths[sharp].sum() == pytest.approx(4) and not t.sharp_edges(100, minimum_size=1e-3).any()
+    ridge = t.edges[sharp]
+    assert numpy.array_equal(t.edges_between(ridge[:, ::-1]), sharp)
+    assert t.refine(constrained=sharp, minimum_size=1e-3).is_refined
+    for bad in (-1, 181, numpy.nan, "30"):
+        with pytest.raises(ValueError):
+            t.sharp_edges(bad)
+    with pytest.raises(ValueError):
+        t.sharp_edges(30, minimum_size=-1)
+    with pytest.raises(ValueError, match="no edge joins the vertices 0 and 7"):
+        t.edges_between([[7, 0], [0, 1]])
+    with pytest.raises(it.InvalidSurfaceError):
+        t.edges_between([[0, 800]])
+    with pytest.raises(ValueError):
+        it.Triangulation.from_lengths([[0, 1, 2]], [[1, 1, 1]]).sharp_edges(30)
+
+
 def test_large_and_small_units():
     V, F = icosphere(1)
     for scale in (1e-140, 1e140):

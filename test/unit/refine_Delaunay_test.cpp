@@ -176,6 +176,62 @@ TEST(Refine_Delaunay, ends_early_where_told_to)
   expect_refined(triangulation, IT::refine_Delaunay(triangulation), {});
 }
 
+struct Progress_visitor : IT::Default_refinement_visitor
+{
+  void before_step(const IT::Refinement_progress& progress)
+  {
+    EXPECT_GE(progress.points, last.points);
+    EXPECT_GT(progress.waiting_faces, 0u);
+    EXPECT_GT(progress.size, 0);
+    EXPECT_TRUE(progress.face.is_valid());
+    if (progress.estimated_points != last.estimated_points && first_estimate == 0)
+      first_estimate = progress.points + progress.estimated_points;
+    last = progress;
+  }
+  IT::Refinement_progress last;
+  std::uint64_t first_estimate = 0;
+};
+
+TEST(Refine_Delaunay, estimates_how_many_vertices_are_needed)
+{
+  const IT::Indexed_triangles square = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  // A tube around which triangles cannot be longer than it is wide.
+  const IT::Indexed_triangles tube = {{{0, 0, 0}, {1, 0, 0}, {0, 1e-4, 0}, {1, 1e-4, 0}, {0, 0, 1e-4}, {1, 0, 1e-4}},
+                                      {{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}, {4, 5, 1}, {4, 1, 0}}};
+  IT::Refinement_criteria by_edge, by_circumradius;
+  by_edge.maximum_edge_length = 0.02;
+  by_circumradius.maximum_circumradius = 0.012;
+  for (const auto& [surface, criteria] : {std::pair{square, by_edge}, std::pair{square, by_circumradius}, std::pair{tube, IT::Refinement_criteria()}}) {
+    Triangulation triangulation = triangulation_of(surface);
+    Progress_visitor visitor;
+    const IT::Refinement_report report = IT::refine_Delaunay(triangulation, criteria, CGAL::parameters::visitor(std::ref(visitor)));
+    const double needed = double(report.insertions + report.segment_splits);
+    EXPECT_EQ(report.status, IT::Refinement_status::REFINED);
+    EXPECT_GT(double(visitor.first_estimate), 0.5 * needed);
+    EXPECT_LT(double(visitor.first_estimate), 2 * needed);
+    EXPECT_LE(visitor.last.points, report.insertions + report.segment_splits);
+  }
+}
+
+// A smallest size ends the splits of edges for their own sake as well.
+TEST(Refine_Delaunay, splits_no_edge_below_the_smallest_size)
+{
+  const IT::Indexed_triangles needle = {{{0, 0, 0}, {1, 0, 0}, {0.6, 1e-5, 0}, {0.3, 1e-5, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  IT::Refinement_criteria criteria;
+  criteria.minimum_size = 1e-3;
+  criteria.splits_encroached_edges = true;
+  Triangulation triangulation = triangulation_of(needle);
+  const IT::Refinement_report report = IT::refine_Delaunay(triangulation, criteria);
+  expect_refined(triangulation, report, criteria);
+  EXPECT_GT(report.segment_splits, 100u);
+  EXPECT_LT(report.segment_splits, 3000u);
+  for (IT::Edge_index e : triangulation.connectivity().edges()) {
+    if (triangulation.connectivity().is_border(e) && triangulation.length(e) > 1e-4) {
+      EXPECT_GE(triangulation.length(e), 0.6e-3); // beside small corners, two thirds are split off
+    }
+  }
+}
+
 // Stops after so many questions.
 struct Counting_visitor : IT::Default_refinement_visitor
 {

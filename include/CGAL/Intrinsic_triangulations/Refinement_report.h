@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Index.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -48,6 +49,19 @@ struct Unrefined_face
 {
   Face_index face;            ///< the face
   Refinement_obstacle reason; ///< why it was left
+};
+
+/// \ingroup PkgIntrinsicTriangulationsInsertion
+/// \brief what a visitor of `refine_Delaunay()` is told before each step.
+struct Refinement_progress
+{
+  std::uint64_t points = 0;      ///< new vertices so far
+  std::size_t waiting_faces = 0; ///< an upper bound on the faces that do not meet the criteria: some of them may meet them by now
+  double size = 0;               ///< the shortest side of the face that is next, in the unit of the input
+  Face_index face;               ///< that face
+  /// about how many more vertices are needed at least: by faces that are too large, and by thin ones whose shortest sides are of that size.
+  /// Taken from the areas of these faces at 1024 new vertices and whenever their number has doubled since
+  std::uint64_t estimated_points = 0;
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion

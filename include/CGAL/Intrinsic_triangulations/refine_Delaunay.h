@@ -33,6 +33,8 @@ struct Default_refinement_visitor
   /// is called before each step and within long ones, with the numbers of new vertices and of flips so far; the algorithm stops
   /// if it returns `false`. As long as there is no new vertex, edges are flipped until the triangulation is Delaunay.
   bool go_further(std::uint64_t /* points */, std::uint64_t /* flips */) { return true; }
+  /// is called before each face that is refined, with what is left to do.
+  void before_step(const Refinement_progress&) {}
   /// is called after each new vertex, when the triangulation is Delaunay again; not for the last one if that is interrupted.
   void after_insertion(Vertex_index) {}
 };

@@ -298,6 +298,76 @@ class Triangulation:
         return RefinementReport(*self._surface.refine(angle, circumradius, edge_length, self._constrained(constrained), maximum,
                                                       _arrays.number(minimum_size, "minimum_size")))
 
+    def sharp_edges(self, degrees: float, minimum_size: float = 0) -> numpy.ndarray:
+        """Which edges of the input are sharp, to be constrained in `refine` before any flip.
+
+        Slivers, which are thinner than `minimum_size` or four units in the last place of the largest coordinate, have the direction of
+        what lies beyond their longest side. Chains of sharp edges that are shorter than `minimum_size` are dropped.
+
+        Parameters
+        ----------
+        degrees : float
+            By how much the directions of two faces differ at least, from 0 to 180.
+        minimum_size : float
+            In the unit of the input.
+
+        Returns
+        -------
+        (k,) array of bool
+            For each edge of the input.
+
+        Raises
+        ------
+        ValueError
+            If the surface is given by lengths alone.
+
+        Examples
+        --------
+        >>> import intrinsic_triangulations as it
+        >>> t = it.Triangulation([[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]], [[0, 1, 2], [1, 0, 3]])
+        >>> int(t.sharp_edges(30).sum()), int(t.sharp_edges(100).sum())
+        (1, 0)
+        """
+        if self._points is None:
+            raise ValueError("the surface is given by lengths: its faces have no directions")
+        return self._surface.sharp_edges(self._points, _arrays.number(degrees, "degrees"),
+                                         _arrays.number(minimum_size, "minimum_size")).astype(bool)
+
+    def edges_between(self, pairs: Any) -> numpy.ndarray:
+        """Which edges join two vertices of a list, to be constrained in `refine`.
+
+        Parameters
+        ----------
+        pairs : (p, 2) array of integers
+            Vertices, in any order. Consecutive vertices of a line `v` are `numpy.stack((v[:-1], v[1:]), axis=1)`.
+
+        Returns
+        -------
+        (k,) array of bool
+            For each edge of the current triangulation.
+
+        Raises
+        ------
+        ValueError
+            If no edge joins the vertices of a pair.
+        InvalidSurfaceError
+            If there is no such vertex.
+
+        Examples
+        --------
+        >>> import intrinsic_triangulations as it
+        >>> t = it.Triangulation([[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]], [[0, 1, 2], [1, 0, 3]])
+        >>> int(t.edges_between([[1, 0]]).sum())
+        1
+        """
+        wanted = {tuple(sorted(pair)) for pair in _arrays.indices(pairs, "pairs", (None, 2), self.number_of_vertices).tolist()}
+        ends = [tuple(sorted(edge)) for edge in self.edges.tolist()]
+        missing = sorted(wanted.difference(ends))
+        if missing:
+            raise ValueError(f"no edge joins the vertices {missing[0][0]} and {missing[0][1]}" +
+                             (f", nor {len(missing) - 1} more pairs" if len(missing) > 1 else ""))
+        return numpy.array([edge in wanted for edge in ends], dtype=bool)
+
     def _constrained(self, constrained: Any) -> Optional[numpy.ndarray]:
         return _arrays.marks(constrained, "constrained", self.number_of_edges)
 

@@ -94,14 +94,16 @@ private:
       if (!segments_to_test_.empty()) {
         const Edge_index e = segments_to_test_.back();
         segments_to_test_.pop_back();
-        if (segments_.is_encroached(e))
+        if (segments_.is_encroached(e) && faces_.length(e) >= 2 * criteria_.minimum_size)
           split_segment(e);
         continue;
       }
       const Candidate candidate = bad_faces_.top();
       bad_faces_.pop();
-      if (is_bad(candidate.face) && faces_.circumradius(candidate.face) == candidate.radius)
+      if (is_bad(candidate.face) && faces_.circumradius(candidate.face) == candidate.radius) {
+        tell_progress(candidate.face);
         refine(candidate.face);
+      }
     }
     list_unrefined_faces();
   }
@@ -134,6 +136,37 @@ private:
     if (asks_further() && report_.insertions + report_.segment_splits >= maximum_number_ && has_candidates())
       report_.status = Refinement_status::BUDGET_EXHAUSTED;
     return report_.status == Refinement_status::REFINED;
+  }
+
+  void tell_progress(Face_index next)
+  {
+    progress_.points = report_.insertions + report_.segment_splits;
+    progress_.waiting_faces = bad_faces_.size() + 1;
+    progress_.face = next;
+    progress_.size = faces_.length(faces_.shortest_side(next));
+    if (progress_.points >= next_estimate_) {
+      progress_.estimated_points = estimated_points();
+      while (next_estimate_ <= progress_.points)
+        next_estimate_ *= 2;
+    }
+    visitor_.before_step(progress_);
+  }
+  // What the areas of faces tell: of those that are too large, and of thin ones with sides of the present size.
+  std::uint64_t estimated_points() const
+  {
+    const double largest_edge = (std::min)(criteria_.maximum_edge_length, std::sqrt(3.) * criteria_.maximum_circumradius);
+    double sum = 0;
+    for (Face_index f : complex_.faces()) {
+      if (!is_bad(f) || left_.count(f) != 0)
+        continue;
+      const Halfedge_index longest = faces_.longest_side(f);
+      const double l = faces_.length(longest), area = l * l * faces_.apex(longest).imag() / 2, s = faces_.length(faces_.shortest_side(f));
+      if (is_too_large(f))
+        sum += area / (largest_edge * largest_edge) / 0.45;
+      else if (s < 2 * progress_.size)
+        sum += area / (s * s);
+    }
+    return static_cast<std::uint64_t>((std::min)(sum, 1e18));
   }
 
   // Whether refinement cannot change the corner at the source of h.
@@ -464,6 +497,8 @@ private:
   Measured_faces<Traits> faces_;
   Segments<Traits> segments_;
   Refinement_report report_;
+  Refinement_progress progress_;
+  std::uint64_t next_estimate_ = 1024;
   std::priority_queue<Candidate> bad_faces_;
   std::vector<Edge_index> segments_to_test_, stack_, flipped_;
   Small_cones cones_;
