@@ -332,6 +332,109 @@ TEST(Remove_flat_vertices, keeps_borders_and_curved_surfaces)
   EXPECT_EQ(expect_the_same_sides_without_flat_vertices(s), 4u);
 }
 
+// The distance from a triangle.
+double distance(const Point& p, const Point& a, const Point& b, const Point& c)
+{
+  const auto dot = [](const Point& u, const Point& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
+  const auto to_side = [&](const Point& u, const Point& v) {
+    const Point along = minus(v, u), d = minus(p, u);
+    const double t = std::max(0., std::min(1., dot(along, d) / dot(along, along)));
+    return std::hypot(d[0] - t * along[0], d[1] - t * along[1], d[2] - t * along[2]);
+  };
+  double result = std::min({to_side(a, b), to_side(b, c), to_side(c, a)});
+  const Point u = minus(b, a), v = minus(c, a), d = minus(p, a);
+  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), determinant = uu * vv - uv * uv;
+  const double s = (vv * dot(u, d) - uv * dot(v, d)) / determinant, t = (uu * dot(v, d) - uv * dot(u, d)) / determinant;
+  if (s >= 0 && t >= 0 && s + t <= 1)
+    result = std::min(result, std::hypot(d[0] - s * u[0] - t * v[0], d[1] - s * u[1] - t * v[1], d[2] - s * u[2] - t * v[2]));
+  return result;
+}
+
+// The largest distance of a point from a surface.
+double largest_distance(const std::vector<Point>& points, const Surface& s)
+{
+  double largest = 0;
+  for (const Point& p : points) {
+    double smallest = 1e300;
+    for (IT::Face_index f : s.complex.faces()) {
+      const IT::Halfedge_index h = s.complex.halfedge(f);
+      smallest = std::min(smallest, distance(p, s.points[s.complex.source(h).idx()], s.points[s.complex.target(h).idx()],
+                                             s.points[s.complex.target(s.complex.next(h)).idx()]));
+    }
+    largest = std::max(largest, smallest);
+  }
+  return largest;
+}
+
+Surface turned_block()
+{
+  std::vector<std::array<int, 3>> cells;
+  for (int x = 0; x < 5; ++x)
+    for (int y = 0; y < 4; ++y)
+      for (int z = 0; z < 3; ++z)
+        cells.push_back({x, y, z});
+  Surface s = cubes(cells);
+  for (Point& p : s.points) {
+    p = {std::cos(0.7) * p[0] - std::sin(0.7) * p[1], std::sin(0.7) * p[0] + std::cos(0.7) * p[1], p[2]};
+    p = {p[0], std::cos(1.1) * p[1] - std::sin(1.1) * p[2], std::sin(1.1) * p[1] + std::cos(1.1) * p[2]};
+  }
+  return s;
+}
+
+TEST(Remove_nearly_flat_vertices, leaves_the_corners_of_a_block_that_was_turned)
+{
+  for (double scale : {1e-3, 1., 1e3}) {
+    Surface s = turned_block();
+    for (Point& p : s.points)
+      for (double& x : p)
+        x *= scale;
+    const std::vector<Point> points = s.points;
+    Surface exact = s;
+    IT::remove_flat_vertices(exact.complex, exact.points);
+    EXPECT_GT(exact.points.size(), 40u); // exactly, few are flat
+    const IT::Flat_vertex_removal removal = IT::remove_nearly_flat_vertices(s.complex, s.points, 1e-12 * scale);
+    EXPECT_TRUE(s.complex.is_valid());
+    EXPECT_EQ(s.points.size(), 8u);
+    EXPECT_EQ(removal.vertices.size(), 8u);
+    EXPECT_GT(removal.deviation, 0);
+    EXPECT_LE(removal.deviation, 1e-12 * scale);
+    EXPECT_LE(largest_distance(points, s), 1e-12 * scale);
+  }
+}
+
+// Heights at random on a block: the more of them are allowed, the fewer vertices are left, and no point is farther away than was said.
+TEST(Remove_nearly_flat_vertices, keeps_the_distance)
+{
+  std::mt19937 random(3);
+  Surface noisy = turned_block();
+  for (Point& p : noisy.points)
+    for (double& x : p)
+      x += 1e-3 * (double(random()) / 4294967296. - 0.5);
+  std::size_t number = noisy.points.size();
+  for (double tolerance : {0., 1e-4, 1e-3, 5e-3, 3e-2}) {
+    Surface s = noisy;
+    const IT::Flat_vertex_removal removal = IT::remove_nearly_flat_vertices(s.complex, s.points, tolerance);
+    EXPECT_TRUE(s.complex.is_valid());
+    EXPECT_LE(removal.deviation, tolerance);
+    EXPECT_LE(largest_distance(noisy.points, s), removal.deviation + 1e-15);
+    for (std::size_t v = 0; v < removal.vertices.size(); ++v)
+      EXPECT_EQ(s.points[v], noisy.points[removal.vertices[v].idx()]);
+    EXPECT_LE(s.points.size(), number);
+    number = s.points.size();
+  }
+  EXPECT_LT(number, 3 * noisy.points.size() / 4);
+  EXPECT_GE(number, 8u);
+}
+
+TEST(Remove_nearly_flat_vertices, without_a_tolerance_is_exact)
+{
+  Surface s = cubes({{0, 0, 0}, {0, 0, 1}, {0, 0, 2}}), t = s;
+  const IT::Flat_vertex_removal removal = IT::remove_nearly_flat_vertices(s.complex, s.points, 0);
+  EXPECT_EQ(removal.vertices, IT::remove_flat_vertices(t.complex, t.points));
+  EXPECT_EQ(removal.deviation, 0);
+  EXPECT_TRUE(s.complex == t.complex);
+}
+
 TEST(Remove_flat_vertices, can_be_cancelled)
 {
   Surface s = cubes({{0, 0, 0}, {0, 0, 1}});

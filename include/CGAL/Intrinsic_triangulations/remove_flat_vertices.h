@@ -42,6 +42,34 @@ namespace Intrinsic_triangulations {
 std::vector<Vertex_index> remove_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points,
                                                const Progress_function& progress = {});
 
+/// \ingroup PkgIntrinsicTriangulationsInsertion
+/// \brief what `remove_nearly_flat_vertices()` did.
+struct Flat_vertex_removal
+{
+  std::vector<Vertex_index> vertices; ///< for each vertex that is left, its descriptor before
+  double deviation = 0;               ///< a bound on how far the surface has moved, in the unit of the points: at most the tolerance
+};
+
+/// \ingroup PkgIntrinsicTriangulationsInsertion
+/// \brief as `remove_flat_vertices()`, of vertices that are off their planes and lines by little, as after a rotation.
+///
+/// The surface changes, but no point by more than a tolerance: for each face, what it has replaced so far lies in a slab around it whose
+/// width is known, and a vertex is removed if that width and the one of its faces together allow it. Vertices that are left do not move. So
+/// a part that was rotated loses the vertices of its flat sides with a tolerance of a few units in the last place.
+///
+/// \param complex the connectivity; its last elements take the place of those that are removed
+/// \param points the positions of the vertices, which follow them
+/// \param tolerance the largest distance by which a point of the surface may move
+/// \param progress is called from time to time
+///
+/// \pre as `remove_flat_vertices()`, `tolerance >= 0`
+/// \exception Cancelled_error as `remove_flat_vertices()`
+///
+/// O(sum of the squared degrees). That triangles are not turned over, seen along the axis that is next to their normal, is decided exactly.
+/// Widths are rounded.
+Flat_vertex_removal remove_nearly_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points, double tolerance,
+                                                const Progress_function& progress = {});
+
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 

@@ -17,8 +17,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -32,12 +34,18 @@ namespace internal {
 class Flat_star
 {
 public:
-  Flat_star(Delta_complex& complex, const std::vector<std::array<double, 3>>& points) : complex_(complex), points_(points) {}
+  Flat_star(Delta_complex& complex, const std::vector<std::array<double, 3>>& points, double tolerance = 0)
+    : complex_(complex), points_(points), tolerance_(tolerance), widths_(tolerance > 0 ? complex.number_of_faces() : 0)
+  {}
 
   // Removes the vertex if it is flat.
   std::optional<Removed_elements> remove(Vertex_index v)
   {
-    if (!complex_.halfedge(v).is_valid() || !find_spokes(v) || !find_ridges())
+    if (!complex_.halfedge(v).is_valid() || !find_spokes(v))
+      return std::nullopt;
+    if (tolerance_ > 0)
+      return remove_nearly_flat();
+    if (!find_ridges())
       return std::nullopt;
     if (ridges_.empty())
       return angle_is_smallest(0, 0) ? remove_from_plane() : std::nullopt;
@@ -52,6 +60,10 @@ public:
     flip_away(a, b);
     return unsplit(a);
   }
+
+  bool has_tolerance() const { return tolerance_ > 0; }
+  // How far the surface has moved at most.
+  double deviation() const { return deviation_; }
 
 private:
   using Kernel = Exact_predicates_inexact_constructions_kernel;
@@ -123,6 +135,10 @@ private:
   bool angle_is_smallest(std::size_t from, std::size_t to)
   {
     look_at_face(from);
+    return is_covered_once(from, to);
+  }
+  bool is_covered_once(std::size_t from, std::size_t to) const
+  {
     std::size_t count = 0, i = from;
     do {
       const std::size_t j = next(i);
@@ -160,9 +176,12 @@ private:
       candidates_.pop_back();
       const std::size_t right = right_[i], left = left_[i];
       if (is_gone_[i] || is_ridge(i) || orientation(end(right), end(i), end(left)) != POSITIVE ||
-          orientation(center_, end(right), end(left)) != POSITIVE)
+          orientation(center_, end(right), end(left)) != POSITIVE || is_thin(right, i, left) ||
+          (is_ridge(right) && is_ridge(left)))
         continue;
       complex_.flip(complex_.edge(spokes_[i]));
+      if (tolerance_ > 0)
+        flips_.push_back(complex_.edge(spokes_[i]));
       is_gone_[i] = true;
       --number_left_;
       left_[right] = left;
@@ -170,6 +189,12 @@ private:
       candidates_.push_back(right);
       candidates_.push_back(left);
     }
+  }
+  // With a tolerance, points that are nearly in line are no corner: a triangle of them would stand between a vertex and its removal.
+  bool is_thin(std::size_t right, std::size_t i, std::size_t left) const
+  {
+    const Vector base = difference(end(left), end(right));
+    return tolerance_ > 0 && !(norm(cross_product(difference(end(i), end(right)), base)) > tolerance_ * norm(base));
   }
   bool is_ridge(std::size_t i) const { return std::find(ridges_.begin(), ridges_.end(), i) != ridges_.end(); }
 
@@ -190,6 +215,111 @@ private:
     return std::nullopt;
   }
 
+  using Vector = std::array<double, 3>;
+  static Vector difference(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+  static double scalar_product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+  static Vector cross_product(const Vector& a, const Vector& b)
+  {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+  static double norm(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
+
+  std::optional<Removed_elements> remove_nearly_flat()
+  {
+    double before = 0;
+    faces_.clear();
+    flips_.clear();
+    for (Halfedge_index h : spokes_) {
+      faces_.push_back(complex_.face(h));
+      before = (std::max)(before, widths_[faces_.back().idx()]);
+    }
+    ridges_.clear();
+    double width = before + width_of(0, 0);
+    const auto result = width <= tolerance_ ? remove_from_plane() : remove_from_ridge(before, width);
+    if (!result) {
+      for (; !flips_.empty(); flips_.pop_back())
+        complex_.flip_back(flips_.back());
+      return result;
+    }
+    deviation_ = (std::max)(deviation_, width);
+    for (Face_index f : faces_)
+      widths_[f.idx()] = width;
+    remove_entries(widths_, result->faces);
+    return result;
+  }
+  // The width of the slab that holds the faces from one spoke to another, or infinity if they are not like a part of a plane. Looks at the plane.
+  double width_of(std::size_t from, std::size_t to)
+  {
+    constexpr double infinite = (std::numeric_limits<double>::infinity)();
+    Vector normal{};
+    for (std::size_t i = from;;) {
+      const Vector part = cross_product(difference(end(i), center_), difference(end(next(i)), center_));
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        normal[axis] += part[axis];
+      if ((i = next(i)) == to)
+        break;
+    }
+    const double length = norm(normal);
+    if (!(length > 0 && length < infinite))
+      return infinite;
+    axis_ = 0;
+    for (int axis : {1, 2})
+      if (std::abs(normal[std::size_t(axis)]) > std::abs(normal[std::size_t(axis_)]))
+        axis_ = axis;
+    turn_ = normal[std::size_t(axis_)] > 0 ? POSITIVE : NEGATIVE;
+    double lowest = 0, highest = 0;
+    for (std::size_t i = from;;) {
+      const std::size_t j = next(i);
+      if (orientation(center_, end(i), end(j)) != POSITIVE)
+        return infinite;
+      for (std::size_t k : {i, j}) {
+        const double height = scalar_product(difference(end(k), center_), normal) / length;
+        if (!std::isfinite(height))
+          return infinite;
+        lowest = (std::min)(lowest, height);
+        highest = (std::max)(highest, height);
+      }
+      if ((i = j) == to)
+        break;
+    }
+    return is_covered_once(from, to) ? highest - lowest : infinite;
+  }
+  // How far the vertex is from the line between the ends of two spokes, or infinity if it is not between them.
+  double distance_from_line(std::size_t a, std::size_t b) const
+  {
+    const Vector p = difference(end(a), center_), q = difference(end(b), center_);
+    if (!(scalar_product(p, q) < 0))
+      return (std::numeric_limits<double>::infinity)();
+    return norm(cross_product(p, q)) / norm(difference(end(b), end(a)));
+  }
+  std::optional<Removed_elements> remove_from_ridge(double before, double& width)
+  {
+    for (std::size_t a = 0; a < number_of_spokes(); ++a)
+      for (std::size_t b = a + 1; b < number_of_spokes(); ++b) {
+        const double distance = before + distance_from_line(a, b);
+        if (!(distance <= tolerance_))
+          continue;
+        const double left = width_of(a, b), right = width_of(b, a);
+        width = distance + (std::max)(left, right);
+        if (!(width <= tolerance_))
+          continue;
+        ridges_ = {a, b};
+        link_spokes();
+        flip_away(b, a); // in the plane of the last question
+        const bool is_free = has_one_spoke_beyond(b, a);
+        width_of(a, b); // looks at the other plane
+        flip_away(a, b);
+        return is_free && has_one_spoke_beyond(a, b) ? std::optional<Removed_elements>(unsplit(a)) : std::nullopt;
+      }
+    return std::nullopt;
+  }
+  // Whether one spoke is left between two, and its end is on the same side of the line between theirs.
+  bool has_one_spoke_beyond(std::size_t from, std::size_t to) const
+  {
+    const std::size_t i = left_[from];
+    return left_[i] == to && orientation(end(from), end(i), end(to)) == POSITIVE && !is_thin(from, i, to);
+  }
+
   // Removes the vertex from the straight line that ends with the spoke i.
   Removed_elements unsplit(std::size_t i) { return complex_.unsplit_edge(complex_.opposite(spokes_[i])); }
 
@@ -201,9 +331,47 @@ private:
   std::vector<std::size_t> ridges_, left_, right_, candidates_;
   std::vector<bool> is_gone_;
   std::size_t number_left_ = 0;
+  const double tolerance_;
+  std::vector<double> widths_; // of the slab around each face that holds what it has replaced, if there is a tolerance
+  double deviation_ = 0;
+  std::vector<Face_index> faces_; // of the star
+  std::vector<Edge_index> flips_;
   int axis_ = 0; // of the projection
   Sign turn_ = POSITIVE;
 };
+
+} // namespace internal
+
+namespace internal {
+
+inline std::vector<Vertex_index> remove_vertices_of(Flat_star& star, Delta_complex& complex, std::vector<std::array<double, 3>>& points,
+                                                    const Progress_function& progress)
+{
+  std::vector<Vertex_index> result(complex.vertices().begin(), complex.vertices().end());
+  const Loop_progress loop(progress, "removing flat vertices", 0, 1, result.size());
+  // The last vertex, which moves, has been looked at.
+  const auto look_at = [&](std::size_t v) {
+    const auto removed = star.remove(Vertex_index(std::uint32_t(v)));
+    if (removed) {
+      remove_entries(points, removed->vertices);
+      remove_entries(result, removed->vertices);
+    }
+    return removed.has_value();
+  };
+  const std::size_t number = result.size();
+  for (std::size_t v = number; v-- > 0;) {
+    loop.at(number - 1 - v);
+    look_at(v);
+  }
+  // With a tolerance, the removal of one vertex can make way for another one.
+  for (bool goes_on = star.has_tolerance() && result.size() < number; goes_on;) {
+    report_progress(progress, 1, "removing flat vertices");
+    goes_on = false;
+    for (std::size_t v = result.size(); v-- > 0;)
+      goes_on = look_at(v) || goes_on;
+  }
+  return result;
+}
 
 } // namespace internal
 
@@ -212,20 +380,22 @@ std::vector<Vertex_index> remove_flat_vertices(Delta_complex& complex, std::vect
                                                const Progress_function& progress)
 {
   const internal::Standard_arithmetic arithmetic;
-  std::vector<Vertex_index> result(complex.vertices().begin(), complex.vertices().end());
-  const internal::Loop_progress loop(progress, "removing flat vertices", 0, 1, result.size());
   internal::Flat_star star(complex, points);
-  const std::size_t number = result.size();
-  // The last vertex, which moves, has been looked at.
-  for (std::size_t v = number; v-- > 0;) {
-    loop.at(number - 1 - v);
-    if (const auto removed = star.remove(Vertex_index(std::uint32_t(v)))) {
-      remove_entries(points, removed->vertices);
-      remove_entries(result, removed->vertices);
-    }
-  }
+  return internal::remove_vertices_of(star, complex, points, progress);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Flat_vertex_removal remove_nearly_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points, double tolerance,
+                                                const Progress_function& progress)
+{
+  const internal::Standard_arithmetic arithmetic;
+  internal::Flat_star star(complex, points, tolerance);
+  Flat_vertex_removal result;
+  result.vertices = internal::remove_vertices_of(star, complex, points, progress);
+  result.deviation = star.deviation();
   return result;
 }
+
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
