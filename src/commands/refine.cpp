@@ -10,6 +10,7 @@
 #include "commands/triangulate.h"
 #include "input/constraints.h"
 #include "input/flat_vertices.h"
+#include "input/mesh_file.h"
 #include "output/Output_file.h"
 #include "system/text.h"
 
@@ -30,8 +31,8 @@ struct Refine_options
 {
   std::string input;
   Refinement_options refinement;
-  std::optional<double> constrained_angle, minimum_size;
-  std::string constraints, kept_edges;
+  std::optional<double> constrained_angle, minimum_size, flat_tolerance;
+  std::string constraints, kept_edges, flattened;
   bool is_repaired = false;
   bool removes_flat_vertices = false;
   bool is_verified = false;
@@ -50,11 +51,15 @@ void check(const Refine_options& options)
     throw Usage_error("--maximum-edge-length: L is larger than 0");
   if (options.minimum_size && !(*options.minimum_size >= 0))
     throw Usage_error("--minimum-size: S is not negative");
+  if (options.flat_tolerance && !(*options.flat_tolerance >= 0))
+    throw Usage_error("--flat-tolerance: D is not negative");
   if (options.constrained_angle && !(*options.constrained_angle >= 0 && *options.constrained_angle <= 180))
     throw Usage_error("--constrain-angle: D is between 0 and 180 degrees");
   options.files.check_paths({options.input});
   std::vector<std::string> outputs = options.files.paths();
-  outputs.push_back(options.kept_edges);
+  outputs.insert(outputs.end(), {options.kept_edges, options.flattened});
+  if (!options.flattened.empty() && !find_mesh_format(options.flattened))
+    throw Usage_error("--flatten: " + options.flattened + " does not end in " + mesh_extensions(false));
   std::vector<std::string> inputs = {options.input};
   if (!options.constraints.empty())
     inputs.push_back(options.constraints);
@@ -114,15 +119,25 @@ Triangulation_result refine_surface(Surface surface, Kernel_options kernel, cons
 Exit_status refine_file(const std::string& path, const Refine_options& options)
 {
   Surface surface = load_surface(path, {std::nullopt, options.is_repaired});
-  if (options.removes_flat_vertices)
-    remove_flat_vertices(surface);
+  const double deviation = options.removes_flat_vertices ? remove_flat_vertices(surface, options.flat_tolerance) : 0;
   options.files.check_surface(surface);
+  if (!options.flattened.empty() && !surface.has_points())
+    throw Usage_error(path + ": --flatten needs a surface in space, and this one has edge lengths alone");
   Kernel_options kernel;
   kernel.refinement = options.refinement;
   options.files.add_to(kernel.wanted);
+  kernel.wanted.overlay = kernel.wanted.overlay || !options.flattened.empty();
   kernel.wanted.shapes = true;
   kernel.wanted.verification = options.is_verified;
   Triangulation_result result = refine_surface(std::move(surface), kernel, options);
+  result.flat_tolerance = options.flat_tolerance;
+  result.flat_deviation = deviation;
+  if (!options.flattened.empty() && result.outcome.subdivision) {
+    result.flattened = flatten(*result.outcome.subdivision, result.surface.points);
+    write_file(options.flattened, [&](std::ostream& os) {
+      write_mesh(os, result.flattened->points, result.flattened->triangles, *find_mesh_format(options.flattened));
+    });
+  }
   options.files.write(result);
   write_file(options.kept_edges, [&](std::ostream& os) {
     write_constraints(os, options.kept_edges, result.surface, result.options.refinement->is_constrained);
@@ -194,6 +209,11 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
     command.add_flag("--remove-flat-vertices", options->removes_flat_vertices,
                      "first remove the vertices in flat sides and on straight edges, exactly: the surface stays the same, and its "
                      "vertices and faces get other numbers");
+  command
+    .add_option("--flat-tolerance", options->flat_tolerance,
+                "remove vertices that are off by little as well, such as those of a part that was turned: no point of the surface moves by more than D")
+    ->type_name("D")
+    ->needs(flat);
   command.add_option("--vertex-map", options->files.vertex_map, "write which vertices of the input are left, as CSV: vertex,input")
     ->type_name("F.csv")
     ->needs(flat);
@@ -206,6 +226,11 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
                 "write where the new vertices lie as CSV: vertex,input_face,b0,b1,b2,x,y,z; the barycentric coordinates are exact once "
                 "they are divided by their sum, the place in space is rounded")
     ->type_name("F.csv");
+  command
+    .add_option("--flatten", options->flattened,
+                "write the result as a mesh of straight triangles, for other solvers: another surface, and the report says how far away; "
+                "--overlay and --laplacian have the same surface")
+    ->type_name("F.(vtp|ply|off|obj|stl)");
   options->files.add_options(command, repair);
   command.get_option("--repair-map")->excludes(flat);
   constraints->excludes(flat);

@@ -11,31 +11,33 @@
 #include <CGAL/Intrinsic_triangulations/remove_flat_vertices.h>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace idt {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-void remove_flat_vertices(Surface& surface)
+double remove_flat_vertices(Surface& surface, std::optional<double> tolerance)
 {
   if (!surface.has_points())
     throw Usage_error(surface.path + ": --remove-flat-vertices needs a surface in space, and this one has edge lengths alone");
   Progress progress(surface.path, "removing flat vertices");
   const std::size_t number_before = surface.points.size();
-  std::vector<IT::Vertex_index> origins;
+  IT::Flat_vertex_removal removal;
   try {
-    origins = IT::remove_flat_vertices(surface.connectivity, surface.points, [&progress](double fraction) {
+    removal = IT::remove_nearly_flat_vertices(surface.connectivity, surface.points, tolerance.value_or(0), [&progress](double fraction) {
       progress.show("removing flat vertices", fraction);
       return !is_interrupted();
     });
   } catch (const IT::Cancelled_error& error) {
     throw IT::Cancelled_error(surface.path + ": " + error.what());
   }
-  surface.number_of_removed_vertices = number_before - origins.size();
+  surface.number_of_removed_vertices = number_before - removal.vertices.size();
   surface.input_vertices.emplace();
-  for (IT::Vertex_index v : origins)
+  for (IT::Vertex_index v : removal.vertices)
     surface.input_vertices->push_back(surface.repair ? surface.repair->input_vertices[v.idx()] : v.idx());
+  return removal.deviation;
 }
 
 void write_vertex_map(std::ostream& os, const Surface& surface)

@@ -6,14 +6,16 @@
 
 #include "input/Surface.h"
 
+#include <optional>
 #include <ostream>
 
 namespace idt {
 
-// Removes the vertices in flat sides and on straight edges.
+// Removes the vertices in flat sides and on straight edges, with a tolerance also those that are nearly so.
 // \exception Usage_error if the surface has no points
 // \exception Cancelled_error if an interruption ends that
-void remove_flat_vertices(Surface& surface);
+// \return how far the surface has moved at most
+double remove_flat_vertices(Surface& surface, std::optional<double> tolerance);
 
 // For each vertex its number in the input, as comma-separated values: `vertex,input`. \pre flat vertices were removed
 void write_vertex_map(std::ostream& os, const Surface& surface);

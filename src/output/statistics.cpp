@@ -135,6 +135,7 @@ Json refinement_statistics(const Triangulation_result& result)
   json["inserted"] = report.insertions + report.segment_splits;
   json["segment_splits"] = report.segment_splits;
   json["removed"] = result.surface.number_of_removed_vertices;
+  json["flat_deviation"] = result.flat_deviation;
   json["flips"] = outcome.report.flips + report.flips;
   const std::vector<bool>& is_constrained = result.options.refinement->is_constrained;
   json["kept_edges"] = std::count(is_constrained.begin(), is_constrained.end(), true);
@@ -146,6 +147,11 @@ Json refinement_statistics(const Triangulation_result& result)
   json["unrefined"] = Json::object();
   for (const auto& [reason, faces] : unrefined_faces(outcome))
     json["unrefined"][reason] = faces;
+  json["flattened"] = nullptr;
+  if (result.flattened)
+    json["flattened"] = {{"triangles", result.flattened->triangles.size()},
+                         {"faces_left_out", result.flattened->number_of_other_faces},
+                         {"deviation", result.flattened->deviation}};
   json["verification"] = verification(outcome);
   json["repair"] = to_json_value(repairs(result.surface));
   json["warnings"] = result.surface.warnings;

@@ -144,7 +144,10 @@ void write_report(std::ostream& os, const Triangulation_result& result, bool is_
                   " longer by at most " + in_short(surface.mollification->epsilon) + " (" +
                   in_short(100 * surface.mollification->largest_relative_change) + " %)");
   if (surface.input_vertices)
-    report.line("flat sides", counted(surface.number_of_removed_vertices, "vertex", "vertices") + " removed");
+    report.line("flat sides", counted(surface.number_of_removed_vertices, "vertex", "vertices") + " removed" +
+                                (result.flat_tolerance ? "; the surface has moved by at most " + in_short(result.flat_deviation) + ", of " +
+                                                           in_short(*result.flat_tolerance) + " allowed"
+                                                       : std::string()));
   if (is_verbose || result.options.number_type != default_number_type)
     report.line("number type", number_type_text(result.options));
   if (surface.untwisting)
@@ -160,6 +163,12 @@ void write_report(std::ostream& os, const Triangulation_result& result, bool is_
     report.line("left", counted(faces, "face", "faces") + ": " + reason);
   if (outcome.refinement && outcome.refinement->smallest_left)
     report.line("shortest left", "a side of " + text(*outcome.refinement->smallest_left));
+  if (result.flattened)
+    report.line("flattened", "another surface, of " + counted(result.flattened->triangles.size(), "straight triangle", "straight triangles") +
+                               ", up to " + in_short(result.flattened->deviation) + " away" +
+                               (result.flattened->number_of_other_faces > 0
+                                  ? "; without " + counted(result.flattened->number_of_other_faces, "face", "faces") + " with two equal corners"
+                                  : ""));
   if (is_verbose)
     write_details(report, result);
   if (outcome.weights_before)

@@ -76,6 +76,21 @@ TEST_F(Refine_command, removes_flat_vertices_first)
   EXPECT_EQ(idt("refine t.gluing --remove-flat-vertices").status, 2);
 }
 
+TEST_F(Refine_command, removes_nearly_flat_vertices_where_it_may)
+{
+  // A pyramid whose base has a vertex in the middle, off by 1e-5.
+  write("p.off", "OFF\n6 8 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 1\n0.5 0.5 -1e-5\n"
+                 "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n3 1 0 5\n3 2 1 5\n3 3 2 5\n3 0 3 5\n");
+  EXPECT_TRUE(contains(idt("refine p.off --remove-flat-vertices").out, "flat sides      0 vertices removed\n"));
+  EXPECT_TRUE(contains(idt("refine p.off --remove-flat-vertices --flat-tolerance 1e-6").out, "flat sides      0 vertices removed; the surface has moved by at most 0, of 1e-06 allowed"));
+  const Command_run run = idt("refine p.off --remove-flat-vertices --flat-tolerance 1e-4 --stats s.json");
+  EXPECT_TRUE(contains(run.out, "flat sides      1 vertex removed; the surface has moved by at most 1e-05, of 0.0001 allowed")) << run.out;
+  EXPECT_EQ(stats()["removed"], 1);
+  EXPECT_NEAR(stats()["flat_deviation"], 1e-5, 1e-15);
+  EXPECT_EQ(idt("refine p.off --flat-tolerance 1e-4").status, 2);
+  EXPECT_EQ(idt("refine p.off --remove-flat-vertices --flat-tolerance -1").status, 2);
+}
+
 TEST_F(Refine_command, counts_what_it_inserts)
 {
   ASSERT_EQ(idt("sample bad-torus -o t.off").status, 0);
@@ -323,6 +338,32 @@ TEST_F(Refine_command, stops_at_the_budget)
   EXPECT_GT(json["unrefined"]["budget"], 0);
   EXPECT_LT(json["minimum_angle_degrees"], 25);
   EXPECT_EQ(json["verification"]["not_delaunay"], 0);
+}
+
+// Straight triangles: a roof without its ridge is another surface. The distance is that of the middle of the ridge from an edge below it.
+TEST_F(Refine_command, flattens)
+{
+  write("roof.off", "OFF\n4 2 0\n0 -1 0\n2 0 1\n0 1 0\n-2 0 1\n3 0 1 3\n3 1 2 3\n"); // a long ridge, which is flipped
+  Command_run run = idt("refine roof.off --minimum-angle 0 --flatten f.off --stats s.json");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "flattened       another surface, of 2 straight triangles, up to 1 away")) << run.out;
+  EXPECT_EQ(stats()["flattened"]["deviation"], 1);
+  EXPECT_EQ(stats()["flattened"]["triangles"], 2);
+  std::istringstream off(content(folder_ / "f.off").substr(4));
+  std::size_t vertices = 0, faces = 0;
+  off >> vertices >> faces;
+  EXPECT_EQ(vertices, 4u);
+  EXPECT_EQ(faces, 2u);
+  // With the ridge kept, nothing moves.
+  run = idt("refine roof.off --constrain-angle 30 --maximum-edge-length 0.3 --flatten f.vtp --stats s.json");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_LT(stats()["flattened"]["deviation"], 1e-15);
+  EXPECT_EQ(stats()["flattened"]["triangles"], stats()["faces"]);
+  EXPECT_TRUE(contains(content(folder_ / "f.vtp"), "<VTKFile"));
+  EXPECT_EQ(idt("refine roof.off --flatten f.txt").status, 2);
+  EXPECT_EQ(idt("refine roof.off --flatten roof.off").status, 2);
+  ASSERT_EQ(idt("sample one-vertex-torus -o t.gluing").status, 0);
+  EXPECT_EQ(idt("refine t.gluing --flatten f.off").status, 2);
 }
 
 TEST_F(Refine_command, refines_surfaces_that_have_lengths_alone)
