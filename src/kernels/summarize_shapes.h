@@ -35,7 +35,7 @@ std::optional<Shape_summary> summarize_shapes(const Triangulation& triangulation
   std::vector<bool> is_listed(complex.number_of_faces());
   for (const IT::Unrefined_face& f : unrefined)
     is_listed[f.face.idx()] = true;
-  const std::vector<double> angles = IT::opposite_angles(triangulation);
+  const std::vector<double> angles = IT::opposite_angles(triangulation, 0x1p-24); // more digits than are looked at
   Shape_summary summary;
   summary.minimum_angle = 180;
   for (IT::Face_index f : complex.faces()) {

@@ -284,8 +284,8 @@ public:
     explicit Rounded_numbers(const Delta_complex& complex);
     // As cotangent_weight() up to the last digits, or NaN. \pre e is no border edge
     double cotangent_weight(const Delta_complex& complex, Edge_index e) const;
-    // As angle() up to its error, or NaN. \pre h is not a border halfedge
-    double angle(Halfedge_index h) const;
+    // As angle() up to this relative error, or NaN. \pre h is not a border halfedge
+    double angle(Halfedge_index h, double relative_error) const;
 
     Large_vector<double> lengths; // as length() returns them, up to the last digit
     Large_vector<double> areas;   // in the unit of the metric

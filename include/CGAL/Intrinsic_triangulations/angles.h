@@ -92,10 +92,12 @@ double angle(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_inde
 ///
 /// As `angle()`, with the same bounds, but one corner is laid out for each face instead of each angle by itself.
 /// O(size + number of input edges that the edges cross).
+/// \param triangulation the triangulation
+/// \param relative_error what is enough, if that is more than the error of `angle()`: among slivers, multiple precision takes most of the time
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the angles are the same
 /// \exception Undecided_error as `angle()`
 template <class ConcurrencyTag = Sequential_tag, class Traits>
-std::vector<double> opposite_angles(const Intrinsic_triangulation<Traits>& triangulation)
+std::vector<double> opposite_angles(const Intrinsic_triangulation<Traits>& triangulation, double relative_error = 0x1p-49)
 {
   const Delta_complex& complex = triangulation.connectivity();
   std::vector<double> result;
@@ -111,7 +113,7 @@ std::vector<double> opposite_angles(const Intrinsic_triangulation<Traits>& trian
       complex.number_of_faces(), internal::elements_of_block,
       [&](std::size_t first, std::size_t last) { geometry.find_numbers(complex, first, last, numbers); });
     for (Halfedge_index h : complex.halfedges())
-      append(h, [&](Halfedge_index side) { return numbers.angle(side); });
+      append(h, [&](Halfedge_index side) { return numbers.angle(side, relative_error); });
   } else {
     for (Halfedge_index h : complex.halfedges())
       append(h, [&](Halfedge_index side) { return angle(triangulation, side); });

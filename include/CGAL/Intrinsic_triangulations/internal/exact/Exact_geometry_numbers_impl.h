@@ -278,10 +278,10 @@ double Exact_geometry::Rounded_numbers::cotangent_weight(const Delta_complex& co
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_geometry::Rounded_numbers::angle(Halfedge_index h) const
+double Exact_geometry::Rounded_numbers::angle(Halfedge_index h, double relative_error) const
 {
   const auto& [hi, lo, error] = cotangents[h.idx()];
-  return error < 0x1p-60 * (1 + std::abs(hi)) ? std::atan2(1., hi) : std::numeric_limits<double>::quiet_NaN();
+  return error < relative_error * 0x1p-11 * (1 + std::abs(hi)) ? std::atan2(1., hi) : std::numeric_limits<double>::quiet_NaN();
 }
 
 // A corner of a face, and the side that is opposite to it.
