@@ -197,7 +197,7 @@ def test_sharp_edges_are_kept():
     with pytest.raises(ValueError):
         t.sharp_edges(30, minimum_size=-1)
     with pytest.raises(ValueError, match="no edge joins the vertices 0 and 7"):
-        t.edges_between([[7, 0], [0, 1]])
+        it.Triangulation(V, F).edges_between([[7, 0], [0, 1]])
     with pytest.raises(it.InvalidSurfaceError):
         t.edges_between([[0, 800]])
     with pytest.raises(ValueError):
