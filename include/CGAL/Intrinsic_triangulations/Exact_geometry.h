@@ -158,8 +158,6 @@ public:
   // what makes tests after the next flips cheap. `corners` receives the two corners, unless both faces lie in one plane in
   // space.
   Sign decide(const Delta_complex& complex, Edge_index e, std::optional<Opposite_corners>& corners);
-  // As `is_convex()`; what is laid out is kept.
-  bool decide_convexity(const Delta_complex& complex, Edge_index e);
   // As `corner()`, and as `corners_at()`. What was laid out before is used, and what is laid out is kept, if edges at the vertex cross many input edges.
   Corner kept_corner(const Delta_complex& complex, Halfedge_index h);
   std::vector<std::pair<Halfedge_index, Corner>> kept_corners_at(const Delta_complex& complex, Vertex_index v);
@@ -361,9 +359,6 @@ private:
   Corner known_corner(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;
   Opposite_corners known_corners(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const;
   double number_of_quantities(const Delta_complex& complex, Halfedge_index h) const;
-  template <class SignAtEnd>
-  static bool is_convex(const Delta_complex& complex, Edge_index e, const SignAtEnd& sign_at_end);
-  bool forget_developed_faces(const Delta_complex& complex, Edge_index e);
   void carry_images();
   internal::Known_corner<Corner, Image_corner> laid_out(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface);
   Corner developed_corner(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface);

@@ -598,7 +598,7 @@ private:
     recompute(connectivity_.face(connectivity_.halfedge(e)));
     recompute(connectivity_.face(connectivity_.opposite(connectivity_.halfedge(e))));
     const Boolean answer = by_filter(hinge(e));
-    return is_certain(answer) ? certainly(answer) : geometry_->decide_convexity(connectivity_, e);
+    return is_certain(answer) ? certainly(answer) : exact_geometry().is_convex(connectivity_, e);
   }
 
   // Decides by the exact geometry, and replaces what was stored.

@@ -79,15 +79,6 @@ public:
     return decided(exact_sign_of(sum, is_symmetric, [&] { return name(corners) + ": that the sum of their angles is pi"; }), corners);
   }
 
-  // Whether two corners at one vertex are proven to form an angle of π, or of 0.
-  bool is_level(const Two_corners& corners)
-  {
-    for (const auto& [g, h] : {std::pair(corners.opposite_to_k, corners.opposite_to_l), std::pair(corners.opposite_to_l, corners.opposite_to_k)})
-      if (complex_.opposite(complex_.next(g)) == complex_.prev(h))
-        return Level_line(complex_, correspondence_, surface_)(complex_.prev(g), complex_.opposite(complex_.next(h)));
-    return false;
-  }
-
   // The sign of the area of the face of h.
   Sign sign_of_area(Halfedge_index h)
   {
@@ -203,6 +194,15 @@ private:
     return {sign_of_tie(sign_of_scalar_product(corners.opposite_to_k),
                         sign_of_scalar_product(corners.opposite_to_l)),
             decision.stage, decision.is_rational};
+  }
+
+  // Whether two corners at one vertex are proven to form an angle of π, or of 0.
+  bool is_level(const Two_corners& corners)
+  {
+    for (const auto& [g, h] : {std::pair(corners.opposite_to_k, corners.opposite_to_l), std::pair(corners.opposite_to_l, corners.opposite_to_k)})
+      if (complex_.opposite(complex_.next(g)) == complex_.prev(h))
+        return Level_line(complex_, correspondence_, surface_)(complex_.prev(g), complex_.opposite(complex_.next(h)));
+    return false;
   }
 
   static constexpr double smallest = std::numeric_limits<double>::denorm_min();

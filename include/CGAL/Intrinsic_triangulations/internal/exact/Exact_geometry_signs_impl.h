@@ -59,7 +59,14 @@ Sign Exact_geometry::decide(const Delta_complex& complex, Edge_index e, std::opt
   };
   if (const std::optional<Sign> tie = sign_by_images(complex, e, *corners, *surface, find_image))
     return memory.decided({Stage::MODULAR, *tie});
-  if (forget_developed_faces(complex, e))
+  // Layouts that were carried along are not the best.
+  bool is_laid_out_anew = false;
+  for (Halfedge_index side : {h, g})
+    if (!is_straight(complex.face(side))) {
+      memory.developed_faces.forget(complex.face(side));
+      is_laid_out_anew = true;
+    }
+  if (is_laid_out_anew)
     if (const std::optional<Test> test = test_by_developed_corners())
       return memory.decided(*test);
   const auto decision = exact_fallback(complex, *surface).sign_of_cotangents(internal::corners_beside(complex, e));
@@ -246,16 +253,6 @@ std::optional<Sign> Exact_geometry::sign_by_images(const Delta_complex& complex,
   return std::nullopt;
 }
 
-// At both ends of e the two angles have to sum to less than π.
-// \param sign_at_end(corners) the sign of the sum of the cotangents of two corners
-template <class SignAtEnd>
-bool Exact_geometry::is_convex(const Delta_complex& complex, Edge_index e, const SignAtEnd& sign_at_end)
-{
-  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-  return sign_at_end(internal::Two_corners{complex.next(h), complex.prev(g)}) == POSITIVE &&
-         sign_at_end(internal::Two_corners{complex.prev(h), complex.next(g)}) == POSITIVE;
-}
-
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 bool Exact_geometry::is_convex(const Delta_complex& complex, Edge_index e) const
 {
@@ -263,48 +260,18 @@ bool Exact_geometry::is_convex(const Delta_complex& complex, Edge_index e) const
   prepare(complex);
   find_straight_faces(complex);
   const Surface_lease surface = input_surface();
-  return is_convex(complex, e, [&](const internal::Two_corners& at_end) {
+  // At both ends of e the two angles have to sum to less than π.
+  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+  for (const internal::Two_corners& at_end :
+       {internal::Two_corners{complex.next(h), complex.prev(g)},
+        internal::Two_corners{complex.prev(h), complex.next(g)}}) {
     const Uncertain<Sign> sign = internal::sign_of_cotangents(known_corner(complex, at_end.opposite_to_k, *surface),
                                                               known_corner(complex, at_end.opposite_to_l, *surface));
-    return is_certain(sign) ? get_certain(sign) : exact_fallback(complex, *surface).sign_of_cotangents(at_end).sign;
-  });
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_geometry::decide_convexity(const Delta_complex& complex, Edge_index e)
-{
-  const internal::Standard_arithmetic arithmetic;
-  prepare(complex);
-  find_straight_faces(complex);
-  const Surface_lease surface = input_surface();
-  bool is_laid_out_anew = false;
-  return is_convex(complex, e, [&](const internal::Two_corners& at_end) {
-    const auto sign = [&] {
-      return internal::sign_of_cotangents(developed_corner(complex, at_end.opposite_to_k, *surface),
-                                          developed_corner(complex, at_end.opposite_to_l, *surface));
-    };
-    Uncertain<Sign> answer = sign();
-    internal::Exact_fallback fallback = exact_fallback(complex, *surface);
-    if (!is_certain(answer) && !is_laid_out_anew && !fallback.is_level(at_end)) {
-      forget_developed_faces(complex, e);
-      is_laid_out_anew = true;
-      answer = sign();
-    }
-    return is_certain(answer) ? get_certain(answer) : fallback.sign_of_cotangents(at_end).sign;
-  });
-}
-
-// Layouts that were carried along are not the best. Returns whether there were any.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_geometry::forget_developed_faces(const Delta_complex& complex, Edge_index e)
-{
-  bool result = false;
-  for (Halfedge_index side : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
-    if (!is_straight(complex.face(side))) {
-      memory_->developed_faces.forget(complex.face(side));
-      result = true;
-    }
-  return result;
+    if ((is_certain(sign) ? get_certain(sign) : exact_fallback(complex, *surface).sign_of_cotangents(at_end).sign) !=
+        POSITIVE)
+      return false;
+  }
+  return true;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
