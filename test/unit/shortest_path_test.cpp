@@ -226,6 +226,15 @@ TEST(Cut_along_path, opens_the_surface_on_both_sides)
   }
 }
 
+// A torus of two triangles: all edges join its vertex with itself.
+TEST(Cut_along_path, refuses_edges_with_the_same_ends)
+{
+  const Delta_complex torus = IT::make_Delta_complex_from_gluing(2, std::vector<std::array<int, 2>>{{0, 3}, {1, 4}, {2, 5}});
+  const std::vector<std::array<double, 3>> points{{0, 0, 0}};
+  const Halfedge_index h = torus.halfedge(IT::Face_index(0));
+  EXPECT_THROW(IT::cut_along_path(torus, points, {{h, {1, 1, 2}}, {h, {1, 2, 1}}}), IT::Invalid_surface_error);
+}
+
 TEST(Cut_along_path, divides_a_sheet_in_two)
 {
   const IT::Indexed_triangles surface = IT::random_diagonal_grid(6, 6);

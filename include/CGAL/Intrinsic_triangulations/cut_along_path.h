@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -54,6 +55,7 @@ struct Cut_surface
 /// \param path points of the input, two consecutive ones in the face of the first, as `Geodesic_path::points` and `geodesic_points()`. Its
 ///   segments do not cross. A closed one ends where it begins
 /// \return the triangles; those of the input, if there are less than two points
+/// \exception Invalid_surface_error if two edges have the same two ends
 /// \exception Invalid_point_error if a point is none of the surface, or two consecutive ones do not lie in the face of the first, or segments
 ///   cross
 ///
@@ -69,7 +71,11 @@ Cut_surface cut_along_path(const Delta_complex& complex, const PointRange& point
   Large_vector<std::uint32_t> corners;
   for (const auto& triangle : triangles)
     for (std::size_t i = 0; i < 3; ++i) {
-      sides[key(triangle[i], triangle[(i + 1) % 3])] = std::uint32_t(corners.size());
+      const std::uint32_t from = triangle[i], to = triangle[(i + 1) % 3];
+      if (!sides.insert({key(from, to), std::uint32_t(corners.size())}).second)
+        throw Invalid_surface_error(Invalid_surface_error::Defect::WRONG_TOPOLOGY, from, 1,
+                                    "two edges join vertex " + std::to_string(from) + " and vertex " + std::to_string(to) +
+                                      ": the corners of triangles do not tell them apart");
       corners.push_back(triangle[i]);
     }
   for (const auto& [from, to] : faces.seam())

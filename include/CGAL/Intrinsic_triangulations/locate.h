@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 
 #include <CGAL/number_utils.h>
 
@@ -38,10 +39,10 @@ public:
 
   explicit Nearest_in_triangle(const std::array<Vector, 3>& corners) : corners_(corners)
   {
-    const Vector normal = cross(difference(1, 0), difference(2, 0));
+    const Vector normal = cross_product(difference(1, 0), difference(2, 0));
     std::array<double, 3> inside;
     for (std::size_t i = 0; i < 3; ++i)
-      inside[i] = dot(normal, cross(corners[(i + 1) % 3], corners[(i + 2) % 3]));
+      inside[i] = scalar_product(normal, cross_product(corners[(i + 1) % 3], corners[(i + 2) % 3]));
     const double sum = inside[0] + inside[1] + inside[2];
     if (inside[0] > 0 && inside[1] > 0 && inside[2] > 0) {
       consider({inside[0] / sum, inside[1] / sum, inside[2] / sum});
@@ -52,11 +53,6 @@ public:
   }
 
 private:
-  static double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-  static Vector cross(const Vector& a, const Vector& b)
-  {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  }
   Vector difference(std::size_t i, std::size_t j) const
   {
     return {corners_[i][0] - corners_[j][0], corners_[i][1] - corners_[j][1], corners_[i][2] - corners_[j][2]};
@@ -65,8 +61,8 @@ private:
   void consider_side(std::size_t i, std::size_t j)
   {
     const Vector along = difference(j, i);
-    const double squared_length = dot(along, along);
-    const double t = squared_length > 0 ? (std::min)((std::max)(-dot(corners_[i], along) / squared_length, 0.), 1.) : 0;
+    const double squared_length = scalar_product(along, along);
+    const double t = squared_length > 0 ? (std::min)((std::max)(-scalar_product(corners_[i], along) / squared_length, 0.), 1.) : 0;
     std::array<double, 3> point{0, 0, 0};
     point[i] = 1 - t;
     point[j] = t;

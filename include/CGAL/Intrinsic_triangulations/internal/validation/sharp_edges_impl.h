@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_SHARP_EDGES_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_SHARP_EDGES_IMPL_H
 
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
 #include <CGAL/Intrinsic_triangulations/sharp_edges.h>
@@ -58,12 +59,6 @@ public:
   {
     const Vector v = half_side(h);
     return 2 * std::hypot(v[0], v[1], v[2]);
-  }
-
-  static double scalar_product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-  static Vector cross_product(const Vector& a, const Vector& b)
-  {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
 
 private:
@@ -184,8 +179,8 @@ std::vector<bool> sharp_edges(const Delta_complex& complex, const std::vector<st
       continue;
     const Halfedge_index h = complex.halfedge(e);
     const auto &m = directions(complex.face(h)), &n = directions(complex.face(complex.opposite(h)));
-    const auto across = directions.cross_product(m, n);
-    result[e.idx()] = std::atan2(std::hypot(across[0], across[1], across[2]), directions.scalar_product(m, n)) > degrees * (CGAL_PI / 180);
+    const auto across = internal::cross_product(m, n);
+    result[e.idx()] = std::atan2(std::hypot(across[0], across[1], across[2]), internal::scalar_product(m, n)) > degrees * (CGAL_PI / 180);
   }
   internal::drop_short_chains(complex, directions, minimum_size, result);
   return result;
