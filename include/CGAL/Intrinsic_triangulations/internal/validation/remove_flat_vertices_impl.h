@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REMOVE_FLAT_VERTICES_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/Removed_elements.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/remove_flat_vertices.h>
 
@@ -217,11 +218,6 @@ private:
 
   using Vector = std::array<double, 3>;
   static Vector difference(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
-  static double scalar_product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-  static Vector cross_product(const Vector& a, const Vector& b)
-  {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  }
   static double norm(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
 
   std::optional<Removed_elements> remove_nearly_flat()
