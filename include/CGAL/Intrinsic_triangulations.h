@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>

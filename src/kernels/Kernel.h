@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Crossing_counts.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/Refinement_report.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>

@@ -3,4 +3,4 @@
 //
 // What is compiled once of the exact geometry.
 
-#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_geometry_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>

@@ -3,5 +3,5 @@
 //
 // What is compiled once of the metric of the input.
 
-#include <CGAL/Intrinsic_triangulations/internal/exact/Input_metric_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Rational_points_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/metric/Rational_points_impl.h>

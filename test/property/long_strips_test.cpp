@@ -11,8 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Level_line.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Level_line.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/remove_vertex.h>

@@ -12,8 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_fallback.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Mirror_symmetry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_fallback.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Mirror_symmetry.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/overlay_triangulations.h>
 
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>

@@ -7,7 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Multiquadratic.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "samples/sample_gluings.h"
 
 #include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
-#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/fast_forward.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 

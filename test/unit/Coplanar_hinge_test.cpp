@@ -4,7 +4,7 @@
 // The in-circle test of two coplanar faces, against the determinant in rational numbers.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Coplanar_hinge.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Coplanar_hinge.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 

@@ -4,8 +4,8 @@
 // The in-circle test of points of one plane, some of them weighted means of others, against the determinant in rational numbers.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Sign_in_plane.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Vertex_positions.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Sign_in_plane.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 

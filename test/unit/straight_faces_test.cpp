@@ -4,9 +4,9 @@
 // Double-doubles, and doubles, of triangles in space with one bound for all their errors, against numbers of 100 digits.
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Double_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Two_straight_faces.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/ratios_in_space.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Double_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Two_straight_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/ratios_in_space.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <boost/multiprecision/mpfr.hpp>

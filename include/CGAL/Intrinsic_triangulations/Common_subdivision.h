@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_COMMON_SUBDIVISION_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>

@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_DELAUNAY_TESSELLATION_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 
 #include <CGAL/assertions.h>
 

@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Geodesic_report.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>

@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 

@@ -9,7 +9,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_H
 
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>

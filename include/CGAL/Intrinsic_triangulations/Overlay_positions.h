@@ -8,8 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_POSITIONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_POSITIONS_H
 
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>

@@ -10,7 +10,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_COTANGENT_WEIGHTS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>

@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_points.h>

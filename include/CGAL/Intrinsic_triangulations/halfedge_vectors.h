@@ -8,9 +8,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_HALFEDGE_VECTORS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_HALFEDGE_VECTORS_H
 
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>

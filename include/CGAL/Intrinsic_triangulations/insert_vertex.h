@@ -8,12 +8,12 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INSERT_VERTEX_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INSERT_VERTEX_H
 
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/compare_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/faces_without_area.h>

@@ -17,7 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_kinds.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/check_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/copy_face_graph.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Rational_points.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/metric/Rational_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>

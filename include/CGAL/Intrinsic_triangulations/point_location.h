@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_POINT_LOCATION_H
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>

@@ -40,7 +40,7 @@ Rational squared_four_areas(const Input_metric& metric, const Delta_complex& inp
 } // namespace CGAL
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/exact/Input_metric_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric_impl.h>
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_RATIONAL_METRIC_H

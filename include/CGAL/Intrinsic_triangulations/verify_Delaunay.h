@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_VERIFY_DELAUNAY_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FLAT_FACE_REMOVER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FLAT_FACE_REMOVER_H
 
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/cover/Cleaned_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/File_blocks.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/formats.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/reserve.h>

@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Flip_report.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Triangulation_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>

@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_OPEN_EDGES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Flip_report.h>
 #include <CGAL/Intrinsic_triangulations/Stage_counts.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>

@@ -8,13 +8,13 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINE_FACES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINE_FACES_H
 
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 
 #include <array>

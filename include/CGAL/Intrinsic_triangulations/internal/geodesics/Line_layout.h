@@ -9,8 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINE_LAYOUT_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_faces.h>
 
 #include <array>

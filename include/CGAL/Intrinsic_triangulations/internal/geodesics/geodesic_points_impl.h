@@ -9,9 +9,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_GEODESIC_POINTS_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/geodesic_points.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Crossing_locator.h>
 
 #include <cstddef>

@@ -9,9 +9,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_TRACE_GEODESIC_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_layout.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>

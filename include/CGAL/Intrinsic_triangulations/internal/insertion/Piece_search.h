@@ -9,10 +9,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_PIECE_SEARCH_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
-#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <CGAL/enum.h>

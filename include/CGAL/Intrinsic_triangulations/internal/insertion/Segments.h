@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SEGMENTS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SEGMENTS_H
 
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Measured_faces.h>

@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SMALL_CONES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/point_on_input.h>
 

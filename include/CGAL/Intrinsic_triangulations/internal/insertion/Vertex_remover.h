@@ -9,11 +9,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_VERTEX_REMOVER_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Angle_sum.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Angle_sum.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
 
 #include <CGAL/enum.h>

@@ -9,11 +9,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_POINT_ON_INPUT_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
-#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
 

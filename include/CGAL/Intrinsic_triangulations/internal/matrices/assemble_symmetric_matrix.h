@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_ASSEMBLE_SYMMETRIC_MATRIX_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_columns.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Huge_page_allocator.h>

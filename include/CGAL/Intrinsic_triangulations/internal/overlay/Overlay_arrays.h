@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_OVERLAY_ARRAYS_H
 
 #include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <cstdint>
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CHORD_SEARCH_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CHORD_SEARCH_H
 
-#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 

@@ -8,10 +8,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_EXACT_SIDE_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_EXACT_SIDE_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Crossing_locator.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Exact_side.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
