@@ -101,7 +101,7 @@ double seconds_for_integers(const Mesh& mesh)
   Recorder recorder{t.connectivity(), {}};
   IT::flip_to_Delaunay(t, CGAL::parameters::visitor(std::ref(recorder)));
   return seconds([&] {
-    IT::Normal_coordinates coordinates(input);
+    IT::internal::Normal_coordinates coordinates(input);
     for (const IT::Hinge_halfedges& around : recorder.flips)
       coordinates.flip(around);
   });
@@ -117,11 +117,11 @@ Costs measure(const Mesh& mesh, int rounds, bool with_heat_method)
     without.push_back(seconds_in_double(mesh, false));
     with.push_back(seconds_in_double(mesh, true));
     integers.push_back(seconds_for_integers(mesh));
-    input.push_back(seconds([&] { t->exact_geometry(); }));
+    input.push_back(seconds([&] { IT::internal::engine(*t); }));
     std::optional<IT::Overlay> overlay;
     graph.push_back(seconds([&] { overlay.emplace(*t); }));
     std::optional<IT::Overlay_positions> crossings;
-    positions.push_back(seconds([&] { crossings.emplace(t->connectivity(), t->exact_geometry(), *overlay); }));
+    positions.push_back(seconds([&] { crossings.emplace(t->connectivity(), IT::internal::engine(*t), *overlay); }));
     costs.elements = double(overlay->number_of_vertices()) + overlay->number_of_segments() +
                      overlay->number_of_faces();
     if (with_heat_method)

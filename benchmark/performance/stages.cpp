@@ -162,7 +162,7 @@ private:
     stage("tests and flips", complex_bytes + metric_bytes + 2 * e, times, counts,
           [&] { IT::flip_to_Delaunay<ConcurrencyTag>(*t); });
     stage("tests where nothing flips", 8 * e + e, times, counts, [&] { IT::flip_to_Delaunay<ConcurrencyTag>(*t); });
-    stage("integers and input connectivity", 2 * complex_bytes, times, counts, [&] { t->exact_geometry<ConcurrencyTag>(); });
+    stage("integers and input connectivity", 2 * complex_bytes, times, counts, [&] { IT::internal::engine<ConcurrencyTag>(*t); });
     std::optional<IT::Overlay> overlay;
     overlay.emplace(*t, IT::Progress_function(), ConcurrencyTag()); // for its size
     const double overlay_bytes = 28. * overlay->number_of_segments() + 4. * overlay->number_of_vertices() +
@@ -172,7 +172,7 @@ private:
     });
     std::optional<IT::Overlay_positions> positions;
     stage("overlay: positions", overlay_bytes + 16. * overlay->number_of_crossings() + points_bytes, times, counts,
-          [&] { positions.emplace(t->connectivity(), t->exact_geometry(), *overlay, IT::Progress_function(), ConcurrencyTag()); });
+          [&] { positions.emplace(t->connectivity(), IT::internal::engine(*t), *overlay, IT::Progress_function(), ConcurrencyTag()); });
     stage("cotangent weights", complex_bytes + metric_bytes + 8 * e, times, counts,
           [&] { IT::cotangent_weights<ConcurrencyTag>(*t); });
     stage("stiffness matrix", complex_bytes + metric_bytes + 12 * (2 * e + v), times, counts,

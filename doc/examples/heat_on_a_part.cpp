@@ -38,7 +38,7 @@ namespace {
 // Where a vertex of the refined triangulation lies.
 std::array<double, 3> place(const Triangulation& t, const Points& points, IT::Vertex_index v)
 {
-  const IT::Correspondence& correspondence = t.exact_geometry().correspondence();
+  const IT::internal::Correspondence& correspondence = IT::internal::engine(t).correspondence();
   if (!correspondence.is_inserted(v))
     return points[v.idx()];
   const IT::Surface_point& point = correspondence.location(v);

@@ -51,7 +51,7 @@ private:
   bool is_wrong(Edge_index e, bool answer) const
   {
     try {
-      return answer == (this->triangulation().exact_geometry().sign_of_cotangents(this->connectivity(), e) == CGAL::NEGATIVE);
+      return answer == (CGAL::Intrinsic_triangulations::internal::engine(this->triangulation()).sign_of_cotangents(e) == CGAL::NEGATIVE);
     } catch (const CGAL::Intrinsic_triangulations::Undecided_error&) {
       return false;
     }

@@ -119,7 +119,7 @@ private:
     if constexpr (Triangulation::uses_exact_geometry)
       // The stored bound mostly knows; a rounded area can be tiny though the exact one is zero.
       return triangulation_.traits().has_positive_area_object()(triangulation_.face_data(f)) ||
-             unless_cancelled([&] { return triangulation_.exact_geometry().sign_of_area(complex_, f) == CGAL::POSITIVE; },
+             unless_cancelled([&] { return IT::internal::engine(triangulation_).sign_of_area(f) == CGAL::POSITIVE; },
                               [] { return true; });
     else
       return CGAL::certainly(triangulation_.area(f) > FT(0));
@@ -132,7 +132,7 @@ private:
       if (has_positive_area(complex_.face(h)))
         return triangulation_.cotangent(h);
       // At the corner of a flat face the scalar product is that of two parallel sides.
-      const double p = triangulation_.exact_geometry().corner(complex_, h).p.hi();
+      const double p = IT::internal::engine(triangulation_).corner(h).p.hi();
       return std::copysign(std::numeric_limits<double>::infinity(), p);
     }
     const auto length = [&](IT::Halfedge_index k) {
@@ -285,9 +285,9 @@ public:
     if constexpr (Triangulation::uses_exact_geometry) {
       numbers_.emplace(complex_);
       unit_exponent_ = triangulation.unit_exponent();
-      const IT::Exact_geometry& geometry = triangulation.exact_geometry();
+      const IT::internal::Exact_engine& geometry = IT::internal::engine(triangulation);
       for_each_block(complex_.number_of_faces(), [&](std::size_t first, std::size_t last) {
-        unless_cancelled([&] { geometry.find_numbers(complex_, first, last, *numbers_); }, [] {});
+        unless_cancelled([&] { geometry.find_numbers(first, last, *numbers_); }, [] {});
       });
     }
   }
@@ -319,7 +319,7 @@ private:
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
   const IT::Delta_complex& complex_;
-  std::optional<IT::Exact_geometry::Rounded_numbers> numbers_;
+  std::optional<IT::internal::Exact_engine::Rounded_numbers> numbers_;
   int unit_exponent_ = 0;
 };
 

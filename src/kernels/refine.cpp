@@ -20,7 +20,7 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-void count_inserted_vertices(const IT::Correspondence& correspondence, IT::Refinement_report& report)
+void count_inserted_vertices(const IT::internal::Correspondence& correspondence, IT::Refinement_report& report)
 {
   report.insertions = report.segment_splits = 0;
   const std::size_t first = correspondence.input().number_of_vertices();
@@ -45,7 +45,7 @@ Short_side short_side(const Filtered_triangulation& triangulation, const Surface
   Short_side result{triangulation.length(e), std::nullopt};
   if (!surface.has_points())
     return result;
-  const IT::Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+  const IT::internal::Correspondence& correspondence = IT::internal::engine(triangulation).correspondence();
   const IT::Vertex_index v = triangulation.connectivity().source(triangulation.connectivity().halfedge(e));
   result.place = correspondence.is_inserted(v) ? IT::point_in_space(surface.connectivity, surface.points, correspondence.location(v))
                                                : surface.points[v.idx()];
@@ -145,7 +145,7 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
   summary.smallest_left = smallest_left_face(triangulation, job.surface, summary.report);
   if (summary.report.status == IT::Refinement_status::BUDGET_EXHAUSTED)
     summary.sufficient_size = sufficient_size(triangulation, options, summary.report);
-  const IT::Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+  const IT::internal::Correspondence& correspondence = IT::internal::engine(triangulation).correspondence();
   count_inserted_vertices(correspondence, summary.report);
   for (std::size_t i = 0; i < correspondence.number_of_inserted_vertices(); ++i)
     summary.points.push_back(correspondence.location(IT::Vertex_index(correspondence.input().number_of_vertices() + i)));
@@ -155,7 +155,7 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
 std::vector<bool> constrained_parts(const Filtered_triangulation& triangulation, const std::vector<bool>& is_constrained)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
-  const IT::Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+  const IT::internal::Correspondence& correspondence = IT::internal::engine(triangulation).correspondence();
   std::vector<bool> result(complex.number_of_edges());
   if (is_constrained.empty())
     return result;

@@ -183,8 +183,8 @@ void flip_and_refine(IT::Intrinsic_triangulation<Traits>& triangulation, const J
 template <class Triangulation>
 void find_crossings(const Triangulation& triangulation, Outcome& outcome)
 {
-  const IT::Normal_coordinates& coordinates =
-    triangulation.exact_geometry().correspondence().coordinates();
+  const IT::internal::Normal_coordinates& coordinates =
+    IT::internal::engine(triangulation).correspondence().coordinates();
   Crossing_summary summary;
   outcome.crossings.reserve(triangulation.connectivity().number_of_edges());
   for (IT::Edge_index e : triangulation.connectivity().edges()) {
@@ -215,7 +215,7 @@ void find_ties(const Triangulation& triangulation, Outcome& outcome)
 }
 
 // The tests that reached the exact geometry are counted there; the rest is the filter's.
-inline void find_stages(const IT::Exact_geometry& geometry, Outcome& outcome)
+inline void find_stages(const IT::internal::Exact_engine& geometry, Outcome& outcome)
 {
   IT::Stage_counts counts = geometry.stage_counts();
   std::uint64_t& filter = counts.decided[static_cast<std::size_t>(IT::Stage::FILTER)];
@@ -230,7 +230,7 @@ inline void find_stages(const IT::Exact_geometry& geometry, Outcome& outcome)
 template <class Triangulation, class ConstraintMap>
 IT::Delaunay_verification verify(const Triangulation& triangulation, const ConstraintMap& is_constrained)
 {
-  return IT::internal::Delaunay_verifier(triangulation.connectivity(), triangulation.exact_geometry(), is_constrained)
+  return IT::internal::Delaunay_verifier(triangulation.connectivity(), IT::internal::engine(triangulation), is_constrained)
     .verify([](std::size_t n, const auto& f) { for_each_block(n, 1, f); });
 }
 template <class Triangulation>
@@ -254,7 +254,7 @@ void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome
   try {
     if constexpr (Triangulation::uses_exact_geometry)
       if (!job.options.refinement) // which does not count its tests
-        find_stages(triangulation.exact_geometry(), outcome);
+        find_stages(IT::internal::engine(triangulation), outcome);
     if (wanted.crossings) {
       find_crossings(triangulation, outcome);
       outcome.crossing_summary->seconds = stopwatch.restart();
@@ -274,7 +274,7 @@ void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome
     if (wanted.exact_lengths) {
       outcome.exact_lengths.reserve(complex.number_of_edges());
       for (IT::Edge_index e : complex.edges())
-        outcome.exact_lengths.push_back(triangulation.exact_geometry().length(complex, e));
+        outcome.exact_lengths.push_back(IT::internal::engine(triangulation).length(e));
     }
   } catch (const IT::Invalid_surface_error&) {
     throw;
@@ -306,7 +306,7 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
   if (wanted.weights)
     outcome.weights_before = summarize_weights(triangulation, [&]([[maybe_unused]] IT::Edge_index e) {
       if constexpr (Triangulation::uses_exact_geometry)
-        return input_weight(triangulation.connectivity(), triangulation.exact_geometry().metric(), e);
+        return input_weight(triangulation.connectivity(), IT::internal::engine(triangulation).metric(), e);
       return std::numeric_limits<double>::quiet_NaN();
     });
   if (wanted.input_numbers)

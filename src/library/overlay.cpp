@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-template Overlay_arrays build_overlay<Sequential_tag>(const Delta_complex&, const Correspondence&, const Progress_function&);
+template Overlay_arrays build_overlay<Sequential_tag>(const Delta_complex&, const internal::Correspondence&, const Progress_function&);
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

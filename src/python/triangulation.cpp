@@ -287,7 +287,7 @@ py::array sharp_edges(Surface& surface, const Doubles& points, double degrees, d
   const std::vector<std::array<double, 3>> places = copied_rows(points);
   return to_array(surface.use([&](const Triangulation& t) {
     Numbers result;
-    for (bool is_sharp : IT::sharp_edges(t.exact_geometry().correspondence().input(), places, degrees, minimum_size))
+    for (bool is_sharp : IT::sharp_edges(IT::internal::engine(t).correspondence().input(), places, degrees, minimum_size))
       result.push_back(is_sharp);
     return result;
   }));
@@ -311,7 +311,7 @@ py::tuple inserted_vertices(Surface& surface)
 {
   return surface
     .use([&](const Triangulation& t) {
-      const IT::Correspondence& correspondence = t.exact_geometry().correspondence();
+      const IT::internal::Correspondence& correspondence = IT::internal::engine(t).correspondence();
       const IT::Delta_complex& input = correspondence.input();
       Point_table result;
       for (auto v = input.number_of_vertices(); v < t.connectivity().number_of_vertices(); ++v) {

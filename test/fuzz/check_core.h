@@ -143,7 +143,7 @@ inline void check_flips_back(Filtered_triangulation triangulation, const std::ve
       require(triangulation.flip(flips[i]) == Filtered_triangulation::Flip_outcome::FLIPPED,
               "what was flipped can be flipped back");
   require(test_surfaces::are_same_links(triangulation.connectivity(), input), "flips back lead to the input");
-  const IT::Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+  const IT::internal::Correspondence& correspondence = IT::internal::engine(triangulation).correspondence();
   for (IT::Edge_index e : input.edges())
     require(correspondence.coordinates().is_original(e), "an edge that was flipped back is an input edge");
   for (IT::Halfedge_index h : input.halfedges())
@@ -163,7 +163,7 @@ inline void check_result(const Filtered_triangulation& triangulation, const Reco
   const IT::Common_subdivision subdivision(triangulation);
   check_positions(subdivision.overlay(), subdivision.positions());
   check_numbers(triangulation, is_done, has_no_area);
-  const auto& geometry = triangulation.exact_geometry();
+  const auto& geometry = IT::internal::engine(triangulation);
   std::vector<double> input_areas;
   for (IT::Face_index f : input.faces())
     input_areas.push_back(std::ldexp(geometry.metric().four_areas_double_double(input, f).hi() / 4,

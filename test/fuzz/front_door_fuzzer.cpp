@@ -73,7 +73,7 @@ bool has_face_without_area(const fuzz::Filtered_triangulation& triangulation)
 {
   const auto& complex = triangulation.connectivity();
   for (IT::Face_index f : complex.faces())
-    if (triangulation.exact_geometry().sign_of_area(complex, f) == CGAL::ZERO)
+    if (IT::internal::engine(triangulation).sign_of_area(f) == CGAL::ZERO)
       return true;
   return false;
 }

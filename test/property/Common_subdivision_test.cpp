@@ -102,7 +102,7 @@ TEST(Common_subdivision, forgets_who_could_interrupt_what_was_given_up)
   t.set_interruption([&] { return goes_on; });
   const IT::Common_subdivision subdivision(std::move(t));
   goes_on = false;
-  EXPECT_NO_THROW(subdivision.exact_geometry().interruption().check());
+  EXPECT_NO_THROW(IT::internal::engine(subdivision).interruption().check());
 }
 
 // From the connectivity and an exact geometry that nobody has asked for anything yet.
@@ -112,17 +112,17 @@ TEST(Common_subdivision, prepares_the_exact_geometry)
   const IT::Delta_complex input = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
   const Triangulation t = Delaunay_triangulation(surface);
   IT::Delta_complex complex = input;
-  IT::Exact_geometry geometry(
+  IT::internal::Exact_engine geometry(
     IT::Input_metric::from_points(IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end())));
   bool is_changed = true;
   while (is_changed) {
     is_changed = false;
     for (IT::Edge_index e : complex.edges()) {
       // Asks a copy, so that the geometry itself has a journal only.
-      if (!complex.is_flippable(e) || IT::Exact_geometry(geometry).sign_of_cotangents(complex, e) != CGAL::NEGATIVE)
+      if (!complex.is_flippable(e) || IT::internal::Exact_engine(geometry).sign_of_cotangents(e) != CGAL::NEGATIVE)
         continue;
       const IT::Hinge_halfedges around = complex.hinge(e);
-      geometry.flip(complex, around);
+      geometry.flip(around);
       complex.flip(around);
       is_changed = true;
     }

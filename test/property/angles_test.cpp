@@ -251,7 +251,7 @@ TEST(Halfedge_vectors, remain_the_same_whatever_is_flipped_and_inserted)
     const auto expect_same = [&] {
       const std::vector<Vector> after = IT::halfedge_vectors_in_vertex(t);
       const Delta_complex& c = t.connectivity();
-      const IT::Correspondence& correspondence = t.exact_geometry().correspondence();
+      const IT::internal::Correspondence& correspondence = IT::internal::engine(t).correspondence();
       std::size_t kept = 0;
       for (Halfedge_index h : c.halfedges())
         if (correspondence.coordinates().crossings(c.edge(h)) < 0 && !correspondence.is_inserted(c.source(h)) &&
@@ -266,7 +266,7 @@ TEST(Halfedge_vectors, remain_the_same_whatever_is_flipped_and_inserted)
     };
     expect_same();
     for (std::uint32_t h = 0; h < 90; h += 9)
-      if (!t.exact_geometry().correspondence().input().is_border(Halfedge_index(h)))
+      if (!IT::internal::engine(t).correspondence().input().is_border(Halfedge_index(h)))
         IT::insert_vertex(t, {Halfedge_index(h), {0.25, 0.5, 0.25}});
     IT::flip_to_Delaunay(t);
     expect_same();
@@ -280,7 +280,7 @@ TEST(Halfedge_vectors, are_found_over_crossed_edges)
   Triangulation t = make_triangulation(surface);
   IT::flip_to_Delaunay(t);
   const Delta_complex& c = t.connectivity();
-  const IT::Correspondence& correspondence = t.exact_geometry().correspondence();
+  const IT::internal::Correspondence& correspondence = IT::internal::engine(t).correspondence();
   const auto crossings = [&](Halfedge_index h) { return correspondence.coordinates().crossings(c.edge(h)); };
   std::size_t number = 0;
   for (Halfedge_index h : c.halfedges())
@@ -289,7 +289,7 @@ TEST(Halfedge_vectors, are_found_over_crossed_edges)
       const Vector turned = times_conjugate(in_plane(surface, c.source(h), c.target(h)),
                                             in_plane(surface, c.source(h), correspondence.input().target(axis)));
       const double difference =
-        IT::internal::direction_on_input(c, t.exact_geometry(), h) - std::atan2(turned.y(), turned.x());
+        IT::internal::direction_on_input(c, IT::internal::engine(t), h) - std::atan2(turned.y(), turned.x());
       EXPECT_NEAR(std::remainder(difference, 2 * pi), 0, 1e-12);
       ++number;
     }
@@ -309,7 +309,7 @@ TEST(Halfedge_vectors, at_inserted_vertices_have_the_axis_of_their_location)
       const Vertex_index v = IT::insert_vertex(t, {location, at});
       IT::flip_to_Delaunay(t);
       const Delta_complex& c = t.connectivity();
-      const Halfedge_index stored = t.exact_geometry().correspondence().location(v).halfedge;
+      const Halfedge_index stored = IT::internal::engine(t).correspondence().location(v).halfedge;
       const auto point = [&](Vertex_index w) { return surface.points[w.idx()]; };
       std::array<double, 2> p{0, 0};
       Halfedge_index h = location;

@@ -51,8 +51,8 @@ void expect_same_end(Triangulation& t, Triangulation original)
   EXPECT_TRUE(IT::verify_Delaunay(t).not_Delaunay.empty());
   for (IT::Edge_index e : t.connectivity().edges()) {
     EXPECT_EQ(t.length(e), original.length(e));
-    EXPECT_EQ(t.exact_geometry().correspondence().coordinates().crossings(e),
-              original.exact_geometry().correspondence().coordinates().crossings(e));
+    EXPECT_EQ(IT::internal::engine(t).correspondence().coordinates().crossings(e),
+              IT::internal::engine(original).correspondence().coordinates().crossings(e));
   }
 }
 

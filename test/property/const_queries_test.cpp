@@ -77,26 +77,26 @@ std::vector<Named_triangulation> triangulations()
 std::vector<double> answers(const Triangulation& t, const IT::Point_location* location, std::size_t thread)
 {
   const IT::Delta_complex& complex = t.connectivity();
-  const IT::Exact_geometry& geometry = t.exact_geometry();
+  const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
   std::vector<std::vector<double>> of_edge(complex.number_of_edges()), of_face(complex.number_of_faces());
   for (std::size_t i = 0; i < of_edge.size(); ++i) {
     const std::size_t number = (i + thread * of_edge.size() / number_of_threads) % of_edge.size();
     const IT::Edge_index e{IT::Edge_index::size_type(number)};
     std::vector<double>& a = of_edge[number];
-    a = {t.length(e), double(t.squared_length(e)), geometry.length_interval(complex, e).inf(),
-         double(geometry.has_length_zero(complex, e)), double(geometry.correspondence().coordinates().crossings(e))};
+    a = {t.length(e), double(t.squared_length(e)), geometry.length_interval(e).inf(),
+         double(geometry.has_length_zero(e)), double(geometry.correspondence().coordinates().crossings(e))};
     if (!complex.is_flippable(e))
       continue;
     a.push_back(CGAL::certainly(t.is_locally_Delaunay(e)));
     a.push_back(t.sign_of_cotangent_weight(e));
-    a.push_back(geometry.sign_of_cotangents(complex, e));
-    a.push_back(geometry.sign_by_unfolding(complex, e));
-    a.push_back(geometry.is_convex(complex, e));
-    for (const auto& test : {geometry.test_in_plane(complex, e), geometry.test_by_short_strips(complex, e)})
+    a.push_back(geometry.sign_of_cotangents(e));
+    a.push_back(geometry.sign_by_unfolding(e));
+    a.push_back(geometry.is_convex(e));
+    for (const auto& test : {geometry.test_in_plane(e), geometry.test_by_short_strips(e)})
       a.push_back(test ? 10 * double(std::size_t(test->stage)) + test->sign : -1);
     const IT::Halfedge_index h = complex.halfedge(e);
-    if (geometry.sign_of_area(complex, complex.face(h)) == CGAL::POSITIVE &&
-        geometry.sign_of_area(complex, complex.face(complex.opposite(h))) == CGAL::POSITIVE) {
+    if (geometry.sign_of_area(complex.face(h)) == CGAL::POSITIVE &&
+        geometry.sign_of_area(complex.face(complex.opposite(h))) == CGAL::POSITIVE) {
       a.push_back(t.cotangent(h));
       a.push_back(t.cotangent_weight(e));
     }
@@ -247,7 +247,7 @@ TEST(Const_queries, journals_and_flips_one_by_one_lead_to_the_same)
           const IT::Edge_index e(std::uint32_t(random() % complex.number_of_edges()));
           if (!complex.is_flippable(e))
             continue;
-          followed.exact_geometry().sign_of_cotangents(followed.connectivity(), e);
+          IT::internal::engine(followed).sign_of_cotangents(e);
           const auto outcome = followed.flip(e);
           if (outcome == Triangulation::Flip_outcome::FLIPPED) {
             if (journaled.flip_not_Delaunay(e) != outcome)
@@ -263,7 +263,7 @@ TEST(Const_queries, journals_and_flips_one_by_one_lead_to_the_same)
           for (IT::Face_index f : complex.faces())
             t->recompute(f);
         ASSERT_EQ(answers(journaled, nullptr, 0), answers(followed, nullptr, 0));
-        const IT::Correspondence &a = journaled.exact_geometry().correspondence(), &b = followed.exact_geometry().correspondence();
+        const IT::internal::Correspondence &a = IT::internal::engine(journaled).correspondence(), &b = IT::internal::engine(followed).correspondence();
         for (IT::Halfedge_index h : complex.halfedges())
           ASSERT_EQ(a.input_halfedge(h), b.input_halfedge(h));
       }
@@ -285,8 +285,8 @@ TEST(Const_queries, the_integers_are_computed_while_the_input_is_recovered)
   for (const Named_triangulation& named : triangulations()) {
     SCOPED_TRACE(named.name);
     const Triangulation& t = named.triangulation;
-    IT::Correspondence one, two;
-    IT::Delta_complex complex = t.exact_geometry().correspondence().input();
+    IT::internal::Correspondence one, two;
+    IT::Delta_complex complex = IT::internal::engine(t).correspondence().input();
     for (int repeats = 0; repeats < 3; ++repeats)
       for (IT::Edge_index e : complex.edges()) {
         if (!complex.is_flippable(e))

@@ -152,7 +152,7 @@ TEST(Exact_stages, the_rationals_decide_where_no_area_has_a_root)
                             surface.points);
   std::array<int, 3> number_of_signs{};
   for (const Triangulation& t : {input, make_Delaunay(surface)}) {
-    const IT::Exact_geometry& geometry = t.exact_geometry();
+    const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
     const auto input_surface = geometry.input_surface();
     IT::internal::Exact_fallback exact_fallback(t.connectivity(), geometry.correspondence(),
                                                 *input_surface);
@@ -224,7 +224,7 @@ TEST(Exact_stages, a_length_that_is_a_double_is_found_by_multiple_precision)
   const IT::Indexed_triangles grid = IT::random_diagonal_grid(3, 3, 1);
   const Triangulation t(IT::make_Delta_complex_from_triangles(grid.points.size(), grid.triangles),
                         grid.points);
-  const IT::Exact_geometry& geometry = t.exact_geometry();
+  const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
   const auto input_surface = geometry.input_surface();
   IT::internal::Exact_fallback exact_fallback(t.connectivity(), geometry.correspondence(),
                                               *input_surface);

@@ -188,7 +188,7 @@ Triangulation triangulation_of(const IT::Glued_triangles& gluing)
 
 void expect_input(const Triangulation& t, const IT::Delta_complex& input)
 {
-  const IT::Delta_complex& recovered = t.exact_geometry().correspondence().input();
+  const IT::Delta_complex& recovered = IT::internal::engine(t).correspondence().input();
   ASSERT_EQ(recovered.number_of_edges(), input.number_of_edges());
   for (IT::Halfedge_index h : input.halfedges()) {
     ASSERT_EQ(recovered.next(h), input.next(h));
@@ -206,13 +206,13 @@ void expect_valid(Triangulation& t, const IT::Delta_complex& input)
   ASSERT_TRUE(complex.is_valid(true));
   expect_input(t, input);
   Triangulation afresh = t; // nothing is remembered of decisions before
-  const IT::Exact_geometry& geometry = afresh.exact_geometry();
+  const IT::internal::Exact_engine& geometry = IT::internal::engine(afresh);
   const IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits> whole(afresh);
   const auto number = [](const IT::internal::Bounded_double_double& x) { return x.hi(); };
   for (IT::Face_index f : complex.faces()) {
-    ASSERT_NE(geometry.sign_of_area(complex, f), CGAL::NEGATIVE) << "face " << f.idx();
+    ASSERT_NE(geometry.sign_of_area(f), CGAL::NEGATIVE) << "face " << f.idx();
     const IT::Halfedge_index h = complex.halfedge(f);
-    const IT::Exact_geometry::Corner c = geometry.corner(complex, h);
+    const IT::internal::Exact_engine::Corner c = geometry.corner(h);
     const IT::Bounded_area stored = t.face_data(f);
     if (!(stored.error < std::numeric_limits<double>::infinity()))
       continue;
@@ -224,9 +224,9 @@ void expect_valid(Triangulation& t, const IT::Delta_complex& input)
   }
   for (IT::Edge_index e : complex.edges())
     if (complex.is_flippable(e)) {
-      const CGAL::Sign sign = geometry.sign_by_unfolding(complex, e);
+      const CGAL::Sign sign = geometry.sign_by_unfolding(e);
       ASSERT_EQ(t.sign_of_cotangent_weight(e), sign) << "edge " << e.idx();
-      ASSERT_EQ(geometry.sign_of_cotangents(complex, e), sign) << "edge " << e.idx();
+      ASSERT_EQ(geometry.sign_of_cotangents(e), sign) << "edge " << e.idx();
       ASSERT_FALSE(whole.is_known_Delaunay(e) && sign == CGAL::NEGATIVE) << "edge " << e.idx();
     }
   const IT::Overlay overlay(complex, geometry.correspondence());
@@ -275,7 +275,7 @@ struct Refinement_visitor
 // Points inside faces, and on edges that are edges of the triangulation.
 std::vector<IT::Surface_point> points_to_insert(const Triangulation& t, std::size_t number)
 {
-  const IT::Exact_geometry& geometry = t.exact_geometry();
+  const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
   const IT::Delta_complex& input = geometry.correspondence().input();
   std::vector<IT::Surface_point> result;
   for (std::size_t i = 0; result.size() < number && i < input.number_of_faces(); ++i) {
@@ -299,7 +299,7 @@ void insert(Triangulation& t, const std::vector<IT::Surface_point>& points)
 }
 void remove_all(Triangulation& t)
 {
-  const std::size_t n = t.exact_geometry().correspondence().input().number_of_vertices();
+  const std::size_t n = IT::internal::engine(t).correspondence().input().number_of_vertices();
   for (std::size_t v = t.connectivity().number_of_vertices(); v-- > n;)
     try {
       IT::remove_vertex(t, IT::Vertex_index(std::uint32_t(v)));
@@ -395,9 +395,9 @@ protected:
       ASSERT_TRUE(t.connectivity() == before.connectivity());
       for (IT::Edge_index e : t.connectivity().edges()) {
         ASSERT_EQ(t.edge_data(e), before.edge_data(e));
-        ASSERT_EQ(t.exact_geometry().correspondence().coordinates().crossings(e), before.exact_geometry().correspondence().coordinates().crossings(e));
+        ASSERT_EQ(IT::internal::engine(t).correspondence().coordinates().crossings(e), IT::internal::engine(before).correspondence().coordinates().crossings(e));
         for (IT::Halfedge_index h : {t.connectivity().halfedge(e), t.connectivity().opposite(t.connectivity().halfedge(e))})
-          ASSERT_EQ(t.exact_geometry().correspondence().input_halfedge(h), before.exact_geometry().correspondence().input_halfedge(h));
+          ASSERT_EQ(IT::internal::engine(t).correspondence().input_halfedge(h), IT::internal::engine(before).correspondence().input_halfedge(h));
       }
       for (IT::Face_index f : t.connectivity().faces())
         ASSERT_EQ(t.face_data(f).value, before.face_data(f).value);
@@ -408,9 +408,9 @@ protected:
         name + ": a split", [&] { return start; },
         [&](Triangulation& t) {
           t.set_interruption(goes_further);
-          const IT::Exact_geometry& geometry = t.exact_geometry();
+          const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
           if (p.dimension() == 2) {
-            const IT::Triangle_piece at = IT::internal::piece_at_source(t.connectivity(), geometry.correspondence(), p.halfedge);
+            const IT::internal::Triangle_piece at = IT::internal::piece_at_source(t.connectivity(), geometry.correspondence(), p.halfedge);
             t.split_face(IT::internal::Piece_search(t.connectivity(), geometry)(at, p), p);
           } else {
             t.split_edge(*IT::internal::halfedge_along(t.connectivity(), geometry, p), p);

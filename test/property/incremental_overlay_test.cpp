@@ -53,7 +53,7 @@ struct Both_ways
   Overlay overlay() const { return Overlay(complex, correspondence); }
 
   Delta_complex complex;
-  IT::Correspondence correspondence;
+  IT::internal::Correspondence correspondence;
   Incremental_overlay incremental;
 };
 

@@ -45,7 +45,7 @@ class Layout
 {
 public:
   Layout(const Triangulation& triangulation, const std::vector<std::array<double, 3>>& points)
-    : correspondence_(triangulation.exact_geometry().correspondence()), input_(correspondence_.input()), points_(points)
+    : correspondence_(IT::internal::engine(triangulation).correspondence()), input_(correspondence_.input()), points_(points)
   {}
 
   // Of a path from a vertex to another one through the faces beside the input edges that it crosses, given as halfedges of the faces
@@ -116,7 +116,7 @@ private:
     return {result.x / sum, result.y / sum};
   }
 
-  const IT::Correspondence& correspondence_;
+  const IT::internal::Correspondence& correspondence_;
   const IT::Delta_complex& input_;
   const std::vector<std::array<double, 3>>& points_;
 };
@@ -127,7 +127,7 @@ double largest_error(const IT::Indexed_triangles& surface, std::size_t number)
   Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   EXPECT_GT(IT::refine_Delaunay(triangulation).insertions, 0u);
   const IT::Delta_complex& complex = triangulation.connectivity();
-  const IT::Delta_complex& input = triangulation.exact_geometry().correspondence().input();
+  const IT::Delta_complex& input = IT::internal::engine(triangulation).correspondence().input();
   const IT::Overlay overlay(triangulation);
   const Layout layout(triangulation, surface.points);
   double largest = 0;

@@ -198,7 +198,7 @@ TEST(Inserted_vertices, are_found)
       const IT::Common_subdivision subdivision(triangulation);
       const IT::Point_location location(subdivision);
       const IT::Delta_complex& complex = subdivision.intrinsic();
-      const IT::Correspondence& correspondence = subdivision.exact_geometry().correspondence();
+      const IT::internal::Correspondence& correspondence = IT::internal::engine(subdivision).correspondence();
       for (IT::Vertex_index v : complex.vertices())
         if (correspondence.is_inserted(v)) {
           const IT::Surface_point there = location.input_to_intrinsic(correspondence.location(v));

@@ -106,7 +106,7 @@ Surface folded_strip(std::uint32_t n, double& length)
 std::size_t check_kept_crossings(const Triangulation& t)
 {
   const IT::Delta_complex& complex = t.connectivity();
-  const IT::Correspondence &correspondence = t.exact_geometry().correspondence(), copy = correspondence; // copies keep nothing
+  const IT::internal::Correspondence &correspondence = IT::internal::engine(t).correspondence(), copy = correspondence; // copies keep nothing
   EXPECT_TRUE(copy.kept_crossings().is_empty());
   const IT::internal::Interruption none;
   std::size_t result = 0;
@@ -192,11 +192,11 @@ TEST(Long_strips, numbers_that_are_carried_keep_their_bounds)
     std::size_t long_edges = 0;
     for (IT::Edge_index e : complex.edges()) {
       const IT::Face_index f = complex.face(complex.halfedge(e));
-      const CGAL::Interval_nt<> length = t.exact_geometry().length_interval(complex, e), squared = square(length);
+      const CGAL::Interval_nt<> length = IT::internal::engine(t).length_interval(e), squared = square(length);
       const double error = t.face_data(f).error, stored = t.squared_length(e);
       ASSERT_LE(squared.inf(), stored + error);
       ASSERT_GE(squared.sup(), stored - error);
-      long_edges += t.exact_geometry().correspondence().coordinates().number_of_crossings(e) > 20 ? 1 : 0;
+      long_edges += IT::internal::engine(t).correspondence().coordinates().number_of_crossings(e) > 20 ? 1 : 0;
     }
     ASSERT_GT(long_edges, 20u);
     for (IT::Face_index f : complex.faces())
@@ -244,7 +244,7 @@ TEST(Long_strips, all_angles_at_a_vertex_are_not_taken_for_none)
     for (const auto& [from, to] : {std::pair(1u, 2u), std::pair(0u, 1u), std::pair(0u, 2u)})
       ASSERT_EQ(t.flip(edge(from, to)), Triangulation::Flip_outcome::FLIPPED);
     for (std::uint32_t to : {3u, 4u})
-      EXPECT_EQ(t.exact_geometry().is_convex(t.connectivity(), edge(0, to)), height < 0) << height << ' ' << to;
+      EXPECT_EQ(IT::internal::engine(t).is_convex(edge(0, to)), height < 0) << height << ' ' << to;
   }
 }
 
@@ -256,7 +256,7 @@ bool is_proven_to_be_straight(const Surface& surface)
   for (IT::Halfedge_index h : complex.halfedges())
     if (complex.source(h).idx() == 2 && complex.target(h).idx() % 2 == 0)
       (complex.is_border(h) ? left : right) = h;
-  const auto& geometry = t.exact_geometry();
+  const auto& geometry = IT::internal::engine(t);
   const auto input = geometry.input_surface();
   return IT::internal::Level_line(complex, geometry.correspondence(), *input)(right, left);
 }

@@ -36,20 +36,20 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 
 bool is_symmetric(const Triangulation& t, IT::Edge_index e)
 {
-  const IT::Exact_geometry& geometry = t.exact_geometry();
+  const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
   const auto surface = geometry.input_surface();
   return Mirror_symmetry(t.connectivity(), geometry.correspondence(), *surface)(e);
 }
 
 bool is_zero_in_finite_fields(const Triangulation& t, IT::Edge_index e)
 {
-  const IT::Exact_geometry& geometry = t.exact_geometry();
+  const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
   const auto lease = geometry.input_surface();
   Input_surface& surface = *lease;
   Residue_rings rings(random_prime_fields(e.idx()), surface.interruption());
   Residue_metric metric(surface, {rings});
   const auto c =
-    unfolded_corners(IT::Unfolding<Residue_metric>(t.connectivity(), geometry.correspondence(), metric),
+    unfolded_corners(IT::internal::Unfolding<Residue_metric>(t.connectivity(), geometry.correspondence(), metric),
                      corners_beside(t.connectivity(), e));
   const bool is_zero = (c.k.p * c.l.four_areas + c.l.p * c.k.four_areas).is_zero();
   EXPECT_TRUE(rings.is_defined());

@@ -26,7 +26,7 @@
 namespace {
 
 using namespace test_surfaces;
-using IT::Correspondence;
+using IT::internal::Correspondence;
 using IT::Delta_complex;
 using IT::Edge_index;
 using IT::Face_index;
@@ -39,7 +39,7 @@ using IT::Vertex_index;
 class Overlay_check
 {
 public:
-  Overlay_check(const Delta_complex& intrinsic, const Correspondence& correspondence)
+  Overlay_check(const Delta_complex& intrinsic, const internal::Correspondence& correspondence)
     : intrinsic_(intrinsic), input_(correspondence.input()), correspondence_(correspondence), coordinates_(correspondence.coordinates()),
       overlay_(intrinsic, correspondence)
   {}
@@ -252,8 +252,8 @@ private:
 
   const Delta_complex& intrinsic_;
   const Delta_complex& input_;
-  const IT::Correspondence& correspondence_;
-  const IT::Normal_coordinates& coordinates_;
+  const IT::internal::Correspondence& correspondence_;
+  const IT::internal::Normal_coordinates& coordinates_;
   Overlay overlay_;
 };
 
@@ -263,7 +263,7 @@ std::size_t check_Delaunay_overlay(const Surface& surface)
   SCOPED_TRACE(surface.name);
   auto t = triangulation<IT::Filtered_edge_length_traits>(surface);
   IT::flip_to_Delaunay(t);
-  const Overlay_check check(t.connectivity(), t.exact_geometry().correspondence());
+  const Overlay_check check(t.connectivity(), IT::internal::engine(t).correspondence());
   check.run();
   return check.overlay().number_of_crossings();
 }
@@ -302,7 +302,7 @@ TEST(Overlay_graph, of_inserted_vertices)
     IT::flip_to_Delaunay(t);
     for (unsigned largest_coordinate : {2u, 1000u}) {
       EXPECT_GT(IT::insert_random_vertices(t, 200, largest_coordinate, random), 10u);
-      const Overlay_check check(t.connectivity(), t.exact_geometry().correspondence());
+      const Overlay_check check(t.connectivity(), IT::internal::engine(t).correspondence());
       check.run();
     }
   }
@@ -313,7 +313,7 @@ TEST(Overlay_graph, OfUnflippedAndIsolated)
   IT::Indexed_triangles triangles = IT::prism(5);
   triangles.points.push_back({9, 9, 9});
   const auto t = triangulation<IT::Filtered_edge_length_traits>(from_triangles("prism", triangles));
-  const Overlay_check check(t.connectivity(), t.exact_geometry().correspondence());
+  const Overlay_check check(t.connectivity(), IT::internal::engine(t).correspondence());
   check.run();
   EXPECT_EQ(check.overlay().number_of_crossings(), 0u);
   EXPECT_EQ(check.overlay().number_of_segments(), t.connectivity().number_of_edges());
@@ -330,7 +330,7 @@ TEST(Overlay_graph, OfRandomGluingsAfterAnyFlips)
     const std::size_t n = with_boundary ? 1 + seed % 13 : 2 + 2 * (seed % 7);
     const auto gluing = IT::random_gluing(n, seed, with_boundary, seed % 2 == 0);
     Delta_complex complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
-    Correspondence correspondence;
+    internal::Correspondence correspondence;
     if (seed % 4 < 2) // before the flips or after them
       correspondence.prepare(complex);
     std::mt19937 random(seed);

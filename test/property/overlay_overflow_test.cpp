@@ -98,7 +98,7 @@ struct Grown_torus
   }
 
   IT::Delta_complex complex;
-  IT::Correspondence correspondence;
+  IT::internal::Correspondence correspondence;
   Torus_edges edges;
   Edge_index last{2};
 };
@@ -129,7 +129,7 @@ TEST(Overlay_overflow, NotesThatLeadBeyondTheLastCountAreAnError)
 {
   Grown_torus torus(0);
   IT::Delta_complex complex = torus.complex;
-  IT::Correspondence correspondence;
+  IT::internal::Correspondence correspondence;
   for (unsigned i = 0; i < 130; ++i) {
     const Edge_index e(i % 3);
     correspondence.flip(complex, e);
@@ -195,7 +195,7 @@ TEST(Overlay_overflow, AShearOfATrillionNeedsMoreFlipsThanAllowed)
   std::vector<double> lengths{t.length(Edge_index(1)), t.length(Edge_index(2))};
   std::sort(lengths.begin(), lengths.end());
   EXPECT_EQ(lengths, (std::vector<double>{double(shear - budget), double(shear - budget + 1)}));
-  const auto& coordinates = t.exact_geometry().correspondence().coordinates();
+  const auto& coordinates = IT::internal::engine(t).correspondence().coordinates();
   // -budget u + v and (1 - budget) u + v
   EXPECT_EQ(std::max(coordinates.crossings(Edge_index(1)), coordinates.crossings(Edge_index(2))), 2 * budget - 1);
   EXPECT_EQ(std::min(coordinates.crossings(Edge_index(1)), coordinates.crossings(Edge_index(2))), 2 * budget - 3);

@@ -95,8 +95,8 @@ TEST(Overlay_positions, agree_with_those_from_exact_squared_lengths)
     const IT::Overlay overlay(a), same(b);
     ASSERT_GT(overlay.number_of_crossings(), 0u);
     ASSERT_EQ(overlay.number_of_crossings(), same.number_of_crossings());
-    const IT::Overlay_positions positions(a.connectivity(), a.exact_geometry(), overlay),
-      expected(b.connectivity(), b.exact_geometry(), same);
+    const IT::Overlay_positions positions(a.connectivity(), IT::internal::engine(a), overlay),
+      expected(b.connectivity(), IT::internal::engine(b), same);
     for (IT::Overlay::Vertex x : overlay.crossings()) {
       const double t = expected.on_intrinsic_edge(x), u = expected.on_input_edge(x);
       EXPECT_NEAR(positions.on_intrinsic_edge(x), t, 0x1p-51 * t) << x;
@@ -123,7 +123,7 @@ template <class Frame>
 void expect_most_positions_known(const Triangulation& t)
 {
   const IT::Overlay overlay(t);
-  const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
+  const IT::Delta_complex& input = IT::internal::engine(t).correspondence().input();
   std::size_t asked = 0, known = 0;
   for (IT::Edge_index e : t.connectivity().edges()) {
     if (overlay.intrinsic_crossings(e).empty())
@@ -131,7 +131,7 @@ void expect_most_positions_known(const Triangulation& t)
     IT::internal::Crossed_edges crossed(input);
     IT::internal::find_crossed_edges(overlay, input, overlay.intrinsic_crossings(e), crossed);
     ++asked;
-    known += is_known<Frame>(input, t.exact_geometry().metric().points(), crossed);
+    known += is_known<Frame>(input, IT::internal::engine(t).metric().points(), crossed);
   }
   EXPECT_GT(asked, 50u);
   EXPECT_GT(known, 0.99 * double(asked));
@@ -183,10 +183,10 @@ TEST(Strip, ends_in_the_same_place_with_and_without_corners)
     SCOPED_TRACE(name);
     const Triangulation t = triangulated(surface);
     const IT::Overlay overlay(t);
-    const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
-    const auto surface_lease = t.exact_geometry().input_surface();
+    const IT::Delta_complex& input = IT::internal::engine(t).correspondence().input();
+    const auto surface_lease = IT::internal::engine(t).input_surface();
     Metric metric(*surface_lease, {512});
-    const IT::Unfolding<Metric> unfolding(t.connectivity(), t.exact_geometry().correspondence(), metric);
+    const IT::internal::Unfolding<Metric> unfolding(t.connectivity(), IT::internal::engine(t).correspondence(), metric);
     std::size_t compared = 0;
     for (IT::Edge_index e : t.connectivity().edges()) {
       if (overlay.intrinsic_crossings(e).empty() || compared == 200)

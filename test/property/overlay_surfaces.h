@@ -45,13 +45,13 @@ struct Overlaid
   const IT::Overlay_positions& positions() const { return subdivision.positions(); }
   double input_length(IT::Halfedge_index h) const
   {
-    const IT::Input_metric& metric = triangulation.exact_geometry().metric();
+    const IT::Input_metric& metric = IT::internal::engine(triangulation).metric();
     return std::ldexp(std::sqrt(metric.squared_length_double_double(input(), input().edge(h)).hi()),
                       metric.unit_exponent());
   }
   double input_area(IT::Face_index f) const
   {
-    const IT::Input_metric& metric = triangulation.exact_geometry().metric();
+    const IT::Input_metric& metric = IT::internal::engine(triangulation).metric();
     return std::ldexp(metric.four_areas_double_double(input(), f).hi(), 2 * metric.unit_exponent() - 2);
   }
   double intrinsic_length(IT::Halfedge_index h) const

@@ -168,7 +168,7 @@ void expect_same_verification(const IT::Delaunay_verification& a, const IT::Dela
   EXPECT_EQ(a.inverted, b.inverted);
 }
 
-void expect_same_correspondence(const IT::Delta_complex& complex, const IT::Correspondence& a, const IT::Correspondence& b)
+void expect_same_correspondence(const IT::Delta_complex& complex, const IT::internal::Correspondence& a, const IT::internal::Correspondence& b)
 {
   ASSERT_TRUE(a.input() == b.input());
   for (IT::Vertex_index v : complex.vertices())
@@ -187,8 +187,8 @@ TEST(Parallel_results, integers_and_input)
     const Filtered asked = t; // only a copy: t still has the journal of its flips
     for_each_number_of_threads([&, &t = t] {
       const Filtered copy = t;
-      expect_same_correspondence(t.connectivity(), asked.exact_geometry().correspondence(),
-                                 copy.exact_geometry<Parallel_tag>().correspondence());
+      expect_same_correspondence(t.connectivity(), IT::internal::engine(asked).correspondence(),
+                                 IT::internal::engine<Parallel_tag>(copy).correspondence());
     });
   }
 }
@@ -198,7 +198,7 @@ TEST(Parallel_results, integers_of_many_flips)
 {
   IT::Delta_complex complex = triangulation(IT::bad_torus(100, 100)).connectivity();
   const IT::Delta_complex input = complex;
-  IT::Correspondence flipped;
+  IT::internal::Correspondence flipped;
   for (int round = 0; round < 7; ++round)
     for (IT::Edge_index e : complex.edges()) {
       if (!complex.is_flippable(e))
@@ -206,14 +206,14 @@ TEST(Parallel_results, integers_of_many_flips)
       flipped.flip(complex, e);
       complex.flip(e);
     }
-  IT::Correspondence expected = flipped;
+  IT::internal::Correspondence expected = flipped;
   const std::vector<IT::Edge_index> flips = expected.prepare(complex);
   for (IT::Halfedge_index h : input.halfedges()) {
     ASSERT_EQ(expected.input().next(h), input.next(h));
     ASSERT_EQ(expected.input().target(h), input.target(h));
   }
   for_each_number_of_threads([&] {
-    IT::Correspondence found = flipped;
+    IT::internal::Correspondence found = flipped;
     EXPECT_EQ(found.prepare(complex, IT::internal::block_runner<Parallel_tag>()), flips);
     expect_same_correspondence(complex, expected, found);
   });
@@ -224,10 +224,10 @@ TEST(Parallel_results, integers_that_are_too_large_are_an_error)
 {
   const IT::Glued_triangles torus = IT::one_vertex_torus();
   IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(torus.number_of_faces, torus.glued_sides);
-  IT::Exact_geometry geometry(IT::Input_metric::from_normalized_lengths({1, 1, 1}, 0));
+  IT::internal::Exact_engine geometry(IT::Input_metric::from_normalized_lengths({1, 1, 1}, 0));
   for (unsigned i = 0; i < 20; ++i) { // below the number that makes it recover the input by itself
     const IT::Edge_index e(i % 3);
-    geometry.flip(complex, complex.hinge(e));
+    geometry.flip(complex.hinge(e));
     complex.flip(e);
   }
   std::vector<IT::Hinge_halfedges> more;
@@ -275,7 +275,7 @@ TEST(Parallel_results, tasks_ask_for_the_integers)
     const Filtered copy = t;
     std::atomic<int> number_of_answers{0};
     tbb::parallel_for(0, 64, [&](int) {
-      number_of_answers += copy.exact_geometry<Parallel_tag>().correspondence().is_prepared();
+      number_of_answers += IT::internal::engine<Parallel_tag>(copy).correspondence().is_prepared();
     });
     EXPECT_EQ(number_of_answers, 64);
   });
@@ -299,26 +299,26 @@ TEST(Parallel_results, verifications)
 // Flips of any hinges, as a number type makes that decides wrongly.
 struct Flipped_anyhow
 {
-  explicit Flipped_anyhow(const Filtered& t) : complex(t.connectivity()), geometry(t.exact_geometry())
+  explicit Flipped_anyhow(const Filtered& t) : complex(t.connectivity()), geometry(IT::internal::engine(t))
   {
     std::mt19937 random(1);
     for (std::uint32_t i = 0; i < complex.number_of_edges(); ++i) {
       const IT::Edge_index e(i);
       if (random() % 8 != 0 || !complex.is_flippable(e))
         continue;
-      geometry.flip(complex, complex.hinge(e));
+      geometry.flip(complex.hinge(e));
       complex.flip(e);
     }
   }
   const IT::Delta_complex& connectivity() const { return complex; }
   template <class ConcurrencyTag = CGAL::Sequential_tag>
-  const IT::Exact_geometry& exact_geometry() const
+  const IT::internal::Exact_engine& exact_geometry() const
   {
     return geometry;
   }
 
   IT::Delta_complex complex;
-  IT::Exact_geometry geometry;
+  IT::internal::Exact_engine geometry;
 };
 
 TEST(Parallel_results, faces_inside_out)
@@ -375,7 +375,7 @@ TEST(Parallel_results, overlays_and_positions)
   for (const auto& [name, t] : surfaces()) {
     SCOPED_TRACE(name);
     const IT::Overlay expected(t);
-    const IT::Overlay_positions expected_positions(t.connectivity(), t.exact_geometry(), expected);
+    const IT::Overlay_positions expected_positions(t.connectivity(), IT::internal::engine(t), expected);
     for_each_number_of_threads([&, &t = t] {
       const IT::Common_subdivision subdivision(t, {}, Parallel_tag());
       expect_same_overlay(expected, subdivision.overlay());
@@ -458,7 +458,7 @@ TEST(Parallel_results, can_be_cancelled)
     EXPECT_THROW(IT::Overlay(t, progress, Parallel_tag()), IT::Cancelled_error);
   }
   EXPECT_THROW(IT::Overlay_positions(
-                 t.connectivity(), t.exact_geometry(), overlay, [](double) { return false; }, Parallel_tag()),
+                 t.connectivity(), IT::internal::engine(t), overlay, [](double) { return false; }, Parallel_tag()),
                IT::Cancelled_error);
 }
 

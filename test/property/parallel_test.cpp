@@ -95,7 +95,7 @@ std::vector<std::vector<std::uint32_t>> cells(const Triangulation& t)
 void expect_input(const Filtered& t, const Mesh& mesh)
 {
   const IT::Delta_complex expected = IT::make_Delta_complex(mesh),
-                          &input = t.exact_geometry().correspondence().input();
+                          &input = IT::internal::engine(t).correspondence().input();
   for (IT::Halfedge_index h : expected.halfedges()) {
     ASSERT_EQ(input.next(h), expected.next(h));
     ASSERT_EQ(input.target(h), expected.target(h));
@@ -105,8 +105,8 @@ void expect_input(const Filtered& t, const Mesh& mesh)
 
 void expect_same_numbers(const Filtered& several, const Filtered& one)
 {
-  const IT::Correspondence &a = several.exact_geometry().correspondence(),
-                           &b = one.exact_geometry().correspondence();
+  const IT::internal::Correspondence &a = IT::internal::engine(several).correspondence(),
+                           &b = IT::internal::engine(one).correspondence();
   for (IT::Edge_index e : one.connectivity().edges()) {
     const IT::Halfedge_index h = one.connectivity().halfedge(e);
     ASSERT_EQ(a.coordinates().crossings(e), b.coordinates().crossings(e));

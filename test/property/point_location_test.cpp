@@ -49,7 +49,7 @@ double input_distance(const Overlaid& s, const IT::Surface_point& p, const IT::S
 // In the unit of the metric, which all surfaces here have left as it was.
 std::array<double, 3> in_space(const Overlaid& s, const IT::Surface_point& p)
 {
-  const IT::Input_metric::Point_vector& points = s.triangulation.exact_geometry().metric().points();
+  const IT::Input_metric::Point_vector& points = IT::internal::engine(s.triangulation).metric().points();
   const auto coordinate = [&](IT::Vertex_index v, int i) { return points[v.idx()][i]; };
   std::array<double, 3> result{};
   for (int i = 0; i < 3; ++i)

@@ -40,7 +40,7 @@ Triangulation triangulation_of(const IT::Indexed_triangles& surface)
 // Whether an edge is a part of a flagged edge of the input.
 bool is_part(const Triangulation& t, IT::Edge_index e, const std::vector<bool>& flags)
 {
-  const IT::Correspondence& correspondence = t.exact_geometry().correspondence();
+  const IT::internal::Correspondence& correspondence = IT::internal::engine(t).correspondence();
   if (flags.empty() || !correspondence.coordinates().is_original(e))
     return false;
   return flags[correspondence.input().edge(correspondence.input_halfedge(t.connectivity().halfedge(e))).idx()];
@@ -61,7 +61,7 @@ IT::Refinement_report refine(Triangulation t, const std::vector<bool>& is_constr
   EXPECT_NEAR(total_area(t) / area, 1, 1e-13);
   for (IT::Edge_index e : complex.edges())
     if (complex.is_flippable(e) && !is_part(t, e, is_constrained)) {
-      EXPECT_NE(t.exact_geometry().sign_by_unfolding(complex, e), CGAL::NEGATIVE) << e.idx();
+      EXPECT_NE(IT::internal::engine(t).sign_by_unfolding(e), CGAL::NEGATIVE) << e.idx();
     }
   for (std::size_t v = number_of_input_vertices; v < complex.number_of_vertices(); ++v)
     EXPECT_TRUE(is_exactly_flat(t, IT::Vertex_index(v))) << v;

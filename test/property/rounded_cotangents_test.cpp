@@ -35,12 +35,12 @@ void expect_bounds_that_hold(const Triangulation& t, Count& count)
 {
   const IT::Delta_complex& complex = t.connectivity();
   for (IT::Face_index f : complex.faces()) {
-    IT::Exact_geometry::Rounded_face_cotangents rounded;
-    IT::Exact_geometry::Face_cotangents precise;
-    t.exact_geometry().find_cotangents(complex, f, rounded);
-    t.exact_geometry().find_cotangents(complex, f, precise);
-    const auto area = t.exact_geometry().rounded_four_areas(complex, f);
-    const auto precise_area = t.exact_geometry().corner(complex, complex.halfedge(f)).four_areas;
+    IT::internal::Exact_engine::Rounded_face_cotangents rounded;
+    IT::internal::Exact_engine::Face_cotangents precise;
+    IT::internal::engine(t).find_cotangents(f, rounded);
+    IT::internal::engine(t).find_cotangents(f, precise);
+    const auto area = IT::internal::engine(t).rounded_four_areas(f);
+    const auto precise_area = IT::internal::engine(t).corner(complex.halfedge(f)).four_areas;
     count.areas += area.error() < 0x1p-32 * area.hi();
     const double area_difference = (area.hi() - precise_area.hi()) - precise_area.lo();
     ASSERT_LE(std::abs(area_difference), 1.0001 * (area.error() + precise_area.error())) << f;

@@ -81,7 +81,7 @@ TEST_P(Table_1, flips_weights_and_overlay_with_exact_decisions)
     mesh_, CGAL::parameters::geom_traits(IT::Filtered_edge_length_traits()));
   expect_Delaunay(t, report);
   std::int64_t simple = 0, longest = 0, crossings = 0;
-  const auto& coordinates = t.exact_geometry().correspondence().coordinates();
+  const auto& coordinates = IT::internal::engine(t).correspondence().coordinates();
   for (IT::Edge_index e : t.connectivity().edges()) {
     const std::int64_t n = coordinates.number_of_crossings(e);
     simple += n == 1;

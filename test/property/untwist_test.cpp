@@ -106,7 +106,7 @@ Integer compare(const Exact_gluing& gluing)
   EXPECT_TRUE(fast.triangulation.connectivity().is_valid(true));
   EXPECT_TRUE(IT::verify_Delaunay(fast.triangulation).is_Delaunay());
   expect_same(edges_of(plain), edges_of(fast));
-  const IT::Normal_coordinates& coordinates = plain.triangulation.exact_geometry().correspondence().coordinates();
+  const IT::internal::Normal_coordinates& coordinates = IT::internal::engine(plain.triangulation).correspondence().coordinates();
   for (Edge_index e : gluing.complex.edges())
     EXPECT_EQ(plain.untwisting.crossings.crossings(e), coordinates.crossings(e));
   return Integer(plain.report.flips);
@@ -252,7 +252,7 @@ TEST(Untwist, leaps_are_flips)
     // A torus after some flips, and a tube in it
     IT::Delta_complex complex = IT::lattice_torus({Integer(1), Integer(0)}, {Integer(0), Integer(1)}).complex;
     IT::Crossing_counts counts(complex);
-    IT::Normal_coordinates coordinates(complex);
+    IT::internal::Normal_coordinates coordinates(complex);
     const auto flip = [&](IT::Delta_complex& c, IT::Crossing_counts& n, Edge_index e) {
       n.flip(c, e);
       coordinates.flip(c, e);

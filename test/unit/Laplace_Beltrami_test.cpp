@@ -203,16 +203,16 @@ TEST(Rounded_numbers, are_those_of_single_edges_and_faces)
       // Points in faces of zero area can be those of others.
       const IT::Delta_complex input = t.connectivity();
       if (is_refined && std::any_of(input.faces().begin(), input.faces().end(),
-                                    [&](IT::Face_index f) { return t.exact_geometry().sign_of_area(input, f) != CGAL::POSITIVE; }))
+                                    [&](IT::Face_index f) { return IT::internal::engine(t).sign_of_area(input, f) != CGAL::POSITIVE; }))
         continue;
       IT::flip_to_Delaunay(t);
       for (std::uint32_t f = 0; is_refined && f < 20 && f < input.number_of_faces(); ++f)
         IT::insert_vertex(t, IT::Surface_point{input.halfedge(IT::Face_index(f)), {0.25, 0.5, 0.25}});
       const IT::Delta_complex& c = t.connectivity();
-      IT::Exact_geometry::Rounded_numbers rounded(c);
+      IT::internal::Exact_engine::Rounded_numbers rounded(c);
       const std::size_t half = c.number_of_faces() / 2;
-      t.exact_geometry().find_numbers(c, half, c.number_of_faces(), rounded);
-      t.exact_geometry().find_numbers(c, 0, half, rounded);
+      IT::internal::engine(t).find_numbers(c, half, c.number_of_faces(), rounded);
+      IT::internal::engine(t).find_numbers(c, 0, half, rounded);
       const auto expect_same = [&](double x, double expected) {
         ++numbers;
         if (std::isnan(x))

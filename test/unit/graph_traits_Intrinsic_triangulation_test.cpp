@@ -177,7 +177,7 @@ TEST(Graph_traits_Intrinsic_triangulation, maps_follow_the_flips)
     EXPECT_EQ(get(length, e), t.length(e));
     EXPECT_EQ(weight[e], t.cotangent_weight(e));
     EXPECT_EQ(get(boost::edge_weight, t, e), t.length(e));
-    EXPECT_EQ(get(crossings, e), t.exact_geometry().correspondence().coordinates().crossings(e));
+    EXPECT_EQ(get(crossings, e), IT::internal::engine(t).correspondence().coordinates().crossings(e));
     most = std::max(most, get(crossings, e));
   }
   EXPECT_GT(most, 0);

@@ -54,21 +54,21 @@ public:
   {
     const IT::Delta_complex& complex = triangulation.connectivity();
     ASSERT_TRUE(complex.is_valid());
-    const IT::Exact_geometry& geometry = triangulation.exact_geometry();
+    const IT::internal::Exact_engine& geometry = IT::internal::engine(triangulation);
     for (IT::Edge_index e : complex.edges()) {
       if (complex.is_flippable(e)) {
-        ASSERT_NE(geometry.sign_by_unfolding(complex, e), CGAL::NEGATIVE) << e;
+        ASSERT_NE(geometry.sign_by_unfolding(e), CGAL::NEGATIVE) << e;
       }
     }
     for (IT::Face_index f : complex.faces())
-      ASSERT_GE(geometry.sign_of_area(complex, f), has_faces_without_area ? CGAL::ZERO : CGAL::POSITIVE) << f;
+      ASSERT_GE(geometry.sign_of_area(f), has_faces_without_area ? CGAL::ZERO : CGAL::POSITIVE) << f;
     EXPECT_NEAR(area() / area_, 1, 1e-13);
   }
 
   // Where a vertex lies in space.
   std::array<double, 3> position(IT::Vertex_index v) const
   {
-    const IT::Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+    const IT::internal::Correspondence& correspondence = IT::internal::engine(triangulation).correspondence();
     if (!correspondence.is_inserted(v))
       return surface_.points[v.idx()];
     const IT::Surface_point& p = correspondence.location(v);
@@ -127,7 +127,7 @@ TEST(Insert_vertex, does_not_change_the_metric)
   Inserted_vertices test(IT::bumpy_dome());
   IT::insert_random_vertices(test.triangulation, 300, 20, random);
   const IT::Delta_complex& complex = test.triangulation.connectivity();
-  const IT::Correspondence& correspondence = test.triangulation.exact_geometry().correspondence();
+  const IT::internal::Correspondence& correspondence = IT::internal::engine(test.triangulation).correspondence();
   for (IT::Vertex_index v : complex.vertices()) {
     if (!correspondence.is_inserted(v))
       continue;
@@ -159,7 +159,7 @@ TEST(Insert_vertex, faces_without_area)
         test.expect_consistent(!is_closed_below);
       }
   Inserted_vertices test(triangle_over_flat_faces(false));
-  const IT::Delta_complex input = test.triangulation.exact_geometry().correspondence().input();
+  const IT::Delta_complex input = IT::internal::engine(test.triangulation).correspondence().input();
   const auto insert = [&](std::uint32_t face, const std::array<double, 3>& coordinates) {
     IT::insert_vertex(test.triangulation, {input.halfedge(IT::Face_index(face)), coordinates});
   };

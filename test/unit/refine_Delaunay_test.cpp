@@ -43,7 +43,7 @@ void expect_refined(const Triangulation& triangulation, const IT::Refinement_rep
   ASSERT_TRUE(complex.is_valid());
   for (IT::Edge_index e : complex.edges()) {
     if (complex.is_flippable(e)) {
-      ASSERT_NE(triangulation.exact_geometry().sign_by_unfolding(complex, e), CGAL::NEGATIVE);
+      ASSERT_NE(IT::internal::engine(triangulation).sign_by_unfolding(e), CGAL::NEGATIVE);
     }
   }
   std::set<IT::Face_index> listed;

@@ -51,7 +51,7 @@ using Edge_set = std::vector<std::tuple<std::uint32_t, std::uint32_t, double, st
 Edge_set edges_without_ties(const Triangulation& triangulation)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
-  const IT::Normal_coordinates& coordinates = triangulation.exact_geometry().correspondence().coordinates();
+  const IT::internal::Normal_coordinates& coordinates = IT::internal::engine(triangulation).correspondence().coordinates();
   Edge_set result;
   for (IT::Edge_index e : complex.edges()) {
     if (complex.is_flippable(e) && triangulation.sign_of_cotangent_weight(e) == CGAL::ZERO)
@@ -67,14 +67,14 @@ void expect_consistent(const Triangulation& triangulation)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
   ASSERT_TRUE(complex.is_valid(true));
-  const IT::Exact_geometry& geometry = triangulation.exact_geometry();
+  const IT::internal::Exact_engine& geometry = IT::internal::engine(triangulation);
   for (IT::Edge_index e : complex.edges()) {
     if (complex.is_flippable(e)) {
-      ASSERT_NE(geometry.sign_by_unfolding(complex, e), CGAL::NEGATIVE) << e;
+      ASSERT_NE(geometry.sign_by_unfolding(e), CGAL::NEGATIVE) << e;
     }
   }
   for (IT::Face_index f : complex.faces()) {
-    ASSERT_EQ(geometry.sign_of_area(complex, f), CGAL::POSITIVE) << f;
+    ASSERT_EQ(geometry.sign_of_area(f), CGAL::POSITIVE) << f;
   }
 }
 
@@ -87,13 +87,13 @@ void expect_overlay(const Triangulation& triangulation)
             std::int64_t(complex.number_of_vertices()) - complex.number_of_edges() + complex.number_of_faces());
   std::size_t crossings = 0;
   for (IT::Edge_index e : complex.edges())
-    crossings += std::size_t(triangulation.exact_geometry().correspondence().coordinates().number_of_crossings(e));
+    crossings += std::size_t(IT::internal::engine(triangulation).correspondence().coordinates().number_of_crossings(e));
   EXPECT_EQ(overlay.number_of_vertices(), complex.number_of_vertices() + crossings);
 }
 
 std::size_t number_of_inserted_vertices(const Triangulation& triangulation)
 {
-  return triangulation.exact_geometry().correspondence().number_of_inserted_vertices();
+  return IT::internal::engine(triangulation).correspondence().number_of_inserted_vertices();
 }
 
 IT::Vertex_index random_inserted_vertex(const Triangulation& triangulation, std::mt19937& random)
@@ -156,11 +156,11 @@ TEST(Remove_vertex, flat_parts_are_decided_as_by_unfolding)
         IT::insert_random_vertices(triangulation, 10, largest_coordinate, random);
         for (std::size_t n = random() % 8; n > 0 && number_of_inserted_vertices(triangulation) > 0; --n)
           IT::remove_vertex(triangulation, random_inserted_vertex(triangulation, random));
-        const IT::Exact_geometry& geometry = triangulation.exact_geometry();
+        const IT::internal::Exact_engine& geometry = IT::internal::engine(triangulation);
         for (IT::Edge_index e : complex.edges())
           if (complex.is_flippable(e)) {
-            const CGAL::Sign sign = geometry.sign_of_cotangents(complex, e);
-            ASSERT_EQ(sign, geometry.sign_by_unfolding(complex, e)) << e;
+            const CGAL::Sign sign = geometry.sign_of_cotangents(e);
+            ASSERT_EQ(sign, geometry.sign_by_unfolding(e)) << e;
             ties += sign == CGAL::ZERO ? 1 : 0;
           }
       }
@@ -194,7 +194,7 @@ TEST(Remove_vertex, between_insertions)
 // By input edges: a half of a constrained edge coincides with it, and nothing else does.
 bool is_constrained(const Triangulation& triangulation, IT::Edge_index e)
 {
-  const IT::Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+  const IT::internal::Correspondence& correspondence = IT::internal::engine(triangulation).correspondence();
   const IT::Halfedge_index h = triangulation.connectivity().halfedge(e);
   return correspondence.coordinates().is_original(e) &&
          correspondence.input().edge(correspondence.input_halfedge(h)).idx() % 3 == 0;
@@ -216,7 +216,7 @@ TEST(Remove_vertex, joins_the_parts_of_border_and_constrained_edges)
     const IT::Delta_complex input = triangulation.connectivity();
     const auto fixed = CGAL::parameters::edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>(
       [&](IT::Edge_index e) { return is_constrained(triangulation, e); }));
-    triangulation.exact_geometry();
+    IT::internal::engine(triangulation);
     IT::flip_to_Delaunay(triangulation, fixed);
     const std::size_t before = number_of_constrained(triangulation);
     std::size_t inserted = 0;
@@ -267,7 +267,7 @@ TEST(Remove_vertex, in_the_middle_of_a_square)
       IT::remove_vertex(triangulation, IT::Vertex_index(triangulation.connectivity().number_of_vertices() - 1));
     expect_consistent(triangulation);
     expect_overlay(triangulation);
-    const IT::Normal_coordinates& coordinates = triangulation.exact_geometry().correspondence().coordinates();
+    const IT::internal::Normal_coordinates& coordinates = IT::internal::engine(triangulation).correspondence().coordinates();
     for (IT::Edge_index e : triangulation.connectivity().edges()) {
       EXPECT_EQ(coordinates.number_of_crossings(e), coordinates.is_original(e) ? 0 : 1);
       crossed += coordinates.is_original(e) ? 0 : 1;

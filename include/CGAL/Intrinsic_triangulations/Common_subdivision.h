@@ -53,17 +53,7 @@ public:
   template <class Traits, class ConcurrencyTag = Sequential_tag>
   explicit Common_subdivision(const Intrinsic_triangulation<Traits>& triangulation,
                               const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : Common_subdivision(triangulation.connectivity(), triangulation.template exact_geometry<ConcurrencyTag>(), progress, ConcurrencyTag())
-  {}
-
-  /// \brief as above, from the current connectivity and the exact geometry of the input.
-  /// \tparam ConcurrencyTag as above
-  template <class ConcurrencyTag = Sequential_tag>
-  Common_subdivision(const Delta_complex& intrinsic, const Exact_geometry& geometry,
-                     const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : intrinsic_(intrinsic), geometry_(prepared<ConcurrencyTag>(geometry, intrinsic)),
-      overlay_(intrinsic, geometry.correspondence(), internal::part_of_progress(progress, 0, part_of_graph), ConcurrencyTag()),
-      positions_(intrinsic, geometry, overlay_, internal::part_of_progress(progress, part_of_graph, 1), ConcurrencyTag())
+    : Common_subdivision(internal::Released_engine{internal::engine<ConcurrencyTag>(triangulation), {}}, progress, ConcurrencyTag())
   {}
 
   /// \brief as above, from a triangulation that is given up: nothing of it is copied, and its stored numbers are freed before the
@@ -72,20 +62,17 @@ public:
   template <class Traits, class ConcurrencyTag = Sequential_tag>
   explicit Common_subdivision(Intrinsic_triangulation<Traits>&& triangulation,
                               const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : Common_subdivision(Parts(std::move(triangulation)), progress, ConcurrencyTag())
+    : Common_subdivision(internal::Engine_access::give_up(triangulation), progress, ConcurrencyTag())
   {}
 
   /// returns the overlay.
   const Overlay& overlay() const { return overlay_; }
   /// returns the positions of the crossings.
   const Overlay_positions& positions() const { return positions_; }
-  /// returns the input triangulation: `Correspondence::input()`.
-  const Delta_complex& input() const { return geometry_.correspondence().input(); }
+  /// returns the input triangulation: that of the `Intrinsic_triangulation`.
+  const Delta_complex& input() const { return engine_.correspondence().input(); }
   /// returns the intrinsic triangulation.
-  const Delta_complex& intrinsic() const { return intrinsic_; }
-
-  /// returns the exact geometry of the input, for queries about `intrinsic()`.
-  const Exact_geometry& exact_geometry() const { return geometry_; }
+  const Delta_complex& intrinsic() const { return engine_.connectivity(); }
 
   /// \brief returns the point in space of a vertex of the overlay, on an input edge or inside an input face.
   ///
@@ -133,42 +120,25 @@ public:
   /// \endcond
 
 private:
-  // What is left of a triangulation that is given up.
-  struct Parts
-  {
-    template <class Traits>
-    explicit Parts(Intrinsic_triangulation<Traits>&& triangulation)
-      : go_further(triangulation.set_interruption({})), released(std::move(triangulation).release())
-    {}
-    std::function<bool()> go_further;
-    std::pair<Delta_complex, Exact_geometry> released;
-  };
+  friend struct internal::Engine_access;
 
   template <class ConcurrencyTag>
-  Common_subdivision(Parts parts, const Progress_function& progress, ConcurrencyTag)
-    : intrinsic_(std::move(parts.released.first)), geometry_(std::move(parts.released.second)),
-      overlay_(intrinsic_, prepared<ConcurrencyTag>(geometry_, intrinsic_, parts.go_further).correspondence(),
-               internal::part_of_progress(progress, 0, part_of_graph), ConcurrencyTag()),
-      positions_(intrinsic_, geometry_, overlay_, internal::part_of_progress(progress, part_of_graph, 1), ConcurrencyTag())
+  Common_subdivision(internal::Released_engine released, const Progress_function& progress, ConcurrencyTag)
+    : engine_(std::move(released.engine)), overlay_(build_overlay<ConcurrencyTag>(released.go_further, progress)),
+      positions_(engine_, overlay_, internal::part_of_progress(progress, part_of_graph, 1), ConcurrencyTag())
   {
-    geometry_.set_interruption({});
+    engine_.set_interruption({});
   }
 
   template <class ConcurrencyTag>
-  static const Exact_geometry& prepared(const Exact_geometry& geometry, const Delta_complex& intrinsic)
+  Overlay build_overlay(const std::function<bool()>& go_further, const Progress_function& progress)
   {
-    geometry.prepare<ConcurrencyTag>(intrinsic);
-    return geometry;
-  }
-  template <class ConcurrencyTag>
-  static const Exact_geometry& prepared(Exact_geometry& geometry, const Delta_complex& intrinsic, const std::function<bool()>& go_further)
-  {
-    geometry.set_interruption(go_further);
-    return prepared<ConcurrencyTag>(geometry, intrinsic);
+    engine_.set_interruption(go_further);
+    engine_.prepare<ConcurrencyTag>();
+    return Overlay(engine_.connectivity(), engine_.correspondence(), internal::part_of_progress(progress, 0, part_of_graph), ConcurrencyTag());
   }
 
-  Delta_complex intrinsic_;
-  Exact_geometry geometry_;
+  internal::Exact_engine engine_;
   Overlay overlay_;
   Overlay_positions positions_;
 };

@@ -107,7 +107,7 @@ public:
   template <class Traits, class ConcurrencyTag = Sequential_tag>
   explicit Overlay(const Intrinsic_triangulation<Traits>& triangulation,
                    const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : Overlay(triangulation.connectivity(), triangulation.template exact_geometry<ConcurrencyTag>().correspondence(), progress,
+    : Overlay(triangulation.connectivity(), internal::engine<ConcurrencyTag>(triangulation).correspondence(), progress,
               ConcurrencyTag())
   {}
 
@@ -117,7 +117,7 @@ public:
   /// \exception Integer_overflow_error as above
   /// \exception Cancelled_error as above
   template <class ConcurrencyTag = Sequential_tag>
-  Overlay(const Delta_complex& intrinsic, const Correspondence& correspondence,
+  Overlay(const Delta_complex& intrinsic, const internal::Correspondence& correspondence,
           const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
     : arrays_(internal::build_overlay<ConcurrencyTag>(intrinsic, correspondence, progress))
   {}

@@ -49,19 +49,15 @@ public:
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the positions
   ///   are the same, and `progress` is called only at the beginning
-  /// \param intrinsic the current connectivity
-  /// \param geometry the exact geometry of the input
-  /// \param overlay their overlay
+  /// \param overlay the overlay
   /// \param progress is called during the computation
-  /// \pre `geometry.prepare()` was called
   /// \exception Undecided_error if an edge is not a straight line over the input triangles: an
   ///   inexact number type has flipped a hinge that is not convex
   /// \exception Cancelled_error if `progress` returns `false`
   ///
   /// O(size of the overlay) arithmetic operations.
   template <class ConcurrencyTag = Sequential_tag>
-  Overlay_positions(const Delta_complex& intrinsic, const Exact_geometry& geometry,
-                    const Overlay& overlay, const Progress_function& progress = {},
+  Overlay_positions(const internal::Exact_engine& engine, const Overlay& overlay, const Progress_function& progress = {},
                     ConcurrencyTag = ConcurrencyTag())
     : number_of_input_vertices_(overlay.number_of_input_vertices()),
       number_of_original_vertices_(overlay.number_of_original_vertices()),
@@ -70,17 +66,17 @@ public:
   {
     const internal::Standard_arithmetic arithmetic;
     static constexpr const char* what = "the search for the places of the crossings";
-    const Delta_complex& input = geometry.correspondence().input();
+    const Delta_complex &intrinsic = engine.connectivity(), &input = engine.correspondence().input();
     for (size_type v = input.number_of_vertices(); v < intrinsic.number_of_vertices(); ++v)
-      locations_.push_back(normalized(input, geometry.correspondence().location(Vertex_index(v))));
+      locations_.push_back(normalized(input, engine.correspondence().location(Vertex_index(v))));
     const std::size_t n = intrinsic.number_of_edges();
     if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
       internal::report_progress(progress, 0, what);
       internal::for_each_block<ConcurrencyTag>(n, internal::elements_of_block, [&](std::size_t first, std::size_t last) {
-        find_crossings(intrinsic, geometry, overlay, first, last, internal::Loop_progress({}, what, 0, 1, n));
+        find_crossings(engine, overlay, first, last, internal::Loop_progress({}, what, 0, 1, n));
       });
     } else {
-      find_crossings(intrinsic, geometry, overlay, 0, n, internal::Loop_progress(progress, what, 0, 1, n));
+      find_crossings(engine, overlay, 0, n, internal::Loop_progress(progress, what, 0, 1, n));
     }
     internal::for_each_block<ConcurrencyTag>(
       input.number_of_edges(), internal::elements_of_block,
@@ -152,7 +148,7 @@ private:
   using size_type = Overlay::size_type;
 
   // Of the intrinsic edges from `first` to `last`.
-  void find_crossings(const Delta_complex& intrinsic, const Exact_geometry& geometry, const Overlay& overlay,
+  void find_crossings(const internal::Exact_engine& engine, const Overlay& overlay,
                       std::size_t first, std::size_t last, const internal::Loop_progress& progress);
 
   void make_ascending(const Overlay& overlay, Edge_index input_edge)

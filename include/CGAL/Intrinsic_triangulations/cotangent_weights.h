@@ -62,7 +62,7 @@ void require_positive_areas(const Triangulation& triangulation, Edge_index e)
     const Face_index f = complex.face(side);
     if constexpr (Triangulation::uses_exact_geometry) {
       if (!triangulation.traits().has_positive_area_object()(triangulation.face_data(f)) &&
-          triangulation.exact_geometry().sign_of_area(complex, f) != POSITIVE)
+          internal::engine(triangulation).sign_of_area(f) != POSITIVE)
         throw_no_cotangent(f);
     } else if (!certainly(triangulation.area(f) > typename Triangulation::FT(0)))
       throw_no_cotangent(f);
@@ -75,7 +75,7 @@ BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& trian
 {
   if constexpr (Triangulation::uses_exact_geometry)
     if (e.idx() % 61 == 0) // the clock is as slow as a weight; a prime, as numbers of edges have periods
-      triangulation.exact_geometry().interruption().check();
+      internal::engine(triangulation).interruption().check();
   require_positive_areas(triangulation, e);
   const double weight = CGAL::to_double(triangulation.cotangent_weight(e));
   if (!std::isfinite(weight))
@@ -137,7 +137,7 @@ public:
   Known_cotangents& operator=(const Known_cotangents&) = delete;
 
   // Opposite to h; zero on the border.
-  Number operator()(const Delta_complex& complex, const Exact_geometry& geometry, Halfedge_index h)
+  Number operator()(const Delta_complex& complex, const internal::Exact_engine& geometry, Halfedge_index h)
   {
     if (complex.is_border(h))
       return {};
@@ -147,7 +147,7 @@ public:
     Entry& entry = entries_[f.idx() % number_of_entries];
     if (entry.face != f) {
       entry.face = Face_index();
-      geometry.find_cotangents(complex, f, entry.cotangents);
+      geometry.find_cotangents(f, entry.cotangents);
       entry.face = f;
     }
     const Halfedge_index first = complex.halfedge(f);
@@ -232,7 +232,7 @@ private:
                                           const Bounded_double& stored_l) const
   {
     if constexpr (Triangulation::uses_exact_geometry) {
-      const Exact_geometry& geometry = triangulation_.exact_geometry();
+      const internal::Exact_engine& geometry = internal::engine(triangulation_);
       const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
       double weight;
       if (!is_sign_alone) {
@@ -295,7 +295,7 @@ public:
       const auto& stored = triangulation_.face_data(f);
       if (is_accurate(stored.value, stored.error))
         return in_input_unit(stored.value, f);
-      const Double_with_bound rounded = triangulation_.exact_geometry().rounded_four_areas(triangulation_.connectivity(), f);
+      const Double_with_bound rounded = internal::engine(triangulation_).rounded_four_areas(f);
       if (is_accurate(rounded.hi(), rounded.error()))
         return in_input_unit(rounded.hi(), f);
     }

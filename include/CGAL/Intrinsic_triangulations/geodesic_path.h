@@ -80,7 +80,7 @@ inline Surface_point seen_from_one_side(const Delta_complex& input, const Surfac
 template <class Traits>
 Vertex_index vertex_at_point(Intrinsic_triangulation<Traits>& triangulation, const Surface_point& point)
 {
-  const Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+  const internal::Correspondence& correspondence = internal::engine(triangulation).correspondence();
   const Delta_complex& input = correspondence.input();
   const Halfedge_index h = point.halfedge;
   if (h.is_valid() && h.idx() < input.number_of_halfedges() && !input.is_border(h)) {
@@ -129,7 +129,7 @@ Geodesic_path shortened_edge_path(const TriangleMesh& mesh, Intrinsic_triangulat
     points.push_back({CGAL::to_double(p_v.x()), CGAL::to_double(p_v.y()), CGAL::to_double(p_v.z())});
   }
   for (const Surface_point& q : result.points)
-    result.positions.push_back(point_in_space(triangulation.exact_geometry().correspondence().input(), points, q));
+    result.positions.push_back(point_in_space(internal::engine(triangulation).correspondence().input(), points, q));
   return result;
 }
 

@@ -51,12 +51,12 @@ inline Halfedge_index first_axis(const Delta_complex& input, Vertex_index v)
 }
 
 // The direction of a halfedge at its source, which is no vertex of the border: the angle from the first axis, before it is scaled.
-inline double direction_on_input(const Delta_complex& complex, const Exact_geometry& geometry, Halfedge_index h)
+inline double direction_on_input(const Delta_complex& complex, const internal::Exact_engine& geometry, Halfedge_index h)
 {
-  const Correspondence& correspondence = geometry.correspondence();
+  const internal::Correspondence& correspondence = geometry.correspondence();
   const Delta_complex& input = correspondence.input();
   const Vertex_index v = complex.source(h);
-  const auto begin = geometry.edge_beginning(complex, h);
+  const auto begin = geometry.edge_beginning(h);
   double sum = std::arg(begin.vector);
   if (!correspondence.is_inserted(v)) {
     for (Halfedge_index side = first_axis(input, v); side != begin.reference; side = input.next_around_source(side))
@@ -88,8 +88,8 @@ std::pair<Halfedge_index, double> halfedge_with_direction(const Intrinsic_triang
   const Delta_complex& complex = triangulation.connectivity();
   const Halfedge_index first = complex.opposite(complex.halfedge(v));
   if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
-    const Exact_geometry& geometry = triangulation.exact_geometry();
-    const Correspondence& correspondence = geometry.correspondence();
+    const internal::Exact_engine& geometry = internal::engine(triangulation);
+    const internal::Correspondence& correspondence = geometry.correspondence();
     if (complex.is_border(complex.halfedge(v)) && !correspondence.is_inserted(v))
       return {first, 0};
     Halfedge_index best = first; // that with the fewest crossings: -1 means that it lies on an edge of the input

@@ -56,10 +56,10 @@ inline void check_new_vertex(const Delta_complex& input, const Surface_point& po
 
 // The halfedge of the current triangulation that coincides with the part of an input edge which contains a point of that, if
 // there is one. Vertices that were inserted cut the edge into parts.
-inline std::optional<Halfedge_index> halfedge_along(const Delta_complex& complex, const Exact_geometry& geometry,
+inline std::optional<Halfedge_index> halfedge_along(const Delta_complex& complex, const internal::Exact_engine& geometry,
                                                     const Surface_point& point)
 {
-  const Correspondence& correspondence = geometry.correspondence();
+  const internal::Correspondence& correspondence = geometry.correspondence();
   const Delta_complex& input = correspondence.input();
   const Halfedge_index along = side_of(input, point);
   const auto [a, b] = coordinates_on_edge(input, point, along);
@@ -90,7 +90,7 @@ inline std::optional<Halfedge_index> halfedge_along(const Delta_complex& complex
 }
 
 // The vertex that was inserted at the point before, if it is a corner of the face of h.
-inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
+inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex, const internal::Correspondence& correspondence, Halfedge_index h,
                                              const Surface_point& point)
 {
   const Delta_complex& input = correspondence.input();
@@ -105,7 +105,7 @@ inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex, const
   return std::nullopt;
 }
 
-inline void check_area(const Exact_geometry& geometry, const Surface_point& point)
+inline void check_area(const internal::Exact_engine& geometry, const Surface_point& point)
 {
   const Face_index f = geometry.correspondence().input().face(point.halfedge);
   if (!geometry.has_input_face_area(f))
@@ -159,8 +159,8 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
                                                            Static_boolean_property_map<Edge_index, false>());
   const internal::Standard_arithmetic arithmetic;
   const Delta_complex& complex = triangulation.connectivity();
-  const Exact_geometry& geometry = triangulation.exact_geometry();
-  const Correspondence& correspondence = geometry.correspondence();
+  const internal::Exact_engine& geometry = internal::engine(triangulation);
+  const internal::Correspondence& correspondence = geometry.correspondence();
   internal::check_new_vertex(correspondence.input(), point);
   Vertex_index v;
   if (point.dimension() == 1) {
@@ -177,8 +177,8 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
     v = triangulation.split_edge(*h, point);
   } else {
     internal::check_area(geometry, point);
-    const Triangle_piece start = internal::piece_at_source(complex, correspondence, point.halfedge);
-    const Triangle_piece piece = internal::Piece_search(complex, geometry)(start, point);
+    const internal::Triangle_piece start = internal::piece_at_source(complex, correspondence, point.halfedge);
+    const internal::Triangle_piece piece = internal::Piece_search(complex, geometry)(start, point);
     if (const auto there = internal::vertex_at(complex, correspondence, piece.side, point))
       throw Invalid_point_error("a new vertex lies at vertex " + std::to_string(there->idx()) + ": use that");
     v = triangulation.split_face(piece, point);

@@ -60,8 +60,8 @@ public:
   explicit Point_location(const Common_subdivision& subdivision)
     : input_{subdivision.input(), subdivision.overlay(), subdivision.positions()},
       intrinsic_{subdivision.intrinsic(), subdivision.overlay(), subdivision.positions()},
-      exact_side_(subdivision.intrinsic(), subdivision.exact_geometry(), subdivision.overlay()),
-      correspondence_(subdivision.exact_geometry().correspondence())
+      exact_side_(subdivision.intrinsic(), internal::engine(subdivision), subdivision.overlay()),
+      correspondence_(internal::engine(subdivision).correspondence())
   {
     if (correspondence_.number_of_inserted_vertices() != 0)
       note_inserted_vertices();
@@ -295,7 +295,7 @@ private:
   internal::Input_layer input_;
   internal::Intrinsic_layer intrinsic_;
   internal::Exact_side exact_side_;
-  const Correspondence& correspondence_;
+  const internal::Correspondence& correspondence_;
   std::vector<bool> has_inserted_; // for each input face, if there are inserted vertices
 };
 

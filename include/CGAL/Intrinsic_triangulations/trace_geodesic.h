@@ -43,10 +43,10 @@ struct Traced_geodesic
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-Traced_geodesic trace(const Exact_geometry& geometry, const Surface_direction& start, double length, std::size_t maximum_number);
-Traced_geodesic trace(const Delta_complex& complex, const Exact_geometry& geometry, const Surface_direction& start, double length,
+Traced_geodesic trace(const internal::Exact_engine& geometry, const Surface_direction& start, double length, std::size_t maximum_number);
+Traced_geodesic trace(const Delta_complex& complex, const internal::Exact_engine& geometry, const Surface_direction& start, double length,
                       std::size_t maximum_number);
-Surface_direction direction_at_vertex(const Exact_geometry& geometry, Halfedge_index h, double angle);
+Surface_direction direction_at_vertex(const internal::Exact_engine& geometry, Halfedge_index h, double angle);
 } // namespace internal
 /// \endcond
 
@@ -72,7 +72,7 @@ template <class Traits>
 Traced_geodesic trace_geodesic(const Intrinsic_triangulation<Traits>& triangulation, const Surface_direction& start,
                                double length, std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)())
 {
-  return internal::trace(triangulation.exact_geometry(), start, length, maximum_number);
+  return internal::trace(internal::engine(triangulation), start, length, maximum_number);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
@@ -95,7 +95,7 @@ Traced_geodesic trace_geodesic_in_triangulation(const Intrinsic_triangulation<Tr
                                                 double length,
                                                 std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)())
 {
-  return internal::trace(triangulation.connectivity(), triangulation.exact_geometry(), start, length, maximum_number);
+  return internal::trace(triangulation.connectivity(), internal::engine(triangulation), start, length, maximum_number);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
@@ -109,7 +109,7 @@ Traced_geodesic trace_geodesic_in_triangulation(const Intrinsic_triangulation<Tr
 template <class Traits>
 Surface_direction direction_at_vertex(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_index h, double angle)
 {
-  return internal::direction_at_vertex(triangulation.exact_geometry(), h, angle);
+  return internal::direction_at_vertex(internal::engine(triangulation), h, angle);
 }
 
 } // namespace Intrinsic_triangulations

@@ -52,7 +52,7 @@ template <class ConstraintMap>
 class Delaunay_verifier
 {
 public:
-  Delaunay_verifier(const Delta_complex& complex, const Exact_geometry& geometry, const ConstraintMap& is_constrained)
+  Delaunay_verifier(const Delta_complex& complex, const internal::Exact_engine& geometry, const ConstraintMap& is_constrained)
     : complex_(complex), geometry_(geometry), is_constrained_(is_constrained)
   {}
 
@@ -113,7 +113,7 @@ private:
   void verify(Face_index f, Delaunay_verification& found) const
   {
     geometry_.interruption().check();
-    if (geometry_.sign_of_area(complex_, f) == NEGATIVE)
+    if (geometry_.sign_of_area(f) == NEGATIVE)
       found.inverted.push_back(f);
   }
   void verify(Edge_index e, Delaunay_verification& found) const
@@ -122,7 +122,7 @@ private:
       return;
     ++found.tests;
     geometry_.interruption().check();
-    const Sign sign = geometry_.sign_by_unfolding(complex_, e);
+    const Sign sign = geometry_.sign_by_unfolding(e);
     if (sign == NEGATIVE)
       found.not_Delaunay.push_back(e);
     else if (sign == ZERO)
@@ -138,7 +138,7 @@ private:
   }
 
   const Delta_complex& complex_;
-  const Exact_geometry& geometry_;
+  const internal::Exact_engine& geometry_;
   const ConstraintMap& is_constrained_;
 };
 
@@ -179,7 +179,7 @@ Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  return internal::Delaunay_verifier(triangulation.connectivity(), triangulation.template exact_geometry<ConcurrencyTag>(),
+  return internal::Delaunay_verifier(triangulation.connectivity(), internal::engine<ConcurrencyTag>(triangulation),
                                      choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                                       Static_boolean_property_map<Edge_index, false>()))
     .verify([](std::size_t n, const auto& f) { internal::for_each_block<ConcurrencyTag>(n, 1, f); });

@@ -106,8 +106,8 @@ std::vector<Vertex_frame> vertex_frames(const Intrinsic_triangulation<Traits>& t
 {
   static_assert(Intrinsic_triangulation<Traits>::uses_exact_geometry,
                 "vertex_frames() needs traits with exact geometry, as Filtered_edge_length_traits");
-  triangulation.exact_geometry().prepare(triangulation.connectivity());
-  const Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+  internal::engine(triangulation).prepare(triangulation.connectivity());
+  const internal::Correspondence& correspondence = internal::engine(triangulation).correspondence();
   const Delta_complex& input = correspondence.input();
   using internal::Space_vector;
   const auto along = [&](Halfedge_index h) {

@@ -34,6 +34,7 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+namespace internal {
 
 // What follows the flips, and what speeds up decisions.
 //
@@ -43,18 +44,17 @@ namespace Intrinsic_triangulations {
 // Straight faces do not know of the flips in `journal`, nor of those in the journal of the correspondence but for the first
 // `number_of_known_flips`. Flips that are not followed at once make what was developed of their faces wrong; it is forgotten at the latest when
 // they leave one of these journals.
-struct Exact_geometry::Memory
+struct Exact_engine::Memory
 {
-  using Developed_faces =
-    internal::Developed_faces<internal::Bounded_double_double, internal::Double_double_disk, Corner, Image_corner>;
+  using Developed_faces = internal::Developed_faces<Bounded_double_double, Double_double_disk, Corner, Image_corner>;
 
   struct Carried_images
   {
-    explicit Carried_images(internal::Input_surface& surface)
+    explicit Carried_images(Input_surface& surface)
       : rings(surface.prime_fields(0), surface.interruption(), 0), metric(surface, {rings})
     {}
-    internal::Residue_rings rings; // without irrational roots
-    internal::Residue_metric metric;
+    Residue_rings rings; // without irrational roots
+    Residue_metric metric;
   };
 
   template <class Compute>
@@ -65,7 +65,7 @@ struct Exact_geometry::Memory
     try {
       const Image_corner result = compute();
       return images->rings.is_defined() ? std::make_optional(result) : std::nullopt;
-    } catch (const internal::Too_costly&) {
+    } catch (const Too_costly&) {
       return std::nullopt;
     }
   }
@@ -76,7 +76,7 @@ struct Exact_geometry::Memory
     return test.sign;
   }
 
-  internal::Decision_settings settings;
+  Decision_settings settings;
   Stage_counts counts;
   template <class Edges>
   void forget_developed_faces(const Delta_complex& complex, const Edges& flips)
@@ -88,8 +88,8 @@ struct Exact_geometry::Memory
 
   std::vector<Edge_index> journal;
   std::size_t number_of_known_flips = 0;
-  std::optional<internal::Straight_faces> straight_faces;
-  internal::Vertex_positions::Inserted inserted_positions; // kept if the input has points
+  std::optional<Straight_faces> straight_faces;
+  Vertex_positions::Inserted inserted_positions; // kept if the input has points
   Developed_faces developed_faces;
   std::optional<Developed_faces::Whole> split_face; // the last one, until its parts are measured
   // So many flips more of long hinges are followed, whether their tests were close or not. What is laid out pays for it: where tests are
@@ -97,24 +97,32 @@ struct Exact_geometry::Memory
   double credit = 0;
   std::vector<bool> is_close_call; // a test took more than double since the last flip of the edge
 
-  std::unique_ptr<internal::Input_surface> surface_of_images;
+  std::unique_ptr<Input_surface> surface_of_images;
   std::unique_ptr<Carried_images> images; // of the developed faces, from the first tie on
 
-  std::unique_ptr<internal::Input_properties> input_properties; // made by the first thread that takes a surface
+  std::unique_ptr<Input_properties> input_properties; // made by the first thread that takes a surface
   std::mutex mutex;
   std::atomic<bool> is_prepared{false}, knows_straight_faces{false};
-  internal::Scratch_pool<internal::Input_surface> surfaces;
+  Scratch_pool<Input_surface> surfaces;
 };
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry::Exact_geometry(Input_metric metric)
-  : metric_(std::move(metric)), memory_(std::make_unique<Memory>())
-{}
+void Exact_engine::keep_input(Input_metric metric)
+{
+  std::unique_ptr<Memory> memory = std::make_unique<Memory>();
+  correspondence_ = {};
+  is_asked_ = false;
+  metric_ = std::move(metric);
+  memory_ = std::move(memory);
+}
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry::Exact_geometry(const Exact_geometry& other)
-  : metric_(other.metric_), memory_(std::make_unique<Memory>())
+Exact_engine::Exact_engine(const Exact_engine& other)
+  : connectivity_(other.connectivity_), metric_(other.metric_)
 {
+  if (!other.memory_)
+    return;
+  memory_ = std::make_unique<Memory>();
   const std::lock_guard<std::mutex> lock(other.memory_->mutex);
   correspondence_ = other.correspondence_;
   is_asked_ = other.is_asked_.load();
@@ -130,11 +138,11 @@ Exact_geometry::Exact_geometry(const Exact_geometry& other)
 
 // The surfaces refer to the members, which have moved.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry::Exact_geometry(Exact_geometry&& other) noexcept
-  : correspondence_(std::move(other.correspondence_)), is_asked_(other.is_asked_.load()), metric_(std::move(other.metric_)),
+Exact_engine::Exact_engine(Exact_engine&& other) noexcept
+  : connectivity_(std::move(other.connectivity_)), correspondence_(std::move(other.correspondence_)), is_asked_(other.is_asked_.load()), metric_(std::move(other.metric_)),
     memory_(std::move(other.memory_))
 {
-  if (!memory_) // it was moved from before
+  if (!memory_)
     return;
   memory_->surfaces.clear();
   memory_->images.reset();
@@ -147,8 +155,9 @@ Exact_geometry::Exact_geometry(Exact_geometry&& other) noexcept
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry& Exact_geometry::operator=(Exact_geometry other) noexcept
+Exact_engine& Exact_engine::operator=(Exact_engine other) noexcept
 {
+  connectivity_ = std::move(other.connectivity_);
   correspondence_ = std::move(other.correspondence_);
   is_asked_ = other.is_asked_.load();
   metric_ = std::move(other.metric_);
@@ -157,49 +166,55 @@ Exact_geometry& Exact_geometry::operator=(Exact_geometry other) noexcept
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry::~Exact_geometry() = default;
+Exact_engine::~Exact_engine() = default;
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-const Stage_counts& Exact_geometry::stage_counts() const { return memory_->counts; }
+const Stage_counts& Exact_engine::stage_counts() const
+{
+  static const Stage_counts none{};
+  return memory_ ? memory_->counts : none;
+}
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::set_tie_proof(Tie_proof tie_proof) { memory_->settings.tie_proof = tie_proof; }
+Stage_counts& Exact_engine::stage_counts() { return memory_->counts; }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Tie_proof Exact_geometry::tie_proof() const { return memory_->settings.tie_proof; }
+void Exact_engine::set_tie_proof(Tie_proof tie_proof) { memory_->settings.tie_proof = tie_proof; }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::function<bool()> Exact_geometry::set_interruption(std::function<bool()> go_further)
+std::function<bool()> Exact_engine::set_interruption(std::function<bool()> go_further)
 {
   return memory_->settings.interruption.exchange(std::move(go_further));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-const internal::Interruption& Exact_geometry::interruption() const { return memory_->settings.interruption; }
+const Interruption& Exact_engine::interruption() const { return memory_->settings.interruption; }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry::Surface_lease Exact_geometry::input_surface() const
+Exact_engine::Surface_lease Exact_engine::input_surface() const
 {
   return memory_->surfaces.take([this] { return new_surface().release(); });
 }
 
 // \pre `prepare()` was called
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::unique_ptr<internal::Input_surface> Exact_geometry::new_surface() const
+std::unique_ptr<Input_surface> Exact_engine::new_surface() const
 {
   {
     const std::lock_guard<std::mutex> lock(memory_->mutex);
     if (!memory_->input_properties)
-      memory_->input_properties = std::make_unique<internal::Input_properties>(correspondence_.input(), metric_);
+      memory_->input_properties = std::make_unique<Input_properties>(correspondence_.input(), metric_);
   }
-  return std::make_unique<internal::Input_surface>(correspondence_.input(), metric_, memory_->settings, *memory_->input_properties);
+  return std::make_unique<Input_surface>(correspondence_.input(), metric_, memory_->settings, *memory_->input_properties);
 }
 
 // ---------------------------------------------------------------- when it is asked for
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::begin_journal()
+void Exact_engine::begin_journal()
 {
+  if (!memory_)
+    return;
   correspondence_.begin_journal();
   is_asked_ = false;
   memory_->is_prepared = false;
@@ -207,14 +222,24 @@ void Exact_geometry::begin_journal()
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::prepare(const Delta_complex& complex) const
+void Exact_engine::append(std::vector<Hinge_halfedges> flips)
 {
-  if (!memory_->is_prepared.load(std::memory_order_acquire))
-    prepare(complex, internal::block_runner<Sequential_tag>());
+  if (memory_)
+    correspondence_.append(std::move(flips));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::prepare(const Delta_complex& complex, const internal::Block_runner& run) const
+void Exact_engine::make_room_for_journals(std::size_t number)
+{
+  if (memory_)
+    correspondence_.make_room_for_journals(number);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_engine::is_prepared() const { return memory_->is_prepared.load(std::memory_order_acquire); }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::prepare(const Block_runner& run) const
 {
   if (memory_->is_prepared.load(std::memory_order_acquire))
     return;
@@ -223,8 +248,8 @@ void Exact_geometry::prepare(const Delta_complex& complex, const internal::Block
     return;
   Memory& memory = *memory_;
   memory.journal.reserve(memory.journal.size() + correspondence_.number_of_journaled_flips() - memory.number_of_known_flips);
-  const std::vector<Edge_index> flips = correspondence_.prepare(complex, run);
-  memory.forget_developed_faces(complex, flips);
+  const std::vector<Edge_index> flips = correspondence_.prepare(connectivity_, run);
+  memory.forget_developed_faces(connectivity_, flips);
   memory.journal.insert(memory.journal.end(), flips.begin() + std::ptrdiff_t(memory.number_of_known_flips), flips.end());
   memory.number_of_known_flips = 0;
   is_asked_ = true;
@@ -233,7 +258,7 @@ void Exact_geometry::prepare(const Delta_complex& complex, const internal::Block
 
 // Finds out which faces are straight, by repeating the flips that were not followed; flip() keeps it up from then on.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::find_straight_faces(const Delta_complex& complex) const
+void Exact_engine::find_straight_faces() const
 {
   if (memory_->knows_straight_faces.load(std::memory_order_acquire))
     return;
@@ -242,13 +267,13 @@ void Exact_geometry::find_straight_faces(const Delta_complex& complex) const
     return;
   Memory& memory = *memory_;
   std::vector<Edge_index> flips = memory.journal;
-  const std::vector<Edge_index> later_flips = correspondence_.journaled_flips(complex);
+  const std::vector<Edge_index> later_flips = correspondence_.journaled_flips(connectivity_);
   flips.insert(flips.end(), later_flips.begin() + std::ptrdiff_t(memory.number_of_known_flips), later_flips.end());
   if (!flips.empty() || !memory.straight_faces) {
-    internal::Straight_faces straight_faces =
-      memory.straight_faces ? *memory.straight_faces : internal::Straight_faces(complex.number_of_faces(), metric_.points().size());
+    Straight_faces straight_faces =
+      memory.straight_faces ? *memory.straight_faces : Straight_faces(connectivity_.number_of_faces(), metric_.points().size());
     if (!metric_.points().empty() && !flips.empty()) {
-      Delta_complex copy = complex;
+      Delta_complex copy = connectivity_;
       for (std::size_t i = flips.size(); i-- > 0;)
         copy.flip_back(flips[i]);
       for (Edge_index e : flips) {
@@ -256,7 +281,7 @@ void Exact_geometry::find_straight_faces(const Delta_complex& complex) const
         copy.flip(e);
       }
     }
-    memory.forget_developed_faces(complex, flips);
+    memory.forget_developed_faces(connectivity_, flips);
     memory.straight_faces = std::move(straight_faces);
     std::vector<Edge_index>().swap(memory.journal);
     memory.number_of_known_flips = later_flips.size();
@@ -268,28 +293,28 @@ void Exact_geometry::find_straight_faces(const Delta_complex& complex) const
 // ---------------------------------------------------------------- following the flips
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_geometry::flip_and_follow(const Delta_complex& complex, const Hinge_halfedges& around)
+bool Exact_engine::flip_and_follow(const Hinge_halfedges& around)
 {
   if (correspondence_.number_of_journaled_flips() + memory_->journal.size() >=
-      longest_journal * std::size_t(complex.number_of_edges())) {
-    find_straight_faces(complex);
-    prepare(complex);
+      longest_journal * std::size_t(connectivity_.number_of_edges())) {
+    find_straight_faces();
+    prepare();
   }
   // What may throw comes first, as long as it stays true without the flip; the integers come last.
   Memory& memory = *memory_;
-  const Edge_index e = complex.edge(around.ij);
-  const bool is_followed = memory.knows_straight_faces, is_straight = is_followed && follow(complex, around),
+  const Edge_index e = connectivity_.edge(around.ij);
+  const bool is_followed = memory.knows_straight_faces, is_straight = is_followed && follow(around),
              is_journaled = !is_followed && correspondence_.is_prepared();
   if (is_journaled)
     memory.journal.push_back(e);
   if (!is_followed)
-    memory.forget_developed_faces(complex, std::array{e});
+    memory.forget_developed_faces(connectivity_, std::array{e});
   try {
-    correspondence_.flip(complex, around);
+    correspondence_.flip(connectivity_, around);
   } catch (...) {
     if (is_journaled)
       memory.journal.pop_back();
-    memory.forget_developed_faces(complex, std::array{e});
+    memory.forget_developed_faces(connectivity_, std::array{e});
     throw;
   }
   if (is_followed && !correspondence_.is_prepared())
@@ -298,110 +323,118 @@ bool Exact_geometry::flip_and_follow(const Delta_complex& complex, const Hinge_h
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::flip_back(const Delta_complex& complex, Hinge_halfedges around)
+void Exact_engine::flip_back(const Hinge_halfedges& around)
 {
-  Memory& memory = *memory_;
-  memory.forget_developed_faces(complex, std::array{complex.edge(around.ij)});
-  if (memory.knows_straight_faces) {
-    memory.straight_faces->flip_back(complex.face(around.ij), complex.face(around.ji));
-    if (!correspondence_.is_prepared())
-      --memory.number_of_known_flips;
-  } else if (correspondence_.is_prepared())
-    memory.journal.pop_back();
-  correspondence_.flip_back(complex, around);
+  if (memory_) {
+    Memory& memory = *memory_;
+    memory.forget_developed_faces(connectivity_, std::array{connectivity_.edge(around.ij)});
+    if (memory.knows_straight_faces) {
+      memory.straight_faces->flip_back(connectivity_.face(around.ij), connectivity_.face(around.ji));
+      if (!correspondence_.is_prepared())
+        --memory.number_of_known_flips;
+    } else if (correspondence_.is_prepared()) {
+      memory.journal.pop_back();
+    }
+    correspondence_.flip_back(connectivity_, around);
+  }
+  connectivity_.flip_back(around);
 }
 
 // Keeps up what is known of the faces, before the flip of the connectivity. Returns whether
 // the new faces are straight.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_geometry::follow(const Delta_complex& complex, const Hinge_halfedges& around)
+bool Exact_engine::follow(const Hinge_halfedges& around)
 {
   Memory& memory = *memory_;
-  const Edge_index e = complex.edge(around.ij);
-  const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()], is_long = is_long_hinge(complex, around);
+  const Edge_index e = connectivity_.edge(around.ij);
+  const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()], is_long = is_long_hinge(around);
   using Faces = Memory::Developed_faces;
   if (Faces& faces = memory.developed_faces;
-      is_close_call || (is_long && memory.credit > 0) || faces.contains(complex.face(around.ij)) || faces.contains(complex.face(around.ji))) {
+      is_close_call || (is_long && memory.credit > 0) || faces.contains(connectivity_.face(around.ij)) || faces.contains(connectivity_.face(around.ji))) {
     if (is_long && !is_close_call)
       memory.credit -= 1;
-    faces.flip(complex, around, is_long ? 2 : 0, [&](Halfedge_index h) -> std::optional<Faces::Known_corner> {
-      if (is_straight(complex.face(h)))
-        return Faces::Known_corner{h, straight_corner(complex, h), image_of_straight_corner(complex, h)};
+    faces.flip(connectivity_, around, is_long ? 2 : 0, [&](Halfedge_index h) -> std::optional<Faces::Known_corner> {
+      if (is_straight(connectivity_.face(h)))
+        return Faces::Known_corner{h, straight_corner(h), image_of_straight_corner(h)};
       if (!is_long)
         return std::nullopt;
-      return laid_out(complex, correspondence_.coordinates().side_with_most_crossings(complex, complex.face(h)), *input_surface());
+      return laid_out(correspondence_.coordinates().side_with_most_crossings(connectivity_, connectivity_.face(h)), *input_surface());
     });
   }
   if (is_close_call)
     memory.is_close_call[e.idx()] = false;
-  return memory.straight_faces->flip(complex, positions(), e);
+  return memory.straight_faces->flip(connectivity_, positions(), e);
 }
 
 // Whether the faces beside an edge are worth to be laid out when it is flipped, since to do that later, for its successors, would take
 // longer. Most hinges of ordinary surfaces are not; images in finite fields are so slow that they are carried for close calls alone.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_geometry::is_long_hinge(const Delta_complex& complex, const Hinge_halfedges& around) const
+bool Exact_engine::is_long_hinge(const Hinge_halfedges& around) const
 {
   if (!correspondence_.is_prepared() || memory_->images)
     return false;
   std::int64_t number_of_crossings = 0;
   for (Halfedge_index h : {around.jk, around.ki, around.il, around.lj})
-    number_of_crossings += correspondence_.coordinates().number_of_crossings(complex.edge(h));
+    number_of_crossings += correspondence_.coordinates().number_of_crossings(connectivity_.edge(h));
   return number_of_crossings > long_hinge;
 }
 
 // A face within one face of the input is straight, whatever the flips before.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::recognize_straight_face(const Delta_complex& complex, Halfedge_index h)
+void Exact_engine::recognize_straight_face(Halfedge_index h)
 {
-  const Face_index f = complex.face(h);
+  const Face_index f = connectivity_.face(h);
   if (is_straight(f) || metric_.points().empty())
     return;
-  for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
-    if (correspondence_.coordinates().crossings(complex.edge(side)) > 0)
+  for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)})
+    if (correspondence_.coordinates().crossings(connectivity_.edge(side)) > 0)
       return;
-  memory_->straight_faces->straighten(positions(), f, internal::uncrossed_input_face(complex, correspondence_, h));
+  memory_->straight_faces->straighten(positions(), f, uncrossed_input_face(connectivity_, correspondence_, h));
 }
 
 // The journal of flips cannot be repeated beyond an insertion, and input edges are followed faster before it.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::prepare_insertion(const Delta_complex& complex)
+void Exact_engine::prepare_insertion()
 {
-  find_straight_faces(complex);
-  prepare(complex);
+  find_straight_faces();
+  prepare();
   if (correspondence_.number_of_inserted_vertices() == 0 || correspondence_.kept_crossings().is_empty())
-    internal::keep_long_crossings(complex, correspondence_, interruption());
+    keep_long_crossings(connectivity_, correspondence_, interruption());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location)
+Vertex_index Exact_engine::split_face(const Triangle_piece& piece, const Surface_point& location)
 {
-  prepare_insertion(complex);
-  const Face_index f = complex.face(piece.side);
+  prepare_insertion();
+  connectivity_.make_room_for_vertex();
+  const Face_index f = connectivity_.face(piece.side);
   memory_->split_face.reset();
   std::optional<Memory::Developed_faces::Whole> whole;
   if (memory_->developed_faces.contains(f))
-    whole = memory_->developed_faces.whole(complex, f);
-  split_faces(complex, {f}, 3, 3, location, [&] { correspondence_.split_face(complex, piece, location); });
+    whole = memory_->developed_faces.whole(connectivity_, f);
+  split_faces({f}, 3, 3, location, [&] { correspondence_.split_face(connectivity_, piece, location); });
   memory_->split_face = whole; // nothing is left of a split that failed
+  return connectivity_.split_face(piece.side);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::split_edge(const Delta_complex& complex, Halfedge_index h, const Surface_point& location)
+Vertex_index Exact_engine::split_edge(Halfedge_index h, const Surface_point& location)
 {
-  prepare_insertion(complex);
+  prepare_insertion();
+  connectivity_.make_room_for_vertex();
   memory_->split_face.reset();
   std::vector<Face_index> faces;
-  for (Halfedge_index side : {h, complex.opposite(h)})
-    if (!complex.is_border(side))
-      faces.push_back(complex.face(side));
-  split_faces(complex, faces, 1 + faces.size(), 2, location, [&] { correspondence_.split_edge(complex, h, location); });
+  for (Halfedge_index side : {h, connectivity_.opposite(h)})
+    if (!connectivity_.is_border(side))
+      faces.push_back(connectivity_.face(side));
+  split_faces(faces, 1 + faces.size(), 2, location, [&] { correspondence_.split_edge(connectivity_, h, location); });
+  return connectivity_.split_edge(h);
 }
 
 // What is kept of faces that are split into parts; those beyond the first are appended, face by face.
 // \param split_integers splits the faces in the correspondence. An exception leaves everything as it was
 template <class SplitIntegers>
-void Exact_geometry::split_faces(const Delta_complex& complex, const std::vector<Face_index>& faces, std::size_t number_of_new_edges,
+void Exact_engine::split_faces(const std::vector<Face_index>& faces, std::size_t number_of_new_edges,
                                  std::size_t number_of_parts, const Surface_point& location, const SplitIntegers& split_integers)
 {
   Memory& memory = *memory_;
@@ -411,8 +444,8 @@ void Exact_geometry::split_faces(const Delta_complex& complex, const std::vector
   for (Face_index f : faces)
     memory.straight_faces->prepare_split(positions(), f, number_of_new_faces);
   memory.developed_faces.make_room(number_of_new_faces);
-  internal::make_room(memory.inserted_positions, 1);
-  internal::make_room(memory.is_close_call, number_of_new_edges);
+  make_room(memory.inserted_positions, 1);
+  make_room(memory.is_close_call, number_of_new_edges);
   split_integers();
   for (Face_index f : faces) {
     memory.straight_faces->split(f, number_of_parts - 1);
@@ -422,44 +455,52 @@ void Exact_geometry::split_faces(const Delta_complex& complex, const std::vector
   if (has_points)
     memory.inserted_positions.push_back(*position);
   if (!memory.is_close_call.empty())
-    memory.is_close_call.resize(complex.number_of_edges() + number_of_new_edges);
+    memory.is_close_call.resize(connectivity_.number_of_edges() + number_of_new_edges);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::unsplit_edge(const Delta_complex& complex, Halfedge_index h)
+Removed_elements Exact_engine::unsplit_edge(Halfedge_index h)
 {
-  correspondence_.unsplit_edge(complex, h);
-  const Halfedge_index behind = complex.continuation(h);
-  if (!complex.is_border(h))
-    join_faces(complex.face(h), {complex.face(h), complex.face(behind)});
-  if (!complex.is_border(complex.opposite(h)))
-    join_faces(complex.face(complex.opposite(h)), {complex.face(complex.opposite(h)), complex.face(complex.opposite(behind))});
+  correspondence_.unsplit_edge(connectivity_, h);
+  const Halfedge_index behind = connectivity_.continuation(h);
+  if (!connectivity_.is_border(h))
+    join_faces(connectivity_.face(h), {connectivity_.face(h), connectivity_.face(behind)});
+  if (!connectivity_.is_border(connectivity_.opposite(h)))
+    join_faces(connectivity_.face(connectivity_.opposite(h)),
+               {connectivity_.face(connectivity_.opposite(h)), connectivity_.face(connectivity_.opposite(behind))});
+  const Removed_elements removed = connectivity_.unsplit_edge(h);
+  remove(removed);
+  return removed;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::unsplit_face(const Delta_complex& complex, Vertex_index v)
+Removed_elements Exact_engine::unsplit_face(Vertex_index v)
 {
-  const Halfedge_index a = complex.halfedge(v), b = complex.next_around_target(a), c = complex.next_around_target(b);
-  const std::initializer_list<Face_index> faces{complex.face(a), complex.face(b), complex.face(c)};
+  const Halfedge_index a = connectivity_.halfedge(v), b = connectivity_.next_around_target(a), c = connectivity_.next_around_target(b);
+  const std::initializer_list<Face_index> faces{connectivity_.face(a), connectivity_.face(b), connectivity_.face(c)};
   // As in Delta_complex::unsplit_face(), the least one stays.
   join_faces((std::min)(faces), faces);
+  const Removed_elements removed = connectivity_.unsplit_face(v);
+  remove(removed);
+  return removed;
 }
 
 // A vertex was inserted, so that all faces are known.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::join_faces(Face_index f, std::initializer_list<Face_index> faces)
+void Exact_engine::join_faces(Face_index f, std::initializer_list<Face_index> faces)
 {
   memory_->straight_faces->join(f, faces);
   memory_->developed_faces.forget(f);
 }
 
+// After the removal from the connectivity. Never throws.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::remove(const Delta_complex& complex, const Removed_elements& removed)
+void Exact_engine::remove(const Removed_elements& removed)
 {
   correspondence_.remove(removed);
   Memory& memory = *memory_;
   memory.straight_faces->remove(removed.faces);
-  memory.developed_faces.remove(complex, removed);
+  memory.developed_faces.remove(connectivity_, removed);
   if (!memory.is_close_call.empty())
     remove_entries(memory.is_close_call, removed.edges);
   if (!metric_.points().empty())
@@ -467,30 +508,29 @@ void Exact_geometry::remove(const Delta_complex& complex, const Removed_elements
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-internal::Vertex_positions Exact_geometry::positions() const
+Vertex_positions Exact_engine::positions() const
 {
   return {correspondence_.input(), metric_.points(), correspondence_.locations(), memory_->inserted_positions};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::optional<Exact_geometry::Image_corner> Exact_geometry::image_of_straight_corner(const Delta_complex& complex, Halfedge_index h)
+std::optional<Exact_engine::Image_corner> Exact_engine::image_of_straight_corner(Halfedge_index h)
 {
   return memory_->image(
-    [&] { return internal::image_of_straight_corner(complex, positions(), h, memory_->images->rings); });
+    [&] { return internal::image_of_straight_corner(connectivity_, positions(), h, memory_->images->rings); });
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::optional<Exact_geometry::Image_corner> Exact_geometry::image_of_developed_corner(const Delta_complex& complex,
-                                                                                      Halfedge_index h) const
+std::optional<Exact_engine::Image_corner> Exact_engine::image_of_developed_corner(Halfedge_index h) const
 {
-  return memory_->developed_faces.contains(complex.face(h)) ? memory_->developed_faces.image_of_corner(complex, h)
+  return memory_->developed_faces.contains(connectivity_.face(h)) ? memory_->developed_faces.image_of_corner(connectivity_, h)
                                                             : std::nullopt;
 }
 
 // A tie seldom comes alone. From the first one on, images of corners in finite fields are carried along by the
 // flips, where all areas are rational: this saves laying out strips of thousands of triangles for each tie.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::carry_images()
+void Exact_engine::carry_images()
 {
   memory_->surface_of_images = new_surface();
   memory_->images = std::make_unique<Memory::Carried_images>(*memory_->surface_of_images);
@@ -500,142 +540,143 @@ void Exact_geometry::carry_images()
 
 // As corner(), from what is kept of tests before.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry::Corner Exact_geometry::developed_corner(const Delta_complex& complex, Halfedge_index h,
-                                                        internal::Input_surface& surface)
+Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h,
+                                                        Input_surface& surface)
 {
   Memory& memory = *memory_;
-  const Face_index f = complex.face(h);
+  const Face_index f = connectivity_.face(h);
   if (is_straight(f))
-    return straight_corner(complex, h);
+    return straight_corner(h);
   if (memory.developed_faces.contains(f))
-    return memory.developed_faces.corner(complex, h);
-  memory.developed_faces.insert(complex, laid_out(complex, correspondence_.coordinates().side_with_most_crossings(complex, f), surface));
-  return memory.developed_faces.contains(f) ? memory.developed_faces.corner(complex, h) : unfolded_corner(complex, h, surface);
+    return memory.developed_faces.corner(connectivity_, h);
+  memory.developed_faces.insert(connectivity_, laid_out(correspondence_.coordinates().side_with_most_crossings(connectivity_, f), surface));
+  return memory.developed_faces.contains(f) ? memory.developed_faces.corner(connectivity_, h) : unfolded_corner(h, surface);
 }
 
 // The corner opposite to h.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-internal::Known_corner<Exact_geometry::Corner, Exact_geometry::Image_corner>
-Exact_geometry::laid_out(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface)
+Known_corner<Exact_engine::Corner, Exact_engine::Image_corner>
+Exact_engine::laid_out(Halfedge_index h, Input_surface& surface)
 {
-  memory_->credit += flips_for_a_quantity * number_of_quantities(complex, h);
-  return {h, unfolded_corner(complex, h, surface), memory_->image([&] {
-            return Unfolding<internal::Residue_metric>(complex, correspondence_, memory_->images->metric).opposite_corner(h);
+  memory_->credit += flips_for_a_quantity * number_of_quantities(h);
+  return {h, unfolded_corner(h, surface), memory_->image([&] {
+            return Unfolding<Residue_metric>(connectivity_, correspondence_, memory_->images->metric).opposite_corner(h);
           })};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry::Corner Exact_geometry::kept_corner(const Delta_complex& complex, Halfedge_index h)
+Exact_engine::Corner Exact_engine::kept_corner(Halfedge_index h)
 {
-  const internal::Standard_arithmetic arithmetic;
-  prepare(complex);
-  find_straight_faces(complex);
-  return developed_corner(complex, h, *input_surface());
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
+  return developed_corner(h, *input_surface());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::vector<std::pair<Halfedge_index, Exact_geometry::Corner>> Exact_geometry::kept_corners_at(const Delta_complex& complex, Vertex_index v)
+std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::kept_corners_at(Vertex_index v)
 {
-  const internal::Standard_arithmetic arithmetic;
-  prepare(complex);
-  find_straight_faces(complex);
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
   Memory& memory = *memory_;
   std::vector<std::pair<Halfedge_index, Corner>> result;
-  const auto number_of_crossings = [&](Halfedge_index h) { return correspondence_.coordinates().number_of_crossings(complex.edge(h)); };
+  const auto number_of_crossings = [&](Halfedge_index h) { return correspondence_.coordinates().number_of_crossings(connectivity_.edge(h)); };
   if (const auto whole = std::exchange(memory.split_face, std::nullopt)) {
     Halfedge_index cheapest = whole->sides[0];
-    const auto cost = [&](Halfedge_index side) { return number_of_crossings(complex.next(side)) + number_of_crossings(complex.prev(side)); };
+    const auto cost = [&](Halfedge_index side) { return number_of_crossings(connectivity_.next(side)) + number_of_crossings(connectivity_.prev(side)); };
     for (Halfedge_index side : whole->sides)
       if (cost(side) < cost(cheapest))
         cheapest = side;
-    memory.developed_faces.keep_parts(complex, *whole, laid_out(complex, cheapest, *input_surface()));
+    memory.developed_faces.keep_parts(connectivity_, *whole, laid_out(cheapest, *input_surface()));
   }
   bool are_all_developed = true;
   std::int64_t number = 0;
-  const Halfedge_index first = complex.opposite(complex.halfedge(v));
+  const Halfedge_index first = connectivity_.opposite(connectivity_.halfedge(v));
   for (Halfedge_index vi = first;;) {
     number += number_of_crossings(vi);
-    const Halfedge_index side = complex.next(vi);
-    if (!complex.is_border(vi) && !memory.developed_faces.contains(complex.face(vi)))
+    const Halfedge_index side = connectivity_.next(vi);
+    if (!connectivity_.is_border(vi) && !memory.developed_faces.contains(connectivity_.face(vi)))
       are_all_developed = false;
-    else if (!complex.is_border(vi) && are_all_developed)
-      result.emplace_back(side, memory.developed_faces.corner(complex, side));
-    if ((vi = complex.next_around_source(vi)) == first)
+    else if (!connectivity_.is_border(vi) && are_all_developed)
+      result.emplace_back(side, memory.developed_faces.corner(connectivity_, side));
+    if ((vi = connectivity_.next_around_source(vi)) == first)
       break;
   }
   if (are_all_developed)
     return result;
-  result = corners_at(complex, v);
+  result = corners_at(v);
   if (number > long_hinge)
     for (const auto& [side, corner] : result)
-      memory.developed_faces.insert(complex, {side, corner, std::nullopt});
+      memory.developed_faces.insert(connectivity_, {side, corner, std::nullopt});
   return result;
 }
 
 // ---------------------------------------------------------------- corners
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry::Corner Exact_geometry::corner(const Delta_complex& complex, Halfedge_index h) const
+Exact_engine::Corner Exact_engine::corner(Halfedge_index h) const
 {
-  const internal::Standard_arithmetic arithmetic;
-  prepare(complex);
-  find_straight_faces(complex);
-  return corner(complex, h, *input_surface());
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
+  return corner(h, *input_surface());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::vector<std::pair<Halfedge_index, Exact_geometry::Corner>> Exact_geometry::corners_at(const Delta_complex& complex, Vertex_index v) const
+std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::corners_at(Vertex_index v) const
 {
-  const internal::Standard_arithmetic arithmetic;
-  prepare(complex);
-  find_straight_faces(complex); // which is needed for a removal, too
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces(); // which is needed for a removal, too
   const Surface_lease surface = input_surface();
-  internal::Double_double_metric metric(*surface);
+  Double_double_metric metric(*surface);
   std::vector<std::pair<Halfedge_index, Corner>> result;
-  Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).for_each_corner_at(v, [&](Halfedge_index h, const Corner& c) {
+  Unfolding<Double_double_metric>(connectivity_, correspondence_, metric).for_each_corner_at(v, [&](Halfedge_index h, const Corner& c) {
     result.emplace_back(h, c);
   });
   return result;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry::Corner Exact_geometry::corner(const Delta_complex& complex, Halfedge_index h,
-                                              internal::Input_surface& surface) const
+Exact_engine::Corner Exact_engine::corner(Halfedge_index h,
+                                              Input_surface& surface) const
 {
-  return is_straight(complex.face(h)) ? straight_corner(complex, h) : unfolded_corner(complex, h, surface);
+  return is_straight(connectivity_.face(h)) ? straight_corner(h) : unfolded_corner(h, surface);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry::Corner Exact_geometry::unfolded_corner(const Delta_complex& complex, Halfedge_index h,
-                                                       internal::Input_surface& surface) const
+Exact_engine::Corner Exact_engine::unfolded_corner(Halfedge_index h,
+                                                       Input_surface& surface) const
 {
-  internal::Double_double_metric metric(surface);
-  return Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).opposite_corner(h);
+  Double_double_metric metric(surface);
+  return Unfolding<Double_double_metric>(connectivity_, correspondence_, metric).opposite_corner(h);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-internal::Bounded_double_double Exact_geometry::squared_length(const Delta_complex& complex, Edge_index e,
-                                                               internal::Input_surface& surface) const
+Bounded_double_double Exact_engine::squared_length(Edge_index e,
+                                                               Input_surface& surface) const
 {
-  internal::Double_double_metric metric(surface);
-  return Unfolding<internal::Double_double_metric>(complex, correspondence_, metric).squared_length(e);
+  Double_double_metric metric(surface);
+  return Unfolding<Double_double_metric>(connectivity_, correspondence_, metric).squared_length(e);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-internal::Exact_fallback Exact_geometry::exact_fallback(const Delta_complex& complex, internal::Input_surface& surface) const
+Exact_fallback Exact_engine::exact_fallback(Input_surface& surface) const
 {
-  return {complex, correspondence_, surface};
+  return {connectivity_, correspondence_, surface};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_geometry::is_straight(Face_index f) const { return (*memory_->straight_faces)(f); }
+bool Exact_engine::is_straight(Face_index f) const { return (*memory_->straight_faces)(f); }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry::Corner Exact_geometry::straight_corner(const Delta_complex& complex, Halfedge_index h) const
+Exact_engine::Corner Exact_engine::straight_corner(Halfedge_index h) const
 {
-  return internal::straight_corner<Corner>(complex, positions(), h);
+  return internal::straight_corner<Corner>(connectivity_, positions(), h);
 }
 
+} // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 

@@ -34,7 +34,6 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
-
 namespace internal {
 
 // Whether double-doubles tell the number that is asked for: the root of a squared length, the sum of two cotangents with its sign, an area.
@@ -54,11 +53,9 @@ inline double rounded_root(const Bounded_double_double& s, int unit_exponent)
   return std::ldexp(l.hi() + l.lo(), unit_exponent);
 }
 
-} // namespace internal
-
 // Vectors that evaluate(metric) computes, each with an error of at most 2^-50 of its length, or of that of the last one if that is longer.
 template <std::size_t N, class Evaluate>
-std::array<std::complex<double>, N> Exact_geometry::rounded_vectors(internal::Input_surface& surface, const Evaluate& evaluate)
+std::array<std::complex<double>, N> Exact_engine::rounded_vectors(Input_surface& surface, const Evaluate& evaluate)
 {
   constexpr long largest_precision = 1 << 14; // more is not needed unless a ratio of lengths leaves the range of double
   std::array<std::complex<double>, N> result;
@@ -66,7 +63,7 @@ std::array<std::complex<double>, N> Exact_geometry::rounded_vectors(internal::In
     return width <= 0x1p-51 * (std::max)(std::abs(result[i]), std::abs(result.back()));
   };
   {
-    internal::Double_double_metric metric(surface);
+    Double_double_metric metric(surface);
     const auto vectors = evaluate(metric);
     bool is_good = true;
     for (std::size_t i = 0; i < N; ++i)
@@ -76,11 +73,11 @@ std::array<std::complex<double>, N> Exact_geometry::rounded_vectors(internal::In
     if (is_good)
       return result;
   }
-  for (long precision = 256;; precision = internal::doubled(precision)) {
-    internal::Mpfr_metric metric(surface, {precision});
+  for (long precision = 256;; precision = doubled(precision)) {
+    Mpfr_metric metric(surface, {precision});
     const auto vectors = evaluate(metric);
     std::array<double, N> width{};
-    const auto middle = [](const internal::Mpfr_interval& x, double& largest_width) {
+    const auto middle = [](const Mpfr_interval& x, double& largest_width) {
       const double low = x.lower_double(), high = x.upper_double();
       largest_width = (std::max)(largest_width, high - low);
       return low + (high - low) / 2;
@@ -96,13 +93,13 @@ std::array<std::complex<double>, N> Exact_geometry::rounded_vectors(internal::In
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry::Edge_beginning Exact_geometry::edge_beginning(const Delta_complex& complex, Halfedge_index h) const
+Exact_engine::Edge_beginning Exact_engine::edge_beginning(Halfedge_index h) const
 {
-  const internal::Standard_arithmetic arithmetic;
-  prepare(complex);
+  const Standard_arithmetic arithmetic;
+  prepare();
   Halfedge_index reference;
   const auto vectors = rounded_vectors<2>(*input_surface(), [&](auto& metric) {
-    auto begin = Unfolding<std::decay_t<decltype(metric)>>(complex, correspondence_, metric).edge_beginning(h);
+    auto begin = Unfolding<std::decay_t<decltype(metric)>>(connectivity_, correspondence_, metric).edge_beginning(h);
     reference = begin.reference;
     return std::array{begin.source, begin.vector};
   });
@@ -110,34 +107,34 @@ Exact_geometry::Edge_beginning Exact_geometry::edge_beginning(const Delta_comple
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_geometry::input_angle(Halfedge_index h) const
+double Exact_engine::input_angle(Halfedge_index h) const
 {
-  const internal::Standard_arithmetic arithmetic;
+  const Standard_arithmetic arithmetic;
   const auto side = rounded_vectors<1>(*input_surface(), [&](auto& metric) {
-    return std::array{internal::Metric_frame<std::decay_t<decltype(metric)>>(correspondence_.input(), metric).ratios(h).at_source};
+    return std::array{Metric_frame<std::decay_t<decltype(metric)>>(correspondence_.input(), metric).ratios(h).at_source};
   });
   return std::atan2((std::max)(side[0].imag(), 0.), side[0].real());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_geometry::length(const Delta_complex& complex, Edge_index e) const
+double Exact_engine::length(Edge_index e) const
 {
-  const internal::Standard_arithmetic arithmetic;
-  prepare(complex);
+  const Standard_arithmetic arithmetic;
+  prepare();
   const Surface_lease surface = input_surface();
-  const internal::Bounded_double_double s = squared_length(complex, e, *surface);
-  if (internal::has_good_root(s))
-    return internal::rounded_root(s, metric_.unit_exponent());
-  return std::ldexp(exact_fallback(complex, *surface).length(e), metric_.unit_exponent());
+  const Bounded_double_double s = squared_length(e, *surface);
+  if (has_good_root(s))
+    return rounded_root(s, metric_.unit_exponent());
+  return std::ldexp(exact_fallback(*surface).length(e), metric_.unit_exponent());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Interval_nt<> Exact_geometry::length_interval(const Delta_complex& complex, Edge_index e) const
+Interval_nt<> Exact_engine::length_interval(Edge_index e) const
 {
-  const internal::Standard_arithmetic arithmetic;
-  prepare(complex);
+  const Standard_arithmetic arithmetic;
+  prepare();
   const Surface_lease surface = input_surface();
-  const internal::Bounded_double_double l = sqrt(squared_length(complex, e, *surface));
+  const Bounded_double_double l = sqrt(squared_length(e, *surface));
   double low, high;
   if (l.error() < 0x1p-60 * l.hi()) {
     low = high = l.hi();
@@ -146,7 +143,7 @@ Interval_nt<> Exact_geometry::length_interval(const Delta_complex& complex, Edge
     while (high - l.hi() < l.lo() + 1.01 * l.error())
       high = std::nextafter(high, 2 * high);
   } else {
-    const internal::Mpfr_interval m = sqrt(exact_fallback(complex, *surface).squared_length(e, 128));
+    const Mpfr_interval m = sqrt(exact_fallback(*surface).squared_length(e, 128));
     low = m.lower_double();
     high = m.upper_double();
   }
@@ -159,126 +156,126 @@ Interval_nt<> Exact_geometry::length_interval(const Delta_complex& complex, Edge
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_geometry::cotangent(const Delta_complex& complex, Halfedge_index h) const
+double Exact_engine::cotangent(Halfedge_index h) const
 {
-  const internal::Standard_arithmetic arithmetic;
-  prepare(complex);
-  find_straight_faces(complex);
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
   const Surface_lease surface = input_surface();
-  return cotangent(complex, h, corner(complex, h, *surface), *surface);
+  return cotangent(h, corner(h, *surface), *surface);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_geometry::cotangent(const Delta_complex& complex, Halfedge_index h, const Corner& corner, internal::Input_surface& surface) const
+double Exact_engine::cotangent(Halfedge_index h, const Corner& corner, Input_surface& surface) const
 {
   const double p = corner.p.hi(), four_areas = corner.four_areas.hi();
   if (corner.four_areas.relative_error() < 0x1p-60 && corner.p.error() < 0x1p-60 * (std::abs(p) + four_areas))
     return p / four_areas;
-  return exact_fallback(complex, surface).cotangent(h, [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
+  return exact_fallback(surface).cotangent(h, [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
 }
 
 // As cotangent(), and zero only for a right angle, else with the right sign.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_geometry::signed_cotangent(const Delta_complex& complex, Halfedge_index h, internal::Input_surface& surface) const
+double Exact_engine::signed_cotangent(Halfedge_index h, Input_surface& surface) const
 {
-  const Corner c = corner(complex, h, surface);
-  const Sign sign = is_certain(c.p.sign()) ? get_certain(c.p.sign()) : exact_fallback(complex, surface).sign_of_scalar_product(h);
+  const Corner c = corner(h, surface);
+  const Sign sign = is_certain(c.p.sign()) ? get_certain(c.p.sign()) : exact_fallback(surface).sign_of_scalar_product(h);
   if (sign == ZERO)
     return 0;
-  const double value = cotangent(complex, h, c, surface);
-  return CGAL::sign(value) == sign ? value : exact_fallback(complex, surface).cotangent(h, internal::is_narrow);
+  const double value = cotangent(h, c, surface);
+  return CGAL::sign(value) == sign ? value : exact_fallback(surface).cotangent(h, is_narrow);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_geometry::angle(const Delta_complex& complex, Halfedge_index h) const
+double Exact_engine::angle(Halfedge_index h) const
 {
-  const internal::Standard_arithmetic arithmetic;
-  prepare(complex);
-  find_straight_faces(complex);
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
   const Surface_lease surface = input_surface();
-  const Corner c = corner(complex, h, *surface);
+  const Corner c = corner(h, *surface);
   if (c.four_areas.relative_error() < 0x1p-60 && c.p.error() < 0x1p-60 * (std::abs(c.p.hi()) + c.four_areas.hi()))
     return std::atan2(std::abs(c.four_areas.hi()), c.p.hi()); // of a zero without its sign
-  internal::Exact_fallback fallback = exact_fallback(complex, *surface);
-  if (sign_of_area(complex, complex.face(h), *surface) == ZERO)
+  Exact_fallback fallback = exact_fallback(*surface);
+  if (sign_of_area(connectivity_.face(h), *surface) == ZERO)
     return fallback.sign_of_scalar_product(h) == NEGATIVE ? CGAL_PI : 0;
   const long scale = fallback.scale_of_corner(h);
   const double four_areas = fallback.number_of_corner(
-    h, [&](const auto& corner) { return ldexp(corner.four_areas, scale); }, internal::is_narrow);
+    h, [&](const auto& corner) { return ldexp(corner.four_areas, scale); }, is_narrow);
   const double p = fallback.number_of_corner(
     h, [&](const auto& corner) { return ldexp(corner.p, scale); },
-    [&](double width, double magnitude) { return internal::is_narrow(width, (std::max)(magnitude, four_areas)); });
+    [&](double width, double magnitude) { return is_narrow(width, (std::max)(magnitude, four_areas)); });
   return std::atan2(four_areas, p);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_geometry::cotangent_weight(const Delta_complex& complex, Edge_index e) const
+double Exact_engine::cotangent_weight(Edge_index e) const
 {
-  const internal::Standard_arithmetic arithmetic;
-  prepare(complex);
-  find_straight_faces(complex);
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
   const Surface_lease surface = input_surface();
-  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-  if (complex.is_border(h) || complex.is_border(g))
-    return signed_cotangent(complex, complex.is_border(h) ? g : h, *surface);
-  const Corner k = corner(complex, h, *surface), l = corner(complex, g, *surface);
-  const internal::Bounded_double_double weight = k.p / k.four_areas + l.p / l.four_areas;
-  if (internal::is_good_weight(weight))
+  const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
+  if (connectivity_.is_border(h) || connectivity_.is_border(g))
+    return signed_cotangent(connectivity_.is_border(h) ? g : h, *surface);
+  const Corner k = corner(h, *surface), l = corner(g, *surface);
+  const Bounded_double_double weight = k.p / k.four_areas + l.p / l.four_areas;
+  if (is_good_weight(weight))
     return weight.hi();
-  if (const auto by_diagonal = weight_by_other_diagonal(complex, h, {k, l}); by_diagonal && internal::is_good_weight(*by_diagonal))
+  if (const auto by_diagonal = weight_by_other_diagonal(h, {k, l}); by_diagonal && is_good_weight(*by_diagonal))
     return by_diagonal->hi();
-  const double sum = cotangent(complex, h, k, *surface) + cotangent(complex, g, l, *surface);
+  const double sum = cotangent(h, k, *surface) + cotangent(g, l, *surface);
   // Two angles of one triangle sum to less than π.
-  const Sign exact_sign = complex.is_self_glued(e) ? POSITIVE : sign_of_cotangents(complex, e, *surface);
+  const Sign exact_sign = connectivity_.is_self_glued(e) ? POSITIVE : sign_of_cotangents(e, *surface);
   if (exact_sign == ZERO)
     return 0;
   return CGAL::sign(sum) == exact_sign
            ? sum
-           : exact_fallback(complex, *surface).sum_of_cotangents(internal::corners_beside(complex, e));
+           : exact_fallback(*surface).sum_of_cotangents(corners_beside(connectivity_, e));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_geometry::area(const Delta_complex& complex, Face_index f) const
+double Exact_engine::area(Face_index f) const
 {
-  const internal::Standard_arithmetic arithmetic;
-  prepare(complex);
-  find_straight_faces(complex);
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
   const Surface_lease surface = input_surface();
-  const Halfedge_index h = complex.halfedge(f);
-  const internal::Bounded_double_double a = corner(complex, h, *surface).four_areas;
-  if (internal::is_good_area(a))
-    return internal::area_in_input_unit(a.hi() / 4, metric_.unit_exponent(), f);
-  if (sign_of_area(complex, f, *surface) == ZERO)
+  const Halfedge_index h = connectivity_.halfedge(f);
+  const Bounded_double_double a = corner(h, *surface).four_areas;
+  if (is_good_area(a))
+    return area_in_input_unit(a.hi() / 4, metric_.unit_exponent(), f);
+  if (sign_of_area(f, *surface) == ZERO)
     return 0;
   // In the unit of the input, since in that of the numbers it may be subnormal.
   const int unit = metric_.unit_exponent();
-  const double value = exact_fallback(complex, *surface).number_of_corner(
-    h, [&](const auto& corner) { return ldexp(corner.four_areas, 2 * long(unit) - 2); }, internal::is_narrow);
-  return unit < 0 ? internal::area_in_input_unit(std::ldexp(value, -2 * unit), unit, f) : value;
+  const double value = exact_fallback(*surface).number_of_corner(
+    h, [&](const auto& corner) { return ldexp(corner.four_areas, 2 * long(unit) - 2); }, is_narrow);
+  return unit < 0 ? area_in_input_unit(std::ldexp(value, -2 * unit), unit, f) : value;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_geometry::Rounded_numbers::Rounded_numbers(const Delta_complex& complex)
+Exact_engine::Rounded_numbers::Rounded_numbers(const Delta_complex& complex)
   : lengths(complex.number_of_edges(), std::numeric_limits<double>::quiet_NaN()),
     areas(complex.number_of_faces(), std::numeric_limits<double>::quiet_NaN()),
-    cotangents(complex.number_of_halfedges(), internal::default_init)
+    cotangents(complex.number_of_halfedges(), default_init)
 {
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_geometry::Rounded_numbers::cotangent_weight(const Delta_complex& complex, Edge_index e) const
+double Exact_engine::Rounded_numbers::cotangent_weight(const Delta_complex& complex, Edge_index e) const
 {
   const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
   const auto cotangent = [&](Halfedge_index side) {
     const auto& [hi, lo, error] = cotangents[side.idx()];
-    return internal::Bounded_double_double(hi, lo, error);
+    return Bounded_double_double(hi, lo, error);
   };
-  const internal::Bounded_double_double weight = cotangent(h) + cotangent(g);
-  return internal::is_rounded_alike(weight) ? weight.hi() : std::numeric_limits<double>::quiet_NaN();
+  const Bounded_double_double weight = cotangent(h) + cotangent(g);
+  return is_rounded_alike(weight) ? weight.hi() : std::numeric_limits<double>::quiet_NaN();
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_geometry::Rounded_numbers::angle(Halfedge_index h, double relative_error) const
+double Exact_engine::Rounded_numbers::angle(Halfedge_index h, double relative_error) const
 {
   const auto& [hi, lo, error] = cotangents[h.idx()];
   return error < relative_error * 0x1p-11 * (1 + std::abs(hi)) ? std::atan2(1., hi) : std::numeric_limits<double>::quiet_NaN();
@@ -286,7 +283,7 @@ double Exact_geometry::Rounded_numbers::angle(Halfedge_index h, double relative_
 
 // A corner of a face, and the side that is opposite to it.
 template <class Real>
-struct Exact_geometry::Side_and_corner
+struct Exact_engine::Side_and_corner
 {
   Halfedge_index side;
   Triangle_corner<Real> corner;
@@ -316,75 +313,75 @@ struct Exact_geometry::Side_and_corner
 
 // The corner of a face that takes the least time.
 template <class Unfolding_>
-Exact_geometry::Side_and_corner<internal::Bounded_double_double>
-Exact_geometry::quickest_corner(const Delta_complex& complex, Face_index f, const Unfolding_& unfolding) const
+Exact_engine::Side_and_corner<Bounded_double_double>
+Exact_engine::quickest_corner(Face_index f, const Unfolding_& unfolding) const
 {
   if (is_straight(f))
-    return {complex.halfedge(f), straight_corner(complex, complex.halfedge(f))};
-  const Halfedge_index h = correspondence_.coordinates().side_with_most_crossings(complex, f);
+    return {connectivity_.halfedge(f), straight_corner(connectivity_.halfedge(f))};
+  const Halfedge_index h = correspondence_.coordinates().side_with_most_crossings(connectivity_, f);
   return {h, unfolding.opposite_corner(h)};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::find_cotangents(const Delta_complex& complex, Face_index f, Face_cotangents& result) const
+void Exact_engine::find_cotangents(Face_index f, Face_cotangents& result) const
 {
-  const internal::Standard_arithmetic arithmetic;
-  prepare(complex);
-  find_straight_faces(complex);
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
   const Surface_lease surface = input_surface();
-  internal::Double_double_metric metric(*surface);
+  Double_double_metric metric(*surface);
   metric.interruption().check();
-  quickest_corner(complex, f, Unfolding<internal::Double_double_metric>(complex, correspondence_, metric)).get_cotangents(complex, f, result);
+  quickest_corner(f, Unfolding<Double_double_metric>(connectivity_, correspondence_, metric)).get_cotangents(connectivity_, f, result);
 }
 
 // Nothing but the input and the integers is used, so that flips need not be repeated to find straight faces.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::optional<Exact_geometry::Side_and_corner<internal::Double_with_bound>>
-Exact_geometry::rounded_corner(const Delta_complex& complex, Face_index f) const
+std::optional<Exact_engine::Side_and_corner<Double_with_bound>>
+Exact_engine::rounded_corner(Face_index f) const
 {
-  const internal::Standard_arithmetic arithmetic;
-  prepare(complex);
+  const Standard_arithmetic arithmetic;
+  prepare();
   interruption().check();
-  internal::Double_metric metric(correspondence_.input(), metric_, interruption());
-  const Unfolding<internal::Double_metric> unfolding(complex, correspondence_, metric);
-  const Halfedge_index side = correspondence_.coordinates().side_with_most_crossings(complex, f);
-  if (number_of_quantities(complex, side) > short_strip)
+  Double_metric metric(correspondence_.input(), metric_, interruption());
+  const Unfolding<Double_metric> unfolding(connectivity_, correspondence_, metric);
+  const Halfedge_index side = correspondence_.coordinates().side_with_most_crossings(connectivity_, f);
+  if (number_of_quantities(side) > short_strip)
     return std::nullopt;
-  return Side_and_corner<internal::Double_with_bound>{side, unfolding.opposite_corner(side)};
+  return Side_and_corner<Double_with_bound>{side, unfolding.opposite_corner(side)};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::find_cotangents(const Delta_complex& complex, Face_index f, Rounded_face_cotangents& result) const
+void Exact_engine::find_cotangents(Face_index f, Rounded_face_cotangents& result) const
 {
-  if (const auto c = rounded_corner(complex, f))
-    c->get_cotangents(complex, f, result);
+  if (const auto c = rounded_corner(f))
+    c->get_cotangents(connectivity_, f, result);
   else
     result.fill({0, std::numeric_limits<double>::infinity()});
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-internal::Double_with_bound Exact_geometry::rounded_four_areas(const Delta_complex& complex, Face_index f) const
+Double_with_bound Exact_engine::rounded_four_areas(Face_index f) const
 {
-  const auto c = rounded_corner(complex, f);
-  return c ? c->corner.four_areas : internal::Double_with_bound(0, std::numeric_limits<double>::infinity());
+  const auto c = rounded_corner(f);
+  return c ? c->corner.four_areas : Double_with_bound(0, std::numeric_limits<double>::infinity());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_geometry::find_numbers(const Delta_complex& complex, const std::size_t first, const std::size_t last,
+void Exact_engine::find_numbers(const std::size_t first, const std::size_t last,
                                   Rounded_numbers& numbers) const
 {
-  using Real = internal::Bounded_double_double;
-  prepare(complex);
-  find_straight_faces(complex);
+  using Real = Bounded_double_double;
+  prepare();
+  find_straight_faces();
   const Surface_lease surface = input_surface();
-  internal::Double_double_metric metric(*surface);
-  const Unfolding<internal::Double_double_metric> unfolding(complex, correspondence_, metric);
+  Double_double_metric metric(*surface);
+  const Unfolding<Double_double_metric> unfolding(connectivity_, correspondence_, metric);
   const auto note_length = [&](Halfedge_index h, const auto& length) {
-    const Edge_index e = complex.edge(h);
-    if (h != complex.halfedge(e) && !complex.is_border(complex.halfedge(e)))
+    const Edge_index e = connectivity_.edge(h);
+    if (h != connectivity_.halfedge(e) && !connectivity_.is_border(connectivity_.halfedge(e)))
       return;
     const Real l = length();
-    if (internal::is_rounded_alike(l))
+    if (is_rounded_alike(l))
       numbers.lengths[e.idx()] = std::ldexp(l.hi(), metric_.unit_exponent());
   };
   const std::array<Real, 3> unknown_cotangents{Real() / Real(), Real() / Real(), Real() / Real()};
@@ -392,9 +389,9 @@ void Exact_geometry::find_numbers(const Delta_complex& complex, const std::size_
     numbers.cotangents[h.idx()] = {cotangent.hi(), cotangent.lo(), cotangent.error()};
   };
   const auto find = [&](Face_index f) {
-    const Side_and_corner<Real> at = quickest_corner(complex, f, unfolding);
+    const Side_and_corner<Real> at = quickest_corner(f, unfolding);
     const Corner& c = at.corner;
-    const Halfedge_index h = at.side, second = complex.next(h), third = complex.prev(h);
+    const Halfedge_index h = at.side, second = connectivity_.next(h), third = connectivity_.prev(h);
     note_length(h, [&] { return sqrt(c.s_opposite); });
     note_length(second, [&] { return sqrt(c.s_second); });
     note_length(third, [&] { return sqrt(c.s_first); });
@@ -404,7 +401,7 @@ void Exact_geometry::find_numbers(const Delta_complex& complex, const std::size_
     note_cotangent(third, cotangents[2]);
     if (c.four_areas.is_zero())
       numbers.areas[f.idx()] = 0;
-    else if (c.four_areas.hi() > 0 && internal::is_rounded_alike(c.four_areas))
+    else if (c.four_areas.hi() > 0 && is_rounded_alike(c.four_areas))
       numbers.areas[f.idx()] = c.four_areas.hi() / 4;
   };
 
@@ -413,19 +410,19 @@ void Exact_geometry::find_numbers(const Delta_complex& complex, const std::size_
   std::size_t number_of_straight = 0;
   const auto find_straight = [&] {
     const auto corners = [&](Face_index f) {
-      const Halfedge_index ij = complex.halfedge(f);
-      return internal::Three_corners{complex.source(ij), complex.target(ij), complex.target(complex.next(ij))};
+      const Halfedge_index ij = connectivity_.halfedge(f);
+      return Three_corners{connectivity_.source(ij), connectivity_.target(ij), connectivity_.target(connectivity_.next(ij))};
     };
-    const internal::Two_straight_faces two(metric_.points(), corners(straight[0]), corners(straight[number_of_straight - 1]));
-    internal::Two_straight_faces::Numbers known;
+    const Two_straight_faces two(metric_.points(), corners(straight[0]), corners(straight[number_of_straight - 1]));
+    Two_straight_faces::Numbers known;
     for (std::size_t i = 0; i < number_of_straight; ++i) {
       const Face_index f = straight[i];
-      if (!two.get(i == 1, known) || !internal::is_rounded_alike(known.twice_area)) {
+      if (!two.get(i == 1, known) || !is_rounded_alike(known.twice_area)) {
         find(f);
         continue;
       }
-      Halfedge_index side = complex.halfedge(f);
-      for (std::size_t c = 0; c < 3; ++c, side = complex.next(side)) {
+      Halfedge_index side = connectivity_.halfedge(f);
+      for (std::size_t c = 0; c < 3; ++c, side = connectivity_.next(side)) {
         note_length(side, [&] { return known.lengths[c]; });
         note_cotangent(side, known.cotangents[c]);
       }
@@ -433,12 +430,12 @@ void Exact_geometry::find_numbers(const Delta_complex& complex, const std::size_
     }
     number_of_straight = 0;
   };
-  const internal::Vertex_positions all = positions();
+  const Vertex_positions all = positions();
   for (std::size_t i = first; i < last; ++i) {
     if (i % 1024 == 0)
       interruption().check();
     const Face_index f(static_cast<Face_index::size_type>(i));
-    if (!is_straight(f) || all.has_inserted_corner(complex, complex.halfedge(f))) {
+    if (!is_straight(f) || all.has_inserted_corner(connectivity_, connectivity_.halfedge(f))) {
       find(f);
       continue;
     }
@@ -450,6 +447,7 @@ void Exact_geometry::find_numbers(const Delta_complex& complex, const std::size_
     find_straight();
 }
 
+} // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 

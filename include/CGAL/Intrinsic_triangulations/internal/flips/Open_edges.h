@@ -101,13 +101,14 @@ private:
     if (!test_open(edges, by_filter))
       return;
     if constexpr (uses_exact_geometry) {
-      const Delta_complex& complex = triangulation_.connectivity();
-      const Exact_geometry& geometry = triangulation_.geometry();
-      const auto in_plane = [&](Edge_index e, Stage_counts& counts) { return answer(geometry.test_in_plane(complex, e), counts); };
-      if (!test_open(edges, in_plane))
+      const Exact_engine& engine = triangulation_.engine();
+      const auto test_with = [&](Exact_engine::Effort effort) {
+        return test_open(edges, [&](Edge_index e, Stage_counts& counts) { return answer(engine.quick_test(e, effort), counts); });
+      };
+      if (!test_with(Exact_engine::Effort::IN_PLANE))
         return;
-      geometry.prepare<Parallel_tag>(complex);
-      test_open(edges, [&](Edge_index e, Stage_counts& counts) { return answer(geometry.test_by_short_strips(complex, e), counts); });
+      engine.prepare<Parallel_tag>();
+      test_with(Exact_engine::Effort::SHORT_STRIPS);
     }
   }
 
@@ -141,11 +142,11 @@ private:
     const auto is_Delaunay = triangulation_.is_Delaunay_by_filter(e);
     if (!is_certain(is_Delaunay))
       return Answer::OPEN;
-    return answer(Exact_geometry::Test{Stage::FILTER, certainly(is_Delaunay) ? POSITIVE : NEGATIVE}, counts);
+    return answer(Exact_engine::Test{Stage::FILTER, certainly(is_Delaunay) ? POSITIVE : NEGATIVE}, counts);
   }
 
   // Only tests that settle an edge are counted, as others are made again.
-  static Answer answer(const std::optional<Exact_geometry::Test>& test, Stage_counts& counts)
+  static Answer answer(const std::optional<Exact_engine::Test>& test, Stage_counts& counts)
   {
     if (!test)
       return Answer::OPEN;
@@ -181,7 +182,7 @@ private:
     flipper_.add(report);
     triangulation_.count_as_tested(std::exchange(counts.decided[std::size_t(Stage::FILTER)], 0));
     if constexpr (uses_exact_geometry)
-      triangulation_.geometry().count(counts);
+      triangulation_.engine().stage_counts() += counts;
   }
 
   Whole_triangulation<Traits> triangulation_;

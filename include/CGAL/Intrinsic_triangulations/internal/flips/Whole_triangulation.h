@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A triangulation as the flip algorithm sees it.
+// A triangulation as the algorithms of this package see it.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_WHOLE_TRIANGULATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_WHOLE_TRIANGULATION_H
@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// What a Delaunay_flipper needs of a triangulation beside its public members.
+// What the algorithms of this package need of a triangulation beside its public members.
 template <class Traits_>
 class Whole_triangulation
 {
@@ -35,7 +35,7 @@ public:
   explicit Whole_triangulation(Triangulation& triangulation) : triangulation_(triangulation) {}
 
   Triangulation& triangulation() const { return triangulation_; }
-  const Delta_complex& connectivity() const { return triangulation_.connectivity_; }
+  const Delta_complex& connectivity() const { return triangulation_.connectivity(); }
 
   // Whether bounds that are kept for the corners already tell that e is Delaunay. `false` says nothing.
   // Most edges of an ordinary surface are known to be Delaunay, and this is much faster than a test, with which it
@@ -65,24 +65,25 @@ public:
     return answer;
   }
 
-  // As that of the geometry, if there is one.
-  void begin_journal()
-  {
-    if (triangulation_.geometry_)
-      triangulation_.geometry_->begin_journal();
-  }
-  // The geometry, which may not be prepared yet. \pre keeps_input()
-  Exact_geometry& geometry() const { return *triangulation_.geometry_; }
+  // It may not be prepared yet.
+  Exact_engine& engine() const { return triangulation_.engine_; }
+
+  std::function<bool()> set_interruption(std::function<bool()> go_further) { return engine().set_interruption(std::move(go_further)); }
 
   // Notes for the statistics that so many edges were found to be Delaunay or not by what is stored.
   void count_as_tested(std::uint64_t number) { triangulation_.number_of_filter_decisions_ += number; }
 
   Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around) { return triangulation_.flip_not_Delaunay(around); }
+  Flip_outcome flip_not_Delaunay(Edge_index e) { return triangulation_.flip_not_Delaunay(e); }
+  void flip_back(Edge_index e) { triangulation_.flip_back(e); }
 
-  std::function<bool()> set_interruption(std::function<bool()> go_further)
-  {
-    return triangulation_.set_interruption(std::move(go_further));
-  }
+  Vertex_index split_face(const Triangle_piece& piece, const Surface_point& location) { return triangulation_.split_face(piece, location); }
+  Vertex_index split_edge(Halfedge_index h, const Surface_point& location) { return triangulation_.split_edge(h, location); }
+  Removed_elements unsplit_face(Vertex_index v) { return triangulation_.unsplit_face(v); }
+  Removed_elements unsplit_edge(Halfedge_index h) { return triangulation_.unsplit_edge(h); }
+
+  template <class Element>
+  void recompute(Element x) { triangulation_.recompute(x); }
 
 private:
   Triangulation& triangulation_;

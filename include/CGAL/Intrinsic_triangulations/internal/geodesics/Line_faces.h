@@ -99,7 +99,7 @@ class Current_faces
 public:
   static constexpr bool has_divisors = true;
 
-  Current_faces(const Delta_complex& current, const Exact_geometry& geometry, const Surface_direction& start)
+  Current_faces(const Delta_complex& current, const Exact_engine& geometry, const Surface_direction& start)
     : complex(current), correspondence_(geometry.correspondence()), input_(correspondence_.input()), start_(start)
   {
     if (start.point.dimension() == 0)

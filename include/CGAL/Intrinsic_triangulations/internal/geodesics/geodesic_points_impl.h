@@ -22,7 +22,7 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // The source of h in the input face into which h leaves it. \pre h runs along no input edge
-inline Surface_point source_on_input(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h)
+inline Surface_point source_on_input(const Delta_complex& complex, const internal::Correspondence& correspondence, Halfedge_index h)
 {
   const Delta_complex& input = correspondence.input();
   const Vertex_index v = complex.source(h);
@@ -43,7 +43,7 @@ inline Surface_point source_on_input(const Delta_complex& complex, const Corresp
 
 // The input edges that h crosses, from the integers alone.
 // \pre `geometry.prepare()` was called, and h crosses some
-inline Crossed_edges find_crossed_edges(const Delta_complex& complex, const Exact_geometry& geometry, Halfedge_index h)
+inline Crossed_edges find_crossed_edges(const Delta_complex& complex, const internal::Exact_engine& geometry, Halfedge_index h)
 {
   const Crossed_halfedges sequence(complex, geometry.correspondence(), h, geometry.interruption());
   Crossed_edges crossed(geometry.correspondence().input());
@@ -53,7 +53,7 @@ inline Crossed_edges find_crossed_edges(const Delta_complex& complex, const Exac
 }
 
 // An edge along an input edge, or a part of one.
-inline void append_along_input_edge(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
+inline void append_along_input_edge(const Delta_complex& complex, const internal::Correspondence& correspondence, Halfedge_index h,
                                     std::vector<Surface_point>& points)
 {
   const Delta_complex& input = correspondence.input();
@@ -74,10 +74,10 @@ inline void append_along_input_edge(const Delta_complex& complex, const Correspo
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void append_input_points(const Delta_complex& complex, const Exact_geometry& geometry, Halfedge_index h,
+void append_input_points(const Delta_complex& complex, const internal::Exact_engine& geometry, Halfedge_index h,
                          std::vector<Surface_point>& points)
 {
-  const Correspondence& correspondence = geometry.correspondence();
+  const internal::Correspondence& correspondence = geometry.correspondence();
   const Delta_complex& input = correspondence.input();
   if (correspondence.coordinates().is_original(complex.edge(h)))
     return append_along_input_edge(complex, correspondence, h, points);
@@ -86,7 +86,7 @@ void append_input_points(const Delta_complex& complex, const Exact_geometry& geo
     // Positions are those of the edge, in the direction of its own halfedge, which the overlay has as well.
     const bool is_backward = !is_in_own_direction(h);
     const Crossed_edges crossed = find_crossed_edges(complex, geometry, is_backward ? complex.opposite(h) : h);
-    const Exact_geometry::Surface_lease surface = geometry.input_surface();
+    const internal::Exact_engine::Surface_lease surface = geometry.input_surface();
     Crossing_locator locator(complex, correspondence, *surface);
     const std::vector<Position_on_edges>& positions = locator(complex.edge(h), crossed);
     const std::size_t n = crossed.size();

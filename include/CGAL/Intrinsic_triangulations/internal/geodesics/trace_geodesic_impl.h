@@ -37,7 +37,7 @@ template <class Faces>
 class Geodesic_tracer
 {
 public:
-  Geodesic_tracer(const Faces& faces, const Exact_geometry& geometry, const Surface_direction& start, double length,
+  Geodesic_tracer(const Faces& faces, const internal::Exact_engine& geometry, const Surface_direction& start, double length,
                   std::size_t maximum_number)
     : faces_(faces), complex_(faces.complex), geometry_(geometry), surface_(geometry.input_surface()), metric_(*surface_), start_(start),
       layout_(faces, metric_), wanted_(length), maximum_number_(maximum_number)
@@ -299,8 +299,8 @@ private:
 
   const Faces& faces_;
   const Delta_complex& complex_;
-  const Exact_geometry& geometry_;
-  Exact_geometry::Surface_lease surface_;
+  const internal::Exact_engine& geometry_;
+  internal::Exact_engine::Surface_lease surface_;
   Double_double_metric metric_;
   const Surface_direction& start_;
   Line_layout<Faces, Double_double_metric> layout_;
@@ -338,7 +338,7 @@ inline void check_line(const Delta_complex& input, const Surface_direction& star
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Traced_geodesic trace(const Exact_geometry& geometry, const Surface_direction& start, double length, std::size_t maximum_number)
+Traced_geodesic trace(const internal::Exact_engine& geometry, const Surface_direction& start, double length, std::size_t maximum_number)
 {
   const Standard_arithmetic arithmetic;
   const Delta_complex& input = geometry.correspondence().input();
@@ -348,7 +348,7 @@ Traced_geodesic trace(const Exact_geometry& geometry, const Surface_direction& s
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Traced_geodesic trace(const Delta_complex& complex, const Exact_geometry& geometry, const Surface_direction& start, double length,
+Traced_geodesic trace(const Delta_complex& complex, const internal::Exact_engine& geometry, const Surface_direction& start, double length,
                       std::size_t maximum_number)
 {
   const Standard_arithmetic arithmetic;
@@ -358,12 +358,12 @@ Traced_geodesic trace(const Delta_complex& complex, const Exact_geometry& geomet
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Surface_direction direction_at_vertex(const Exact_geometry& geometry, Halfedge_index h, double angle)
+Surface_direction direction_at_vertex(const internal::Exact_engine& geometry, Halfedge_index h, double angle)
 {
   const Delta_complex& input = geometry.correspondence().input();
   if (!(h.idx() < input.number_of_halfedges()) || !std::isfinite(angle))
     throw Invalid_point_error("a direction at a vertex needs a halfedge and a finite angle");
-  const Exact_geometry::Surface_lease surface = geometry.input_surface();
+  const internal::Exact_engine::Surface_lease surface = geometry.input_surface();
   Double_double_metric metric(*surface);
   const Metric_frame<Double_double_metric> frame(input, metric);
   struct Fan_corner

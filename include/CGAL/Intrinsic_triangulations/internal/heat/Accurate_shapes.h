@@ -68,7 +68,7 @@ public:
   bool has_area(Face_index f) const
   {
     const Bounded_area& area = triangulation_.face_data(f);
-    return area.value > area.error || triangulation_.exact_geometry().sign_of_area(complex_, f) == POSITIVE;
+    return area.value > area.error || engine(triangulation_).sign_of_area(f) == POSITIVE;
   }
 
   double cotangent(Halfedge_index h) const

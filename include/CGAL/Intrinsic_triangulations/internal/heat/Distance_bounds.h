@@ -47,8 +47,8 @@ public:
       if (!is_input_edge(triangulation, e))
         add(triangulation.connectivity(), e, shapes.length(e));
     if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
-      const Delta_complex& input = triangulation.exact_geometry().correspondence().input();
-      const auto& metric = triangulation.exact_geometry().metric();
+      const Delta_complex& input = engine(triangulation).correspondence().input();
+      const auto& metric = engine(triangulation).metric();
       const int exponent = metric.unit_exponent() - shapes.exponent();
       for (Edge_index e : input.edges())
         add(input, e, std::ldexp(std::sqrt((std::max)(0., metric.squared_length_double_double(input, e).hi())), exponent));
@@ -99,7 +99,7 @@ private:
   static bool is_input_edge(const Intrinsic_triangulation<Traits>& triangulation, Edge_index e)
   {
     if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
-      const Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+      const Correspondence& correspondence = engine(triangulation).correspondence();
       const Delta_complex& complex = triangulation.connectivity();
       const Halfedge_index h = complex.halfedge(e);
       return correspondence.coordinates().is_original(e) && !correspondence.is_inserted(complex.source(h)) &&

@@ -51,7 +51,7 @@ public:
 
   Delaunay_refiner(Triangulation& triangulation, const Refinement_criteria& criteria, std::vector<bool> is_segment, Visitor& visitor,
                    std::uint64_t maximum_number)
-    : triangulation_(triangulation), complex_(triangulation.connectivity()), geometry_(triangulation.exact_geometry()),
+    : triangulation_(triangulation), complex_(triangulation.connectivity()), geometry_(engine(triangulation)),
       correspondence_(geometry_.correspondence()), shapes_(geometry_), criteria_(criteria), visitor_(visitor),
       maximum_number_(maximum_number), faces_(triangulation), segments_(complex_, correspondence_, shapes_, faces_, std::move(is_segment)),
       cones_(geometry_, shapes_), sine_of_minimum_angle_(std::sin(criteria.minimum_angle / 180 * CGAL_PI))
@@ -488,7 +488,7 @@ private:
 
   Triangulation& triangulation_;
   const Delta_complex& complex_;
-  const Exact_geometry& geometry_;
+  const Exact_engine& geometry_;
   const Correspondence& correspondence_;
   const Input_shapes shapes_;
   const Refinement_criteria criteria_;

@@ -31,7 +31,7 @@ namespace internal {
 class Piece_search
 {
 public:
-  Piece_search(const Delta_complex& complex, const Exact_geometry& geometry) : complex_(complex), geometry_(geometry) {}
+  Piece_search(const Delta_complex& complex, const Exact_engine& geometry) : complex_(complex), geometry_(geometry) {}
 
   // The piece that contains a point which lies strictly inside an input face; one of two if an edge runs through it.
   // \param start a piece of the same input face
@@ -48,7 +48,7 @@ public:
         // A side that coincides with an input edge has the whole input face on one side.
         if (!name.side.is_valid() || coordinates.is_original(complex_.edge(name.side)))
           continue;
-        if (geometry_.side_of(complex_, name.side, name.gap, point) == NEGATIVE)
+        if (geometry_.side_of(name.side, name.gap, point) == NEGATIVE)
           next = Triangle_piece{complex_.opposite(name.side),
                                 coordinates.number_of_crossings(complex_.edge(name.side)) - name.gap};
       }
@@ -60,7 +60,7 @@ public:
 
 private:
   const Delta_complex& complex_;
-  const Exact_geometry& geometry_;
+  const Exact_engine& geometry_;
 };
 
 // The piece at the source of an input halfedge, to the left of that. O(number of edges around the source).

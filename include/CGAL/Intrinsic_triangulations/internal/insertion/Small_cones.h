@@ -29,7 +29,7 @@ namespace internal {
 class Small_cones
 {
 public:
-  Small_cones(const Exact_geometry& geometry, const Input_shapes& shapes)
+  Small_cones(const Exact_engine& geometry, const Input_shapes& shapes)
     : input_(geometry.correspondence().input()), unit_exponent_(geometry.metric().unit_exponent()), shapes_(shapes)
   {}
 

@@ -100,7 +100,7 @@ private:
 
   std::vector<Halfedge_index> fixed_edges() const
   {
-    const Normal_coordinates& coordinates = triangulation_.exact_geometry().correspondence().coordinates();
+    const Normal_coordinates& coordinates = engine(triangulation_).correspondence().coordinates();
     std::vector<Halfedge_index> result;
     bool are_halves = true;
     for (Halfedge_index h : edges_at_vertex())
@@ -188,7 +188,7 @@ private:
   bool is_straight(Halfedge_index h, Halfedge_index following) const
   {
     const Bounded_angle unknown{0, std::numeric_limits<double>::infinity()};
-    return compare_angle_sum_with_pi(complex_, triangulation_.exact_geometry(),
+    return compare_angle_sum_with_pi(complex_, engine(triangulation_),
                                      {{complex_.prev(h), unknown}, {complex_.prev(following), unknown}}) == EQUAL;
   }
 

@@ -25,7 +25,7 @@ template <class Traits>
 bool has_area(const Intrinsic_triangulation<Traits>& triangulation, Face_index f)
 {
   return triangulation.traits().has_positive_area_object()(triangulation.face_data(f)) ||
-         triangulation.exact_geometry().sign_of_area(triangulation.connectivity(), f) != ZERO;
+         engine(triangulation).sign_of_area(f) != ZERO;
 }
 
 // The halfedge of an edge in a face without area, if there is one.

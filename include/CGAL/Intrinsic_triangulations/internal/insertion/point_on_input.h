@@ -50,7 +50,7 @@ inline std::array<double, 3> rounded_coordinates(const std::array<double, 3>& w)
 class Input_shapes
 {
 public:
-  explicit Input_shapes(const Exact_geometry& geometry) : input_(geometry.correspondence().input())
+  explicit Input_shapes(const Exact_engine& geometry) : input_(geometry.correspondence().input())
   {
     squared_lengths_.reserve(input_.number_of_edges());
     for (Edge_index e : input_.edges())
@@ -78,7 +78,7 @@ private:
 };
 
 // The input face that contains a piece.
-inline Face_index input_face(const Delta_complex& complex, const Exact_geometry& geometry, const Triangle_piece& piece)
+inline Face_index input_face(const Delta_complex& complex, const Exact_engine& geometry, const Triangle_piece& piece)
 {
   const Correspondence& correspondence = geometry.correspondence();
   const Delta_complex& input = correspondence.input();
@@ -102,7 +102,7 @@ struct Point_to_insert
 // \param apex gives the third corner of the face of a halfedge of the current triangulation, in the frame of that
 // \return nothing if doubles are too coarse to find it
 template <class Apex>
-std::optional<Point_to_insert> point_on_input(const Delta_complex& complex, const Exact_geometry& geometry, const Input_shapes& shapes, Halfedge_index h,
+std::optional<Point_to_insert> point_on_input(const Delta_complex& complex, const Exact_engine& geometry, const Input_shapes& shapes, Halfedge_index h,
                                               std::array<double, 3> weights, const Apex& apex)
 {
   const Correspondence& correspondence = geometry.correspondence();
@@ -111,7 +111,7 @@ std::optional<Point_to_insert> point_on_input(const Delta_complex& complex, cons
     h = complex.next(h);
     std::rotate(weights.begin(), weights.begin() + 1, weights.end());
   }
-  const auto [source, vector, reference] = geometry.edge_beginning(complex, h);
+  const auto [source, vector, reference] = geometry.edge_beginning(h);
   Plane_point to_point = vector * (weights[1] + weights[2] * apex(h)); // seen from the source of h
   const auto input_apex = [&](Halfedge_index g) { return shapes.apex(g); };
   const bool leaves_corner = !correspondence.is_inserted(complex.source(h));

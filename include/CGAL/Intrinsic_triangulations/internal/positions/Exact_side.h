@@ -28,7 +28,7 @@ namespace internal {
 class Exact_side
 {
 public:
-  Exact_side(const Delta_complex& intrinsic, const Exact_geometry& geometry, const Overlay& overlay)
+  Exact_side(const Delta_complex& intrinsic, const Exact_engine& geometry, const Overlay& overlay)
     : intrinsic_(intrinsic), geometry_(geometry), overlay_(overlay)
   {}
 
@@ -41,7 +41,7 @@ public:
 
 private:
   const Delta_complex& intrinsic_;
-  const Exact_geometry& geometry_;
+  const Exact_engine& geometry_;
   const Overlay& overlay_;
 };
 

@@ -56,7 +56,7 @@ std::optional<Sign> Exact_side::of_intrinsic_chord(Overlay::Halfedge chord, cons
   const Halfedge_index h = intrinsic_.halfedge(intrinsic_.edge(overlay_.intrinsic_halfedge(chord)));
   const std::int64_t position =
     std::int64_t(overlay_.segment(chord).idx()) - (*overlay_.intrinsic_segments(intrinsic_.edge(h)).begin()).idx();
-  const Sign side = geometry_.side_of(intrinsic_, h, position, point);
+  const Sign side = geometry_.side_of(h, position, point);
   const Delta_complex& input = geometry_.correspondence().input();
   if (side == ZERO && squared_four_areas(geometry_.metric(), input, input.face(point.halfedge)) == 0)
     return std::nullopt;
@@ -76,7 +76,7 @@ std::optional<Sign> Exact_side::of_input_chord(Overlay::Halfedge chord, Halfedge
     using Metric = std::decay_t<decltype(metric)>;
     using Frame = Metric_frame<Metric>;
     using Vector = typename Frame::Vector;
-    const Unfolding<Metric> unfolding(intrinsic_, geometry_.correspondence(), metric);
+    const internal::Unfolding<Metric> unfolding(intrinsic_, geometry_.correspondence(), metric);
     Strip<Frame> strip(input, Frame(input, metric));
     unfolding.lay_out(strip, intrinsic_.halfedge(e), crossed);
     const auto triangle = strip.triangle_behind(overlay_.intrinsic_position(x));
@@ -94,7 +94,7 @@ std::optional<Sign> Exact_side::of_input_chord(Overlay::Halfedge chord, Halfedge
   };
   const Sign result =
     exact_sign(*geometry_.input_surface(), right_of_crossed_edge, [e] { return description_of_distance(e); });
-  if (result == ZERO && geometry_.sign_of_area(intrinsic_, intrinsic_.face(side)) == ZERO)
+  if (result == ZERO && geometry_.sign_of_area(intrinsic_.face(side)) == ZERO)
     return std::nullopt;
   return is_left ? result : -result;
 }

@@ -17,10 +17,10 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Overlay_positions::find_crossings(const Delta_complex& intrinsic, const Exact_geometry& geometry, const Overlay& overlay,
+void Overlay_positions::find_crossings(const Delta_complex& intrinsic, const internal::Exact_engine& geometry, const Overlay& overlay,
                                        std::size_t first, std::size_t last, const internal::Loop_progress& progress)
 {
-  const Exact_geometry::Surface_lease surface = geometry.input_surface();
+  const internal::Exact_engine::Surface_lease surface = geometry.input_surface();
   const Delta_complex& input = geometry.correspondence().input();
   internal::Crossing_locator locate(intrinsic, geometry.correspondence(), *surface);
   internal::Crossed_edges crossed(input);

@@ -27,7 +27,7 @@ namespace internal {
 class Angle_sum_signs
 {
 public:
-  Angle_sum_signs(const Delta_complex& complex, const Exact_geometry& geometry,
+  Angle_sum_signs(const Delta_complex& complex, const Exact_engine& geometry,
                   const std::vector<Estimated_corner>& corners)
     : complex_(complex), geometry_(geometry), corners_(corners), surface_(geometry.input_surface())
   {}
@@ -73,13 +73,13 @@ private:
   }
 
   const Delta_complex& complex_;
-  const Exact_geometry& geometry_;
+  const Exact_engine& geometry_;
   const std::vector<Estimated_corner>& corners_;
-  Exact_geometry::Surface_lease surface_;
+  Exact_engine::Surface_lease surface_;
 };
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Comparison_result compare_angle_sum_with_pi(const Delta_complex& complex, const Exact_geometry& geometry,
+Comparison_result compare_angle_sum_with_pi(const Delta_complex& complex, const Exact_engine& geometry,
                                             const std::vector<Estimated_corner>& corners)
 {
   Angle_sum_signs signs(complex, geometry, corners);

@@ -30,54 +30,51 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+namespace internal {
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-///
-/// \brief relates a triangulation to the input triangulation from which flips have produced it.
-///
-/// How a flip changes the integers depends only on the halfedges around the edge. So flips are logged
-/// in a journal. When the integers are needed, they are computed from it, and the input connectivity
-/// is recovered. From then on each flip updates the integers at once, until `begin_journal()` is called.
+// Relates a triangulation to the input triangulation from which flips have produced it.
+//
+// How a flip changes the integers depends only on the halfedges around the edge. So flips are logged
+// in a journal. When the integers are needed, they are computed from it, and the input connectivity
+// is recovered. From then on each flip updates the integers at once, until `begin_journal()` is called.
 class Correspondence
 {
 public:
-  /// returns whether the integers are up to date, so that `coordinates()`, `input()` and `input_halfedge()` are available.
+  // Whether the integers are up to date, so that `coordinates()`, `input()` and `input_halfedge()` are available.
   bool is_prepared() const { return is_prepared_; }
 
-  /// returns the number of flips in the journal: those that were made before `prepare()`, or since `begin_journal()`.
+  // The number of flips in the journal: those that were made before `prepare()`, or since `begin_journal()`.
   std::size_t number_of_journaled_flips() const { return journal_.size(); }
 
-  /// \brief logs flips again from now on, until the next `prepare()`. O(1).
+  // Logs flips again from now on, until the next `prepare()`. O(1).
   void begin_journal()
   {
     is_prepared_ = false;
     crossings_.clear();
   }
 
-  /// returns the edges of these flips, in order.
+  // The edges of these flips, in order.
   std::vector<Edge_index> journaled_flips(const Delta_complex& complex) const;
 
-  /// \brief computes the integers and recovers the input. O(size + number of flips) if there is a journal,
-  /// and O(1) otherwise.
-  /// \param complex the current connectivity
-  /// \return the edges that were flipped before, in order; the journal is then cleared
-  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`. Nothing is changed then, but
-  ///   the integers can no longer be computed, even if the flips are undone
+  // Computes the integers and recovers the input. O(size + number of flips) if there is a journal,
+  // and O(1) otherwise.
+  // \param complex the current connectivity
+  // \return the edges that were flipped before, in order; the journal is then cleared
+  // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`. Nothing is changed then, but
+  //   the integers can no longer be computed, even if the flips are undone
   std::vector<Edge_index> prepare(const Delta_complex& complex);
-  /// \cond SKIP_IN_MANUAL
   // As above: the integers and the input do not depend on each other, so that two threads can compute them.
-  std::vector<Edge_index> prepare(const Delta_complex& complex, const internal::Block_runner& run);
-  /// \endcond
+  std::vector<Edge_index> prepare(const Delta_complex& complex, const Block_runner& run);
 
-  /// \brief records the flip of `e`; to be called before the connectivity is flipped. O(1). An exception leaves everything as
-  /// it was.
-  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`, if `is_prepared()`
+  // Records the flip of `e`; to be called before the connectivity is flipped. O(1). An exception leaves everything as
+  // it was.
+  // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`, if `is_prepared()`
   void flip(const Delta_complex& complex, Edge_index e)
   {
     CGAL_precondition(complex.is_flippable(e));
     flip(complex, complex.hinge(e));
   }
-  /// as above, for the halfedges around the edge.
+  // As above, for the halfedges around the edge.
   void flip(const Delta_complex& complex, const Hinge_halfedges& around)
   {
     if (!is_prepared_) {
@@ -90,7 +87,6 @@ public:
       flip_with_crossings(complex, around);
     turn_around_flipped(complex, around);
   }
-  /// \cond SKIP_IN_MANUAL
   // Undoes a flip, the last one that was not undone, before that is done in the connectivity. Never throws.
   // \param around the halfedges around the edge before the flip
   void flip_back(const Delta_complex& complex, Hinge_halfedges around)
@@ -106,72 +102,69 @@ public:
   }
   // So many calls of append() do not throw then.
   void make_room_for_journals(std::size_t number) { journal_.make_room(number); }
-  /// \endcond
-  /// \brief records flips from other journals, each given by the halfedges around the edge before it.
-  /// \pre not `is_prepared()`
+  // Records flips from other journals, each given by the halfedges around the edge before it.
+  // \pre not `is_prepared()`
   void append(std::vector<Hinge_halfedges> flips)
   {
     CGAL_precondition(!is_prepared_);
     journal_.append(std::move(flips));
   }
 
-  /// \name New vertices
-  /// An exception leaves everything as it was.
-  /// @{
+  // \name New vertices
+  // An exception leaves everything as it was.
+  // @{
 
-  /// \brief follows the insertion of a vertex into a face; to be called before `split_face(piece.side)` of the
-  /// connectivity. O(1).
-  /// \param complex the current connectivity
-  /// \param piece the piece of the triangle that contains the vertex
-  /// \param location where the vertex lies: strictly inside a face of the input
-  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
-  /// \pre `is_prepared()`
+  // Follows the insertion of a vertex into a face; to be called before `split_face(piece.side)` of the
+  // connectivity. O(1).
+  // \param complex the current connectivity
+  // \param piece the piece of the triangle that contains the vertex
+  // \param location where the vertex lies: strictly inside a face of the input
+  // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
+  // \pre `is_prepared()`
   void split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location);
-  /// \brief follows the insertion of a vertex on an edge that coincides with an input edge; to be called before `split_edge(h)`
-  /// of the connectivity. O(1).
-  /// \param complex the current connectivity
-  /// \param h the halfedge that is split
-  /// \param location where the vertex lies: on that input edge
-  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
-  /// \pre `is_prepared()`
+  // Follows the insertion of a vertex on an edge that coincides with an input edge; to be called before `split_edge(h)`
+  // of the connectivity. O(1).
+  // \param complex the current connectivity
+  // \param h the halfedge that is split
+  // \param location where the vertex lies: on that input edge
+  // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
+  // \pre `is_prepared()`
   void split_edge(const Delta_complex& complex, Halfedge_index h, const Surface_point& location);
 
-  /// \brief follows the join of two edges; to be called before `unsplit_edge(h)` of the connectivity. O(1).
-  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
-  /// \pre `is_inserted()` of the target of `h`
+  // Follows the join of two edges; to be called before `unsplit_edge(h)` of the connectivity. O(1).
+  // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
+  // \pre `is_inserted()` of the target of `h`
   void unsplit_edge(const Delta_complex& complex, Halfedge_index h);
-  /// \brief follows the removal of an inserted vertex, after that of the connectivity. O(1). Never throws.
+  // Follows the removal of an inserted vertex, after that of the connectivity. O(1). Never throws.
   void remove(const Removed_elements& removed);
 
-  /// returns whether `v` is no vertex of the input. \pre `is_prepared()`
+  // Whether `v` is no vertex of the input. \pre `is_prepared()`
   bool is_inserted(Vertex_index v) const { return v.idx() >= input_.number_of_vertices(); }
-  /// returns the number of inserted vertices.
+  // The number of inserted vertices.
   std::size_t number_of_inserted_vertices() const { return locations_.size(); }
-  /// \cond SKIP_IN_MANUAL
   // What edges cross, as far as it was found before.
-  const internal::Kept_crossings& kept_crossings() const { return crossings_; }
+  const Kept_crossings& kept_crossings() const { return crossings_; }
   // Those of all inserted vertices.
   const std::vector<Surface_point>& locations() const { return locations_; }
-  /// \endcond
-  /// returns where an inserted vertex lies on the input. The coordinates are exact once they are divided by their sum.
-  /// \pre `is_inserted(v)`
+  // Where an inserted vertex lies on the input. The coordinates are exact once they are divided by their sum.
+  // \pre `is_inserted(v)`
   const Surface_point& location(Vertex_index v) const { return locations_[v.idx() - input_.number_of_vertices()]; }
-  /// @}
+  // @}
 
-  /// returns the integers. \pre `is_prepared()`
+  // The integers. \pre `is_prepared()`
   const Normal_coordinates& coordinates() const { return coordinates_; }
 
-  /// returns the input connectivity: the same vertices, edges, halfedges and faces as at
-  /// the beginning; `halfedge(v)` and `halfedge(f)` may be different incident halfedges.
-  /// \pre `is_prepared()`
+  // The input connectivity: the same vertices, edges, halfedges and faces as at
+  // the beginning; `halfedge(v)` and `halfedge(f)` may be different incident halfedges.
+  // \pre `is_prepared()`
   const Delta_complex& input() const { return input_; }
 
-  /// returns the roundabout of `h`: the first input halfedge at or after `h`, counterclockwise
-  /// around its source. O(1).
-  ///
-  /// For a halfedge that leaves a vertex inserted on an input edge it is one of the two halfedges of that edge, taken from there
-  /// on; for one that leaves a vertex inside an input face there is none.
-  /// \pre `is_prepared()`
+  // The roundabout of `h`: the first input halfedge at or after `h`, counterclockwise
+  // around its source. O(1).
+  //
+  // For a halfedge that leaves a vertex inserted on an input edge it is one of the two halfedges of that edge, taken from there
+  // on; for one that leaves a vertex inside an input face there is none.
+  // \pre `is_prepared()`
   Halfedge_index input_halfedge(Halfedge_index h) const
   {
     const Roundabout r = coordinates_.roundabout(h);
@@ -188,7 +181,7 @@ private:
   static constexpr std::uint64_t longest_walk = 16;
 
   // Walks that stay long, as where memory is short, are right as well. Few are long, so that one thread replaces what all have found: there is one table for that.
-  void shorten_walks(const std::vector<Edge_index>& edges, const internal::Block_runner& run);
+  void shorten_walks(const std::vector<Edge_index>& edges, const Block_runner& run);
   BOOST_NOINLINE void shorten_walks(Halfedge_index h)
   {
     for (Halfedge_index side : {h, input_.opposite(h)})
@@ -211,14 +204,15 @@ private:
   void turn_around(Halfedge_index h, Vertex_index source);
 
   bool is_prepared_ = false, knows_input_ = false;
-  internal::Flip_journal journal_;
+  Flip_journal journal_;
   Delta_complex input_;
   Normal_coordinates coordinates_;
-  internal::Kept_crossings crossings_;
+  Kept_crossings crossings_;
   std::vector<Surface_point> locations_;            // of the vertices that follow those of the input
-  std::optional<internal::Rotation_system> around_; // of the input, for long walks
+  std::optional<Rotation_system> around_; // of the input, for long walks
 };
 
+} // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 

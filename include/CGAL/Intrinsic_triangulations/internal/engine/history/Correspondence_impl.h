@@ -27,6 +27,7 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+namespace internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::journaled_flips(const Delta_complex& complex) const
 {
@@ -38,10 +39,10 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::jou
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::prepare(const Delta_complex& complex)
 {
-  return prepare(complex, internal::block_runner<Sequential_tag>());
+  return prepare(complex, block_runner<Sequential_tag>());
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::prepare(const Delta_complex& complex, const internal::Block_runner& run)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::prepare(const Delta_complex& complex, const Block_runner& run)
 {
   if (is_prepared_ || (knows_input_ && journal_.size() == 0)) {
     is_prepared_ = true;
@@ -50,7 +51,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::pre
   Normal_coordinates coordinates;
   Delta_complex input;
   if (!knows_input_)
-    input = complex.copied([&](std::size_t n, const auto& f) { run(n, internal::elements_of_block, f); });
+    input = complex.copied([&](std::size_t n, const auto& f) { run(n, elements_of_block, f); });
   std::vector<Edge_index> flipped_edges;
   const std::function<void()> tasks[] = {
     [&] {
@@ -83,7 +84,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::pre
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::flip_with_crossings(const Delta_complex& complex, const Hinge_halfedges& around)
 {
   const Edge_index e = complex.edge(around.ij);
-  internal::Kept_crossings::Flipped flipped{nullptr, 0, coordinates_.number_of_crossings(e)};
+  Kept_crossings::Flipped flipped{nullptr, 0, coordinates_.number_of_crossings(e)};
   if (!locations_.empty()) // otherwise it is soon found what an edge crosses
     flipped = crossings_.flipped(complex, coordinates_, around, coordinates_.is_original(e) ? input_halfedge(around.ij) : Halfedge_index());
   coordinates_.flip(around);
@@ -93,7 +94,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::flip_with_crossings(co
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location)
 {
   CGAL_precondition(is_prepared_ && location.dimension() == 2);
-  internal::make_room(locations_, 1);
+  make_room(locations_, 1);
   coordinates_.split_face(complex, piece);
   crossings_.split_face(complex, coordinates_, piece);
   locations_.push_back(location);
@@ -107,7 +108,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_face(const Delta
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_edge(const Delta_complex& complex, Halfedge_index h, const Surface_point& location)
 {
   CGAL_precondition(is_prepared_ && location.dimension() == 1);
-  internal::make_room(locations_, 1);
+  make_room(locations_, 1);
   coordinates_.split_edge(complex, h, input_halfedge(h));
   crossings_.split_edge(complex, coordinates_, h);
   locations_.push_back(location);
@@ -136,12 +137,12 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::remove(const Removed_e
   remove_entries(locations_, removed.vertices, input_.number_of_vertices());
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::shorten_walks(const std::vector<Edge_index>& edges, const internal::Block_runner& run)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::shorten_walks(const std::vector<Edge_index>& edges, const Block_runner& run)
 {
   try {
     std::vector<Halfedge_index> long_walks;
     std::mutex mutex;
-    run(edges.size(), internal::elements_of_block, [&](std::size_t first, std::size_t last) {
+    run(edges.size(), elements_of_block, [&](std::size_t first, std::size_t last) {
       std::vector<Halfedge_index> found;
       for (std::size_t i = first; i < last; ++i)
         for (std::uint32_t side : {0u, 1u}) {
@@ -184,6 +185,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::turn_around(Halfedge_i
     coordinates_.set_roundabout(h, r.steps % 2 == 0 ? r.base : input_.opposite(r.base));
 }
 
+} // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 

@@ -26,21 +26,21 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+namespace internal {
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// \brief how the input edges run through one triangle (i, j, k) of the current triangulation.
-///
-/// At most one of `e_i`, `e_j`, `e_k` is positive.
+// How the input edges run through one triangle (i, j, k) of the current triangulation.
+//
+// At most one of `e_i`, `e_j`, `e_k` is positive.
 struct Triangle_crossings
 {
-  std::int64_t e_i; ///< number of segments from corner i to the opposite edge
-  std::int64_t e_j; ///< the same for corner j
-  std::int64_t e_k; ///< the same for corner k
-  std::int64_t c_i; ///< number of segments that cut off corner i
-  std::int64_t c_j; ///< the same for corner j
-  std::int64_t c_k; ///< the same for corner k
+  std::int64_t e_i; // number of segments from corner i to the opposite edge
+  std::int64_t e_j; // the same for corner j
+  std::int64_t e_k; // the same for corner k
+  std::int64_t c_i; // number of segments that cut off corner i
+  std::int64_t c_j; // the same for corner j
+  std::int64_t c_k; // the same for corner k
 
-  /// computes the numbers from the number of crossings of each edge.
+  // Computes the numbers from the number of crossings of each edge.
   BOOST_FORCEINLINE Triangle_crossings(std::int64_t n_ij, std::int64_t n_jk, std::int64_t n_ki)
     : c_i(cut_off(n_ij, n_ki, n_jk)), c_j(cut_off(n_jk, n_ij, n_ki)), c_k(cut_off(n_ki, n_jk, n_ij))
   {
@@ -55,54 +55,49 @@ private:
   // exceeds the sum of the others, the rest of it comes from a corner.
   static std::int64_t cut_off(std::int64_t a, std::int64_t b, std::int64_t c)
   {
-    // without a branch that nothing could predict
+    // Without a branch that nothing could predict
     return (std::max)(std::int64_t(0), (std::min)((std::min)(a, b), (a + b - c) >> 1));
   }
 };
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// \brief an input halfedge: the one that follows `base` after `steps` steps counterclockwise
-/// around their source.
+// An input halfedge: the one that follows `base` after `steps` steps counterclockwise
+// around their source.
 struct Roundabout
 {
-  Halfedge_index base; ///< an input halfedge
-  std::uint64_t steps; ///< may exceed the degree of the source: it counts modulo the degree
+  Halfedge_index base; // an input halfedge
+  std::uint64_t steps; // may exceed the degree of the source: it counts modulo the degree
 };
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-///
-/// \brief a piece of a triangle (i, j, k) of the current triangulation, between the input edges that cross it.
-///
-/// It is named by a part of a side: what lies behind `gap` crossings of `side`, counted from its source. A piece that
-/// touches several sides has several names.
+// A piece of a triangle (i, j, k) of the current triangulation, between the input edges that cross it.
+//
+// It is named by a part of a side: what lies behind `gap` crossings of `side`, counted from its source. A piece that
+// touches several sides has several names.
 struct Triangle_piece
 {
-  Halfedge_index side; ///< a halfedge of the triangle
-  std::int64_t gap;    ///< from 0 to the number of crossings of its edge
+  Halfedge_index side; // a halfedge of the triangle
+  std::int64_t gap;    // from 0 to the number of crossings of its edge
 };
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-///
-/// \brief normal coordinates and roundabouts: integers that determine exactly how the
-/// edges of the input triangulation run through the current one.
-///
-/// The normal coordinate of an edge is the number of times that input edges cross it, or
-/// −1 if it coincides with an input edge. The roundabout of a halfedge is the first input
-/// halfedge at or after it, counterclockwise around its source. A vertex inserted into an input face has none. A flip updates both in O(1),
-/// whatever the edge crosses and whatever the degrees are, without access to the
-/// input. Rounding never affects them.
-///
-/// Memory: 4 bytes an edge, and 32 for each edge that was flipped.
-///
-/// Source: the idea is that of M. Gillespie, N. Sharp, K. Crane, "Integer coordinates
-/// for intrinsic geometry processing" (2021). There, roundabouts are numbers
-/// from zero to the degree; counted from an input halfedge, they need no initial numbering.
+// Normal coordinates and roundabouts: integers that determine exactly how the
+// edges of the input triangulation run through the current one.
+//
+// The normal coordinate of an edge is the number of times that input edges cross it, or
+// −1 if it coincides with an input edge. The roundabout of a halfedge is the first input
+// halfedge at or after it, counterclockwise around its source. A vertex inserted into an input face has none. A flip updates both in O(1),
+// whatever the edge crosses and whatever the degrees are, without access to the
+// input. Rounding never affects them.
+//
+// Memory: 4 bytes an edge, and 32 for each edge that was flipped.
+//
+// Source: the idea is that of M. Gillespie, N. Sharp, K. Crane, "Integer coordinates
+// for intrinsic geometry processing" (2021). There, roundabouts are numbers
+// from zero to the degree; counted from an input halfedge, they need no initial numbering.
 class Normal_coordinates
 {
 public:
-  /// constructs the coordinates of an empty triangulation.
+  // Constructs the coordinates of an empty triangulation.
   Normal_coordinates() = default;
-  /// constructs the coordinates of an input triangulation in itself. O(edges), as memory is cleared.
+  // Constructs the coordinates of an input triangulation in itself. O(edges), as memory is cleared.
   explicit Normal_coordinates(const Delta_complex& input)
     : record_of_(input.number_of_edges(), 0)
   {
@@ -110,17 +105,17 @@ public:
     records_.push_back(Record{-1, {0, 0}, {0, 0}});
   }
 
-  /// returns the number of times that input edges cross `e`, or −1 if `e` coincides with one.
+  // The number of times that input edges cross `e`, or −1 if `e` coincides with one.
   std::int64_t crossings(Edge_index e) const { return record(e).crossings; }
-  /// returns whether `e` coincides with an input edge.
+  // Whether `e` coincides with an input edge.
   bool is_original(Edge_index e) const { return crossings(e) < 0; }
-  /// returns the number of times that input edges cross `e`.
+  // The number of times that input edges cross `e`.
   std::int64_t number_of_crossings(Edge_index e) const
   {
     return (std::max)(std::int64_t(0), crossings(e));
   }
 
-  /// returns the roundabout of `h`, without `base` if `h` leaves a vertex where no input edge ends.
+  // The roundabout of `h`, without `base` if `h` leaves a vertex where no input edge ends.
   Roundabout roundabout(Halfedge_index h) const
   {
     const std::uint32_t i = record_number(h);
@@ -128,8 +123,8 @@ public:
       return {h, 0};
     return {Halfedge_index(records_[i].base[h.idx() & 1]), records_[i].steps[h.idx() & 1]};
   }
-  /// \brief replaces the roundabout of `h`.
-  /// \pre `same` is the same input halfedge as `roundabout(h)`, and the edge of `h` was flipped
+  // Replaces the roundabout of `h`.
+  // \pre `same` is the same input halfedge as `roundabout(h)`, and the edge of `h` was flipped
   void set_roundabout(Halfedge_index h, Halfedge_index same)
   {
     Record& r = records_[record_number(h)];
@@ -137,16 +132,14 @@ public:
     r.steps[h.idx() & 1] = 0;
   }
 
-  /// returns how the input edges run through the triangle to the left of `h`, with i and
-  /// j the source and target of `h`.
+  // How the input edges run through the triangle to the left of `h`, with i and
+  // j the source and target of `h`.
   Triangle_crossings triangle_crossings(const Delta_complex& complex, Halfedge_index h) const
   {
     return Triangle_crossings(number_of_crossings(complex.edge(h)),
                               number_of_crossings(complex.edge(complex.next(h))),
                               number_of_crossings(complex.edge(complex.prev(h))));
   }
-
-  /// \cond SKIP_IN_MANUAL
   // The corner opposite to that takes the least time to be laid out. It lies at the shortest side, so that the errors of all sides are
   // relatively small.
   Halfedge_index side_with_most_crossings(const Delta_complex& complex, Face_index f) const
@@ -157,53 +150,52 @@ public:
         result = h;
     return result;
   }
-  /// \endcond
 
-  /// \brief returns the names of `piece` on all sides of its triangle that it touches, itself first.
-  ///
-  /// There are at most three; those that do not exist have no `side`.
+  // The names of `piece` on all sides of its triangle that it touches, itself first.
+  //
+  // There are at most three; those that do not exist have no `side`.
   std::array<Triangle_piece, 3> names(const Delta_complex& complex, const Triangle_piece& piece) const;
 
-  /// \brief updates the integers for a new vertex v in a piece of a triangle; to be called before
-  /// `split_face(piece.side)` of the connectivity. O(1).
-  ///
-  /// No input edge ends in the new vertex: the halfedges that leave it have no roundabouts. An exception leaves everything as it was.
-  /// \exception Integer_overflow_error as `flip()`
+  // Updates the integers for a new vertex v in a piece of a triangle; to be called before
+  // `split_face(piece.side)` of the connectivity. O(1).
+  //
+  // No input edge ends in the new vertex: the halfedges that leave it have no roundabouts. An exception leaves everything as it was.
+  // \exception Integer_overflow_error as `flip()`
   void split_face(const Delta_complex& complex, const Triangle_piece& piece);
 
-  /// \brief updates the integers for a new vertex v on the edge of `h`, which coincides with an input edge; to be called before
-  /// `split_edge(h)` of the connectivity. O(1).
-  ///
-  /// The two parts coincide with that input edge. The roundabouts of what leaves v are its halfedges. An exception leaves everything
-  /// as it was.
-  /// \param complex the current connectivity
-  /// \param h a halfedge whose edge `is_original()`
-  /// \param along the input halfedge along h
-  /// \exception Integer_overflow_error as `flip()`
+  // Updates the integers for a new vertex v on the edge of `h`, which coincides with an input edge; to be called before
+  // `split_edge(h)` of the connectivity. O(1).
+  //
+  // The two parts coincide with that input edge. The roundabouts of what leaves v are its halfedges. An exception leaves everything
+  // as it was.
+  // \param complex the current connectivity
+  // \param h a halfedge whose edge `is_original()`
+  // \param along the input halfedge along h
+  // \exception Integer_overflow_error as `flip()`
   void split_edge(const Delta_complex& complex, Halfedge_index h, Halfedge_index along);
 
-  /// \brief updates the integers where two edges that form a straight line become one; to be called before
-  /// `unsplit_edge(h)` of the connectivity. O(1).
-  ///
-  /// \param complex the current connectivity
-  /// \param h a halfedge to the vertex that will be removed
-  /// \param is_on_input_edge whether an input edge runs through that vertex
-  /// \exception Integer_overflow_error as `flip()`; then nothing is changed
+  // Updates the integers where two edges that form a straight line become one; to be called before
+  // `unsplit_edge(h)` of the connectivity. O(1).
+  //
+  // \param complex the current connectivity
+  // \param h a halfedge to the vertex that will be removed
+  // \param is_on_input_edge whether an input edge runs through that vertex
+  // \exception Integer_overflow_error as `flip()`; then nothing is changed
   void unsplit_edge(const Delta_complex& complex, Halfedge_index h, bool is_on_input_edge);
-  /// \brief follows the removal of a vertex, after that of the connectivity. Nothing but descriptors changes. O(1). Never throws.
+  // Follows the removal of a vertex, after that of the connectivity. Nothing but descriptors changes. O(1). Never throws.
   void remove(const Removed_elements& removed);
 
-  /// \brief updates the integers for the flip of `e`; to be called before the flip of the
-  /// connectivity. O(1).
-  ///
-  /// \exception Integer_overflow_error if the count would leave the range of 64 bits;
-  ///   then nothing is changed
+  // Updates the integers for the flip of `e`; to be called before the flip of the
+  // connectivity. O(1).
+  //
+  // \exception Integer_overflow_error if the count would leave the range of 64 bits;
+  //   then nothing is changed
   void flip(const Delta_complex& complex, Edge_index e)
   {
     CGAL_precondition(complex.is_flippable(e));
     flip(complex.hinge(e));
   }
-  /// as above, for the halfedges around the edge.
+  // As above, for the halfedges around the edge.
   void flip(const Hinge_halfedges& around)
   {
     const Halfedge_index ki = around.ki, lj = around.lj;
@@ -277,7 +269,7 @@ private:
   }
   void append(const Record& record)
   {
-    record_of_.resize(record_of_.size() + 1, internal::default_init);
+    record_of_.resize(record_of_.size() + 1, default_init);
     record_of_.back() = new_record();
     records_[record_of_.back()] = record;
   }
@@ -289,7 +281,7 @@ private:
       first_free_record_ = std::uint32_t(records_[i].crossings);
       return i;
     }
-    records_.resize(records_.size() + 1, internal::default_init);
+    records_.resize(records_.size() + 1, default_init);
     return std::uint32_t(records_.size() - 1);
   }
 
@@ -309,6 +301,7 @@ private:
   std::uint32_t first_free_record_ = 0; // of edges that were removed: each has the next one as `crossings`, the last one 0
 };
 
+} // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 

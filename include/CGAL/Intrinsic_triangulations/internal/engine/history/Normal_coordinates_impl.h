@@ -20,6 +20,7 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+namespace internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::array<Triangle_piece, 3> Normal_coordinates::names(const Delta_complex& complex, const Triangle_piece& piece) const
 {
@@ -124,6 +125,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Normal_coordinates::remove(const Remov
   remove_entries(record_of_, removed.edges);
 }
 
+} // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 

@@ -10,31 +10,31 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+namespace internal {
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// \brief the measures of a triangle as seen from one of its corners.
-///
-/// The cotangent of the angle is `p / four_areas`.
-/// \tparam Real a ring
+// The measures of a triangle as seen from one of its corners.
+//
+// The cotangent of the angle is `p / four_areas`.
+// \tparam Real a ring
 template <class Real>
 struct Triangle_corner
 {
-  Real p;          ///< twice the scalar product of its sides
-  Real four_areas; ///< four times the area
-  Real s_first;    ///< squared length of the side clockwise
-  Real s_second;   ///< squared length of the side counterclockwise
-  Real s_opposite; ///< squared length of the opposite side
+  Real p;          // twice the scalar product of its sides
+  Real four_areas; // four times the area
+  Real s_first;    // squared length of the side clockwise
+  Real s_second;   // squared length of the side counterclockwise
+  Real s_opposite; // squared length of the opposite side
 };
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// \brief the corners opposite to an edge, k to its left and l to its right.
+// The corners opposite to an edge, k to its left and l to its right.
 template <class Real>
 struct Opposite_corners
 {
-  Triangle_corner<Real> k; ///< to the left
-  Triangle_corner<Real> l; ///< to the right
+  Triangle_corner<Real> k; // to the left
+  Triangle_corner<Real> l; // to the right
 };
 
+} // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 

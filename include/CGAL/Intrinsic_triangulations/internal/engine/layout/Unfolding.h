@@ -30,57 +30,56 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+namespace internal {
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
-///
-/// \brief lengths, angles and areas of the current triangulation, computed from the input alone.
-///
-/// The input triangles that an edge crosses are laid out one after the other in the
-/// plane. Positions are products and sums of corner ratios of input triangles,
-/// `z = (x + i √q) / (2 s)` with `x = s_ij + s_ki − s_jk` at the corner i from ij to ki:
-/// numbers of the multiquadratic field over the rationals that the square roots √q of
-/// the input faces generate, divided only by input quantities. So the results depend on
-/// the input and on where the edge runs, not on earlier flips, and the same
-/// code yields intervals, multiple-precision numbers or exact ones.
-///
-/// \tparam Metric gives the images in some ring of the squared length of an input edge and
-///   of √q of an input face (four times its area): a type `Real`, members
-///   `squared_length(Edge_index)` and `four_areas(Face_index)`, `constant(double)`; a type
-///   `Vector` of complex numbers over it; `remembered(Halfedge_index, compute)`, which
-///   returns what the last call with that halfedge did, or `compute()`;
-///   `is_flat(Halfedge_index)`, whether the two faces of an input edge are known to lie in
-///   one plane in space, a `std::false_type` where that is never used, and if so, `ratio_in_plane(Halfedge_index, Vertex_index,
-///   Vertex_index)`, the ratio of the vector between two vertices in the plane of the face
-///   of a halfedge, to the halfedge; `interruption()`, which can end a long computation.
-///
-/// Lengths are in the unit of the metric. Cost: proportional to the number of crossings,
-/// plus that of finding their order.
+// Lengths, angles and areas of the current triangulation, computed from the input alone.
+//
+// The input triangles that an edge crosses are laid out one after the other in the
+// plane. Positions are products and sums of corner ratios of input triangles,
+// `z = (x + i √q) / (2 s)` with `x = s_ij + s_ki − s_jk` at the corner i from ij to ki:
+// numbers of the multiquadratic field over the rationals that the square roots √q of
+// the input faces generate, divided only by input quantities. So the results depend on
+// the input and on where the edge runs, not on earlier flips, and the same
+// code yields intervals, multiple-precision numbers or exact ones.
+//
+// \tparam Metric gives the images in some ring of the squared length of an input edge and
+//   of √q of an input face (four times its area): a type `Real`, members
+//   `squared_length(Edge_index)` and `four_areas(Face_index)`, `constant(double)`; a type
+//   `Vector` of complex numbers over it; `remembered(Halfedge_index, compute)`, which
+//   returns what the last call with that halfedge did, or `compute()`;
+//   `is_flat(Halfedge_index)`, whether the two faces of an input edge are known to lie in
+//   one plane in space, a `std::false_type` where that is never used, and if so, `ratio_in_plane(Halfedge_index, Vertex_index,
+//   Vertex_index)`, the ratio of the vector between two vertices in the plane of the face
+//   of a halfedge, to the halfedge; `interruption()`, which can end a long computation.
+//
+// Lengths are in the unit of the metric. Cost: proportional to the number of crossings,
+// plus that of finding their order.
 template <class Metric>
 class Unfolding
 {
 public:
-  /// the ring
+  // The ring
   using Real = typename Metric::Real;
-  /// a vector in the plane of a layout
+  // A vector in the plane of a layout
   using Vector = typename Metric::Vector;
 
-  /// \brief an edge as a vector in the frame of an input halfedge: 1 is that halfedge.
+  // An edge as a vector in the frame of an input halfedge: 1 is that halfedge.
   struct Edge_vector
   {
-    Vector vector;            ///< the edge, from source to target
-    Halfedge_index reference; ///< that input halfedge
+    Vector vector;            // the edge, from source to target
+    Halfedge_index reference; // that input halfedge
   };
 
-  /// a triangle as one of its corners sees it
+  // A triangle as one of its corners sees it
   using Corner = Triangle_corner<Real>;
 
-  /// \pre `correspondence.is_prepared()`
+  // \pre `correspondence.is_prepared()`
   Unfolding(const Delta_complex& complex, const Correspondence& correspondence, Metric& metric)
     : complex_(complex), correspondence_(correspondence), input_(correspondence.input()),
       metric_(metric)
   {}
 
-  /// returns `h` as a vector.
+  // `h` as a vector.
   Edge_vector edge_vector(Halfedge_index h) const
   {
     const std::int64_t n = correspondence_.coordinates().crossings(complex_.edge(h));
@@ -91,8 +90,6 @@ public:
       return {Vector(metric_.constant(1), metric_.constant(0)), roundabout};
     return end_of_strip(crossed(h), std::size_t(n), nullptr);
   }
-
-  /// \cond SKIP_IN_MANUAL
   // Where h begins, and where it leads to from there, in the frame of an input halfedge of the face into which h leaves its source.
   struct Edge_beginning
   {
@@ -108,7 +105,7 @@ public:
     const Frame frame(input_, metric_);
     if (!is_inserted(complex_.source(h)))
       return {frame.real(metric_.constant(0)), u.vector, u.reference};
-    const auto [a, b] = internal::coordinates_on_edge(input_, correspondence_.location(complex_.source(h)), u.reference);
+    const auto [a, b] = coordinates_on_edge(input_, correspondence_.location(complex_.source(h)), u.reference);
     return {frame.real(frame.weights({a, b, 0})[1]), u.vector, u.reference};
   }
 
@@ -117,7 +114,7 @@ public:
   Vector vector_to(const Surface_point& point, Halfedge_index h, const Edge_beginning& u, std::int64_t position) const
   {
     if (position == 0)
-      return position_in_face(u.reference, internal::coordinates_from(input_, point, u.reference)) - u.source;
+      return position_in_face(u.reference, coordinates_from(input_, point, u.reference)) - u.source;
     const bool starts_inside = is_inserted(complex_.source(h));
     const Vector end = end_of_strip(crossed(h), std::size_t(position), &point).vector;
     return starts_inside ? end - u.source : end;
@@ -128,26 +125,25 @@ public:
   Real area_beside(Halfedge_index h, std::int64_t position, const Surface_point& point) const
   {
     const Edge_beginning u = edge_beginning(h);
-    return internal::area_between(u.vector, vector_to(point, h, u, position));
+    return area_between(u.vector, vector_to(point, h, u, position));
   }
 
   // Lays out the strip of an edge that crosses input edges.
   template <class Frame>
-  void lay_out(internal::Strip<Frame>& strip, Halfedge_index h, const internal::Crossed_edges& crossed) const
+  void lay_out(Strip<Frame>& strip, Halfedge_index h, const Crossed_edges& crossed) const
   {
     const Halfedge_index g = complex_.opposite(h);
     if (is_inserted(complex_.source(g))) {
       const Surface_point end = location_of_source(g);
-      strip.lay_out(internal::Crossed_edges_to_point(crossed, end));
+      strip.lay_out(Crossed_edges_to_point(crossed, end));
     } else {
       strip.lay_out(crossed);
     }
     if (is_inserted(complex_.source(h)))
       strip.move_source(position_of_source(h, std::int64_t(crossed.size()), Frame::reference(input_, crossed.front())));
   }
-  /// \endcond
 
-  /// returns the squared length of `e`.
+  // The squared length of `e`.
   Real squared_length(Edge_index e) const
   {
     const Halfedge_index h = complex_.halfedge(e);
@@ -155,8 +151,8 @@ public:
     return squared_norm(u.vector) * reference_length(u);
   }
 
-  /// returns the corner opposite to `h` in its face.
-  /// \pre `h` is not a border halfedge
+  // The corner opposite to `h` in its face.
+  // \pre `h` is not a border halfedge
   Corner opposite_corner(Halfedge_index h) const
   {
     CGAL_precondition(!complex_.is_border(h));
@@ -164,8 +160,6 @@ public:
       return input_corner(h);
     return corner_between(h, edge_vector(complex_.prev(h)), edge_vector(complex_.opposite(complex_.next(h))));
   }
-
-  /// \cond SKIP_IN_MANUAL
   // Calls `visit(h, corner)` for each face that has the corner k, opposite to h, counterclockwise. Edges between them are laid out once.
   template <class Visit>
   void for_each_corner_at(Vertex_index k, const Visit& visit) const
@@ -183,10 +177,9 @@ public:
       ki = kj;
     } while (ki != first);
   }
-  /// \endcond
 
 private:
-  using Frame = internal::Metric_frame<Metric>;
+  using Frame = Metric_frame<Metric>;
 
   // The corner opposite to h, from its sides ki and kj.
   Corner corner_between(Halfedge_index h, const Edge_vector& u, const Edge_vector& v) const
@@ -212,13 +205,13 @@ private:
 
   bool is_inserted(Vertex_index v) const { return correspondence_.is_inserted(v); }
 
-  internal::Crossed_halfedges crossed(Halfedge_index h) const { return {complex_, correspondence_, h, metric_.interruption()}; }
+  Crossed_halfedges crossed(Halfedge_index h) const { return {complex_, correspondence_, h, metric_.interruption()}; }
 
   // The vector from the corner that is opposite to the first crossed edge to the corner opposite to the n-th, or to
   // a point behind that.
-  Edge_vector end_of_strip(const internal::Crossed_halfedges& crossed, std::size_t n, const Surface_point* point) const
+  Edge_vector end_of_strip(const Crossed_halfedges& crossed, std::size_t n, const Surface_point* point) const
   {
-    return {internal::Strip<Frame>(input_, Frame(input_, metric_)).end(Path{crossed, n, point}), Frame::reference(input_, crossed.front())};
+    return {Strip<Frame>(input_, Frame(input_, metric_)).end(Path{crossed, n, point}), Frame::reference(input_, crossed.front())};
   }
 
   // Where the source of h, which was inserted, lies in the input face into which h leaves it. \pre h coincides with no input edge
@@ -229,7 +222,7 @@ private:
     if (!roundabout.is_valid())
       return location;
     const Halfedge_index back = input_.opposite(roundabout);
-    const auto [a, b] = internal::coordinates_on_edge(input_, location, back);
+    const auto [a, b] = coordinates_on_edge(input_, location, back);
     return {back, {a, b, 0}};
   }
   // A point of the face of `base`, from the source of `base`, with that as the unit.
@@ -249,16 +242,16 @@ private:
         return frame.real(metric_.constant(0));
       return position_in_face(reference, coordinates_of_source(h, reference));
     }
-    return position_in_face(reference, internal::coordinates_from(input_, location_of_source(h), reference));
+    return position_in_face(reference, coordinates_from(input_, location_of_source(h), reference));
   }
 
   // The coordinates of the source of h relative to a halfedge of the input face into which h leaves it.
   std::array<double, 3> coordinates_of_source(Halfedge_index h, Halfedge_index reference) const
   {
     if (is_inserted(complex_.source(h)))
-      return internal::coordinates_from(input_, location_of_source(h), reference);
+      return coordinates_from(input_, location_of_source(h), reference);
     const Halfedge_index side = input_.next(input_.opposite(correspondence_.input_halfedge(h)));
-    return internal::coordinates_from(input_, Surface_point{side, {1, 0, 0}}, reference);
+    return coordinates_from(input_, Surface_point{side, {1, 0, 0}}, reference);
   }
 
   // As edge_vector(), where an end is no vertex of the input.
@@ -271,7 +264,7 @@ private:
       const auto position = [&](Vertex_index v, double at_vertex) {
         if (!is_inserted(v))
           return metric_.constant(at_vertex);
-        const auto [a, b] = internal::coordinates_on_edge(input_, correspondence_.location(v), along);
+        const auto [a, b] = coordinates_on_edge(input_, correspondence_.location(v), along);
         return frame.weights({a, b, 0})[1];
       };
       return {frame.real(position(complex_.target(h), 1) - position(complex_.source(h), 0)), along};
@@ -342,7 +335,7 @@ private:
   // The first input edges that a halfedge crosses.
   struct Path
   {
-    const internal::Crossed_halfedges& crossed;
+    const Crossed_halfedges& crossed;
     std::size_t number;
     const Surface_point* end; // in the last triangle, if not at its corner
     static constexpr bool may_end_inside = true;
@@ -359,6 +352,7 @@ private:
   Metric& metric_;
 };
 
+} // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
