@@ -24,7 +24,7 @@ template <class Traits>
 std::size_t insert_random_vertices(Intrinsic_triangulation<Traits>& triangulation, std::size_t number, unsigned largest_coordinate,
                                    std::mt19937& random)
 {
-  const Delta_complex& input = CGAL::Intrinsic_triangulations::internal::engine(triangulation).correspondence().input();
+  const Delta_complex& input = triangulation.input();
   std::size_t inserted = 0;
   for (std::size_t i = 0; i < number; ++i) {
     Surface_point point;

@@ -195,13 +195,8 @@ void print_row(const char* name, const char* kind, const Triangulation& t, const
 {
   std::vector<Point_2> plane = surface.plane;
   const IT::Delta_complex& complex = t.connectivity();
-  if (complex.number_of_vertices() > plane.size()) {
-    const IT::internal::Correspondence& correspondence = IT::internal::engine(t).correspondence();
-    for (std::size_t v = plane.size(); v < complex.number_of_vertices(); ++v) {
-      const IT::Surface_point& point = correspondence.location(IT::Vertex_index(v));
-      plane.push_back(IT::interpolate(correspondence.input(), surface.plane, point));
-    }
-  }
+  for (std::size_t v = plane.size(); v < complex.number_of_vertices(); ++v)
+    plane.push_back(IT::interpolate(t.input(), surface.plane, t.location(IT::Vertex_index(v))));
   double smallest = 180, largest = 0;
   for (IT::Halfedge_index h : complex.halfedges())
     if (!complex.is_border(h)) {

@@ -121,7 +121,7 @@ Costs measure(const Mesh& mesh, int rounds, bool with_heat_method)
     std::optional<IT::Overlay> overlay;
     graph.push_back(seconds([&] { overlay.emplace(*t); }));
     std::optional<IT::Overlay_positions> crossings;
-    positions.push_back(seconds([&] { crossings.emplace(t->connectivity(), IT::internal::engine(*t), *overlay); }));
+    positions.push_back(seconds([&] { crossings.emplace(IT::internal::engine(*t), *overlay); }));
     costs.elements = double(overlay->number_of_vertices()) + overlay->number_of_segments() +
                      overlay->number_of_faces();
     if (with_heat_method)

@@ -172,7 +172,7 @@ private:
     });
     std::optional<IT::Overlay_positions> positions;
     stage("overlay: positions", overlay_bytes + 16. * overlay->number_of_crossings() + points_bytes, times, counts,
-          [&] { positions.emplace(t->connectivity(), IT::internal::engine(*t), *overlay, IT::Progress_function(), ConcurrencyTag()); });
+          [&] { positions.emplace(IT::internal::engine(*t), *overlay, IT::Progress_function(), ConcurrencyTag()); });
     stage("cotangent weights", complex_bytes + metric_bytes + 8 * e, times, counts,
           [&] { IT::cotangent_weights<ConcurrencyTag>(*t); });
     stage("stiffness matrix", complex_bytes + metric_bytes + 12 * (2 * e + v), times, counts,

@@ -117,7 +117,6 @@ inline Judgement judge_triangles(const Own_triangulation& exact, const Result& r
 
   double error = 0;
   std::size_t wrong_counts = 0;
-  const IT::internal::Normal_coordinates& coordinates = IT::internal::engine(match.triangulation()).correspondence().coordinates();
   for (std::size_t side = 0; side < theirs.number_of_sides(); ++side) {
     const IT::Edge_index e = match.triangulation().connectivity().edge(match.halfedge(side));
     const double length = match.triangulation().length(e), theirs_relative = theirs.lengths[side] / length;
@@ -125,7 +124,7 @@ inline Judgement judge_triangles(const Own_triangulation& exact, const Result& r
                                            : std::numeric_limits<double>::infinity();
     if (std::isinf(error))
       break;
-    if (with_overlay && (result.crossings.size() <= side || result.crossings[side] != coordinates.number_of_crossings(e)))
+    if (with_overlay && (result.crossings.size() <= side || result.crossings[side] != match.triangulation().number_of_crossings(e)))
       ++wrong_counts;
   }
   judge_error(error, "lengths", judgement);

@@ -38,11 +38,10 @@ namespace {
 // Where a vertex of the refined triangulation lies.
 std::array<double, 3> place(const Triangulation& t, const Points& points, IT::Vertex_index v)
 {
-  const IT::internal::Correspondence& correspondence = IT::internal::engine(t).correspondence();
-  if (!correspondence.is_inserted(v))
+  if (!t.is_inserted(v))
     return points[v.idx()];
-  const IT::Surface_point& point = correspondence.location(v);
-  const IT::Delta_complex& input = correspondence.input();
+  const IT::Surface_point& point = t.location(v);
+  const IT::Delta_complex& input = t.input();
   std::array<double, 3> result{};
   IT::Halfedge_index h = point.halfedge;
   for (double weight : point.coordinates) {

@@ -60,7 +60,7 @@ int main()
   const bool is_refined = report.status == IT::Refinement_status::REFINED && report.unrefined.empty() && smallest_angle(t) >= 25;
 
   // In the middle of face 0 of the input. The coordinates need not sum to 1.
-  const IT::Delta_complex& input = IT::internal::engine(t).correspondence().input();
+  const IT::Delta_complex& input = t.input();
   const IT::Vertex_index v = IT::insert_vertex(t, {input.halfedge(IT::Face_index(0)), {1, 1, 1}});
   std::cout << "vertex " << v.idx() << " sees " << IT::cone_angle(t, v) / CGAL_PI << " pi around it\n";
 

@@ -155,7 +155,7 @@ std::string name(IT::Geodesic_status status)
 
 IT::Vertex_index vertex(const Triangulation& triangulation, std::uint64_t number)
 {
-  const std::uint64_t n = IT::internal::engine(triangulation).correspondence().input().number_of_vertices();
+  const std::uint64_t n = triangulation.input().number_of_vertices();
   if (number >= n)
     throw Usage_error("there is no vertex " + std::to_string(number) + ": the surface has " + std::to_string(n) + ", counted from 0");
   return IT::Vertex_index(IT::Vertex_index::size_type(number));

@@ -20,12 +20,12 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-void count_inserted_vertices(const IT::internal::Correspondence& correspondence, IT::Refinement_report& report)
+std::vector<IT::Surface_point> inserted_points(const Filtered_triangulation& triangulation)
 {
-  report.insertions = report.segment_splits = 0;
-  const std::size_t first = correspondence.input().number_of_vertices();
-  for (std::size_t i = 0; i < correspondence.number_of_inserted_vertices(); ++i)
-    ++(correspondence.location(IT::Vertex_index(first + i)).dimension() == 1 ? report.segment_splits : report.insertions);
+  std::vector<IT::Surface_point> result;
+  for (auto v = triangulation.input().number_of_vertices(); v < triangulation.connectivity().number_of_vertices(); ++v)
+    result.push_back(triangulation.location(IT::Vertex_index(v)));
+  return result;
 }
 
 IT::Edge_index shortest_edge(const Filtered_triangulation& triangulation, IT::Face_index f)
@@ -45,10 +45,9 @@ Short_side short_side(const Filtered_triangulation& triangulation, const Surface
   Short_side result{triangulation.length(e), std::nullopt};
   if (!surface.has_points())
     return result;
-  const IT::internal::Correspondence& correspondence = IT::internal::engine(triangulation).correspondence();
   const IT::Vertex_index v = triangulation.connectivity().source(triangulation.connectivity().halfedge(e));
-  result.place = correspondence.is_inserted(v) ? IT::point_in_space(surface.connectivity, surface.points, correspondence.location(v))
-                                               : surface.points[v.idx()];
+  result.place = triangulation.is_inserted(v) ? IT::point_in_space(surface.connectivity, surface.points, triangulation.location(v))
+                                              : surface.points[v.idx()];
   return result;
 }
 
@@ -145,25 +144,22 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
   summary.smallest_left = smallest_left_face(triangulation, job.surface, summary.report);
   if (summary.report.status == IT::Refinement_status::BUDGET_EXHAUSTED)
     summary.sufficient_size = sufficient_size(triangulation, options, summary.report);
-  const IT::internal::Correspondence& correspondence = IT::internal::engine(triangulation).correspondence();
-  count_inserted_vertices(correspondence, summary.report);
-  for (std::size_t i = 0; i < correspondence.number_of_inserted_vertices(); ++i)
-    summary.points.push_back(correspondence.location(IT::Vertex_index(correspondence.input().number_of_vertices() + i)));
+  summary.points = inserted_points(triangulation);
+  const auto is_on_edge = [](const IT::Surface_point& point) { return point.dimension() == 1; };
+  summary.report.segment_splits = std::uint64_t(std::count_if(summary.points.begin(), summary.points.end(), is_on_edge));
+  summary.report.insertions = summary.points.size() - summary.report.segment_splits;
   summary.seconds = stopwatch.seconds();
 }
 
 std::vector<bool> constrained_parts(const Filtered_triangulation& triangulation, const std::vector<bool>& is_constrained)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
-  const IT::internal::Correspondence& correspondence = IT::internal::engine(triangulation).correspondence();
   std::vector<bool> result(complex.number_of_edges());
   if (is_constrained.empty())
     return result;
   for (IT::Edge_index e : complex.edges())
-    if (correspondence.coordinates().is_original(e)) {
-      const IT::Halfedge_index along = correspondence.input_halfedge(complex.halfedge(e));
-      result[e.idx()] = is_constrained[correspondence.input().edge(along).idx()];
-    }
+    if (triangulation.is_input_edge(e))
+      result[e.idx()] = is_constrained[triangulation.input().edge(triangulation.input_halfedge(complex.halfedge(e))).idx()];
   return result;
 }
 

@@ -183,16 +183,15 @@ void flip_and_refine(IT::Intrinsic_triangulation<Traits>& triangulation, const J
 template <class Triangulation>
 void find_crossings(const Triangulation& triangulation, Outcome& outcome)
 {
-  const IT::internal::Normal_coordinates& coordinates =
-    IT::internal::engine(triangulation).correspondence().coordinates();
   Crossing_summary summary;
   outcome.crossings.reserve(triangulation.connectivity().number_of_edges());
   for (IT::Edge_index e : triangulation.connectivity().edges()) {
-    outcome.crossings.push_back(coordinates.crossings(e));
-    const std::uint64_t n = static_cast<std::uint64_t>(coordinates.number_of_crossings(e));
+    const bool is_input_edge = triangulation.is_input_edge(e);
+    const std::uint64_t n = static_cast<std::uint64_t>(triangulation.number_of_crossings(e));
+    outcome.crossings.push_back(is_input_edge ? -1 : triangulation.number_of_crossings(e));
     summary.simple += n == 1;
     summary.longest = (std::max)(summary.longest, n + 1);
-    summary.changed += !coordinates.is_original(e);
+    summary.changed += !is_input_edge;
     if (n > (std::numeric_limits<std::uint64_t>::max)() - summary.crossings)
       throw IT::Integer_overflow_error("all edges together cross more than 2^64 input edges");
     summary.crossings += n;
@@ -230,7 +229,7 @@ inline void find_stages(const IT::internal::Exact_engine& geometry, Outcome& out
 template <class Triangulation, class ConstraintMap>
 IT::Delaunay_verification verify(const Triangulation& triangulation, const ConstraintMap& is_constrained)
 {
-  return IT::internal::Delaunay_verifier(triangulation.connectivity(), IT::internal::engine(triangulation), is_constrained)
+  return IT::internal::Delaunay_verifier(IT::internal::engine(triangulation), is_constrained)
     .verify([](std::size_t n, const auto& f) { for_each_block(n, 1, f); });
 }
 template <class Triangulation>

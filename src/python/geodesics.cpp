@@ -79,7 +79,7 @@ public:
   Surface_in_space(Points points, const std::vector<std::array<std::uint32_t, 3>>& triangles)
     : points_(std::move(points)), surface_(Triangulation(IT::make_Delta_complex_from_triangles(points_.size(), triangles), points_))
   {
-    surface_.use([](const Triangulation& t) { return &IT::internal::engine(t); }); // prepared, for all copies
+    surface_.use([](const Triangulation& t) { return &t.input(); }); // prepared, for all copies
   }
 
   // From stop to stop.
@@ -131,7 +131,7 @@ public:
       std::vector<IT::Surface_point> path;
       for (std::size_t i = 0; i < faces.size(); ++i)
         path.push_back({surface_.input_sides()[faces[i]], coordinates[i]});
-      IT::Cut_surface result = IT::cut_along_path(IT::internal::engine(t).correspondence().input(), points_, path);
+      IT::Cut_surface result = IT::cut_along_path(t.input(), points_, path);
       for (const IT::Surface_point& p : result.locations)
         append(t, p, locations);
       return result;
@@ -200,13 +200,13 @@ private:
 
   IT::Surface_point nearest(const Triangulation& t, const std::array<double, 3>& p) const
   {
-    return IT::locate(IT::internal::engine(t).correspondence().input(), points_, p);
+    return IT::locate(t.input(), points_, p);
   }
 
   // A border halfedge may point to the vertex, but its opposite has a face.
   static IT::Surface_point at_input_vertex(const Triangulation& t, IT::Vertex_index v)
   {
-    const IT::Delta_complex& input = IT::internal::engine(t).correspondence().input();
+    const IT::Delta_complex& input = t.input();
     return {input.opposite(input.halfedge(v)), {1, 0, 0}};
   }
 
@@ -231,14 +231,14 @@ private:
 
   void append(const Triangulation& t, const IT::Surface_point& point, Path& path) const
   {
-    const IT::Delta_complex& input = IT::internal::engine(t).correspondence().input();
+    const IT::Delta_complex& input = t.input();
     for (double x : IT::point_in_space(input, points_, point))
       path.positions.push_back(x);
     append(t, point, path.points);
   }
   void append(const Triangulation& t, const IT::Surface_point& point, Point_table& table) const
   {
-    const IT::Delta_complex& input = IT::internal::engine(t).correspondence().input();
+    const IT::Delta_complex& input = t.input();
     table.append(input, point, surface_.input_sides()[input.face(point.halfedge).idx()]);
   }
 

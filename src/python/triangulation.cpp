@@ -287,7 +287,7 @@ py::array sharp_edges(Surface& surface, const Doubles& points, double degrees, d
   const std::vector<std::array<double, 3>> places = copied_rows(points);
   return to_array(surface.use([&](const Triangulation& t) {
     Numbers result;
-    for (bool is_sharp : IT::sharp_edges(IT::internal::engine(t).correspondence().input(), places, degrees, minimum_size))
+    for (bool is_sharp : IT::sharp_edges(t.input(), places, degrees, minimum_size))
       result.push_back(is_sharp);
     return result;
   }));
@@ -311,11 +311,10 @@ py::tuple inserted_vertices(Surface& surface)
 {
   return surface
     .use([&](const Triangulation& t) {
-      const IT::internal::Correspondence& correspondence = IT::internal::engine(t).correspondence();
-      const IT::Delta_complex& input = correspondence.input();
+      const IT::Delta_complex& input = t.input();
       Point_table result;
       for (auto v = input.number_of_vertices(); v < t.connectivity().number_of_vertices(); ++v) {
-        IT::Surface_point point = correspondence.location(IT::Vertex_index(v));
+        IT::Surface_point point = t.location(IT::Vertex_index(v));
         const double sum = point.coordinates[0] + point.coordinates[1] + point.coordinates[2];
         for (double& x : point.coordinates)
           x /= sum;

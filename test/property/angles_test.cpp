@@ -266,7 +266,7 @@ TEST(Halfedge_vectors, remain_the_same_whatever_is_flipped_and_inserted)
     };
     expect_same();
     for (std::uint32_t h = 0; h < 90; h += 9)
-      if (!IT::internal::engine(t).correspondence().input().is_border(Halfedge_index(h)))
+      if (!t.input().is_border(Halfedge_index(h)))
         IT::insert_vertex(t, {Halfedge_index(h), {0.25, 0.5, 0.25}});
     IT::flip_to_Delaunay(t);
     expect_same();
@@ -309,7 +309,7 @@ TEST(Halfedge_vectors, at_inserted_vertices_have_the_axis_of_their_location)
       const Vertex_index v = IT::insert_vertex(t, {location, at});
       IT::flip_to_Delaunay(t);
       const Delta_complex& c = t.connectivity();
-      const Halfedge_index stored = IT::internal::engine(t).correspondence().location(v).halfedge;
+      const Halfedge_index stored = t.location(v).halfedge;
       const auto point = [&](Vertex_index w) { return surface.points[w.idx()]; };
       std::array<double, 2> p{0, 0};
       Halfedge_index h = location;

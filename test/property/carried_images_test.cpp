@@ -136,7 +136,7 @@ TEST(Carried_images, are_believed_where_thousands_of_edges_are_crossed)
   Triangulation t = IT::intrinsic_Delaunay_triangulation(pillow.points, pillow.triangles).triangulation;
   std::int64_t most_crossings = 0;
   for (IT::Edge_index e : t.connectivity().edges())
-    most_crossings = (std::max)(most_crossings, IT::internal::engine(t).correspondence().coordinates().number_of_crossings(e));
+    most_crossings = (std::max)(most_crossings, t.number_of_crossings(e));
   EXPECT_GT(most_crossings, 1000);
   EXPECT_GT(t.stage_counts()[IT::Stage::MODULAR], 500u);
   EXPECT_LT(t.stage_counts()[IT::Stage::ALGEBRAIC], 10u);

@@ -286,7 +286,7 @@ TEST(Const_queries, the_integers_are_computed_while_the_input_is_recovered)
     SCOPED_TRACE(named.name);
     const Triangulation& t = named.triangulation;
     IT::internal::Correspondence one, two;
-    IT::Delta_complex complex = IT::internal::engine(t).correspondence().input();
+    IT::Delta_complex complex = t.input();
     for (int repeats = 0; repeats < 3; ++repeats)
       for (IT::Edge_index e : complex.edges()) {
         if (!complex.is_flippable(e))

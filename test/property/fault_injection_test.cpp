@@ -188,7 +188,7 @@ Triangulation triangulation_of(const IT::Glued_triangles& gluing)
 
 void expect_input(const Triangulation& t, const IT::Delta_complex& input)
 {
-  const IT::Delta_complex& recovered = IT::internal::engine(t).correspondence().input();
+  const IT::Delta_complex& recovered = t.input();
   ASSERT_EQ(recovered.number_of_edges(), input.number_of_edges());
   for (IT::Halfedge_index h : input.halfedges()) {
     ASSERT_EQ(recovered.next(h), input.next(h));
@@ -299,7 +299,7 @@ void insert(Triangulation& t, const std::vector<IT::Surface_point>& points)
 }
 void remove_all(Triangulation& t)
 {
-  const std::size_t n = IT::internal::engine(t).correspondence().input().number_of_vertices();
+  const std::size_t n = t.input().number_of_vertices();
   for (std::size_t v = t.connectivity().number_of_vertices(); v-- > n;)
     try {
       IT::remove_vertex(t, IT::Vertex_index(std::uint32_t(v)));

@@ -127,7 +127,7 @@ double largest_error(const IT::Indexed_triangles& surface, std::size_t number)
   Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   EXPECT_GT(IT::refine_Delaunay(triangulation).insertions, 0u);
   const IT::Delta_complex& complex = triangulation.connectivity();
-  const IT::Delta_complex& input = IT::internal::engine(triangulation).correspondence().input();
+  const IT::Delta_complex& input = triangulation.input();
   const IT::Overlay overlay(triangulation);
   const Layout layout(triangulation, surface.points);
   double largest = 0;

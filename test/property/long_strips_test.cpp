@@ -196,7 +196,7 @@ TEST(Long_strips, numbers_that_are_carried_keep_their_bounds)
       const double error = t.face_data(f).error, stored = t.squared_length(e);
       ASSERT_LE(squared.inf(), stored + error);
       ASSERT_GE(squared.sup(), stored - error);
-      long_edges += IT::internal::engine(t).correspondence().coordinates().number_of_crossings(e) > 20 ? 1 : 0;
+      long_edges += t.number_of_crossings(e) > 20 ? 1 : 0;
     }
     ASSERT_GT(long_edges, 20u);
     for (IT::Face_index f : complex.faces())

@@ -123,7 +123,7 @@ template <class Frame>
 void expect_most_positions_known(const Triangulation& t)
 {
   const IT::Overlay overlay(t);
-  const IT::Delta_complex& input = IT::internal::engine(t).correspondence().input();
+  const IT::Delta_complex& input = t.input();
   std::size_t asked = 0, known = 0;
   for (IT::Edge_index e : t.connectivity().edges()) {
     if (overlay.intrinsic_crossings(e).empty())
@@ -183,7 +183,7 @@ TEST(Strip, ends_in_the_same_place_with_and_without_corners)
     SCOPED_TRACE(name);
     const Triangulation t = triangulated(surface);
     const IT::Overlay overlay(t);
-    const IT::Delta_complex& input = IT::internal::engine(t).correspondence().input();
+    const IT::Delta_complex& input = t.input();
     const auto surface_lease = IT::internal::engine(t).input_surface();
     Metric metric(*surface_lease, {512});
     const IT::internal::Unfolding<Metric> unfolding(t.connectivity(), IT::internal::engine(t).correspondence(), metric);

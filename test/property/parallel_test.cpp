@@ -95,7 +95,7 @@ std::vector<std::vector<std::uint32_t>> cells(const Triangulation& t)
 void expect_input(const Filtered& t, const Mesh& mesh)
 {
   const IT::Delta_complex expected = IT::make_Delta_complex(mesh),
-                          &input = IT::internal::engine(t).correspondence().input();
+                          &input = t.input();
   for (IT::Halfedge_index h : expected.halfedges()) {
     ASSERT_EQ(input.next(h), expected.next(h));
     ASSERT_EQ(input.target(h), expected.target(h));

@@ -111,7 +111,7 @@ struct Line_in_space
 std::size_t expect_the_same_line(const Triangulation& t, const IT::Point_location& location,
                                  const std::vector<Point>& points, const IT::Surface_direction& start, double length)
 {
-  const IT::Delta_complex& input = IT::internal::engine(t).correspondence().input();
+  const IT::Delta_complex& input = t.input();
   const IT::Traced_geodesic line = IT::trace_geodesic(t, start, length), in_faces = IT::trace_geodesic_in_triangulation(t, start, length);
   EXPECT_EQ(line.status, in_faces.status);
   EXPECT_EQ(line.vertex, in_faces.vertex);
@@ -133,7 +133,7 @@ std::size_t expect_the_same_line(const Triangulation& t, const IT::Point_locatio
 // Starts inside of faces, on edges and at vertices of the input, at vertices of the triangulation, and on its edges as well as doubles allow.
 IT::Surface_direction random_start(const Triangulation& t, const IT::Point_location& location, std::mt19937& random)
 {
-  const IT::Delta_complex& input = IT::internal::engine(t).correspondence().input();
+  const IT::Delta_complex& input = t.input();
   const auto coordinate = [&] { return double(random() % 5); };
   for (;;) {
     IT::Surface_direction start{{IT::Halfedge_index(std::uint32_t(random() % input.number_of_halfedges())), {}}, {}};
@@ -144,8 +144,8 @@ IT::Surface_direction random_start(const Triangulation& t, const IT::Point_locat
     if (random() % 4 == 0) {
       IT::Halfedge_index h(std::uint32_t(random() % t.connectivity().number_of_halfedges()));
       const IT::Vertex_index v = t.connectivity().source(h);
-      if (IT::internal::engine(t).correspondence().is_inserted(v))
-        start.point = IT::internal::engine(t).correspondence().location(v);
+      if (t.is_inserted(v))
+        start.point = t.location(v);
       else if (!t.connectivity().is_border(h))
         start.point = location.intrinsic_to_input({h, {coordinate(), coordinate() + 1, 0}});
     }

@@ -201,7 +201,7 @@ TEST(GeodesicPath, AcrossAPlaneIsTheStraightLine)
     EXPECT_TRUE(network.is_geodesic());
     EXPECT_NEAR(network.length(0), std::hypot(target % 10, target / 10), 1e-14);
     const std::vector<IT::Surface_point> points = IT::geodesic_points(copy, network.halfedges(0));
-    const auto& input = IT::internal::engine(copy).correspondence().input();
+    const auto& input = copy.input();
     for (const IT::Surface_point& p : points) {
       const auto x = IT::point_in_space(input, grid(9, 7).points, p);
       EXPECT_NEAR(x[0] * (target / 10), x[1] * (target % 10), 1e-13);
@@ -260,7 +260,7 @@ TEST(GeodesicPath, AllPairsOfASphereAreProvenGeodesic)
       double sum = 0;
       std::array<double, 3> last{};
       for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto x = IT::point_in_space(IT::internal::engine(copy).correspondence().input(), IT::bumpy_sphere(12, 9).points, points[i]);
+        const auto x = IT::point_in_space(copy.input(), IT::bumpy_sphere(12, 9).points, points[i]);
         if (i > 0)
           sum += std::hypot(x[0] - last[0], x[1] - last[1], x[2] - last[2]);
         last = x;
@@ -681,7 +681,7 @@ TEST(GeodesicPath, BetweenInsertedVertices)
   const auto surface = grid(6, 4, [](double, double y) { return 0.75 * y; });
   Triangulation t = triangulation_of(surface);
   const std::size_t n = surface.points.size();
-  const auto input_of = [&] { return IT::internal::engine(t).correspondence().input(); };
+  const auto input_of = [&] { return t.input(); };
   for (std::size_t i = 0; i < 12; ++i) {
     const bool is_on_edge = i < 3; // far from each other, so that these edges were not flipped
     const IT::Halfedge_index h = input_of().halfedge(IT::Face_index(17 * i % surface.triangles.size()));
@@ -734,7 +734,7 @@ TEST(TracedLine, OnAPlane)
 {
   const IT::Indexed_triangles surface = grid(40, 30);
   const Triangulation t = triangulation_of(surface);
-  const auto& input = IT::internal::engine(t).correspondence().input();
+  const auto& input = t.input();
   std::mt19937 random(3);
   for (int i = 0; i < 300; ++i) {
     IT::Halfedge_index h(random() % t.connectivity().number_of_halfedges());
@@ -783,7 +783,7 @@ TEST(TracedLine, ClosesOnATetrahedron)
   surface.points = {{1, 2, 3}, {1, -2, -3}, {-1, 2, -3}, {-1, -2, 3}};
   surface.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
   const Triangulation t = triangulation_of(surface);
-  const auto& input = IT::internal::engine(t).correspondence().input();
+  const auto& input = t.input();
   // Twice a sum of sides is a period of the unfolding.
   const IT::Halfedge_index h(0);
   const double a = 501, b = 2;
@@ -849,7 +849,7 @@ TEST(TracedLine, DirectionsAtVertices)
 {
   const Triangulation t = triangulation_of(grid(4, 4));
   const IT::Halfedge_index h = halfedge_between(t.connectivity(), 12, 13);
-  const auto& input = IT::internal::engine(t).correspondence().input();
+  const auto& input = t.input();
   for (double angle : {0.1, 1., 2., 3., 4., 5., 6., -1., 7.}) {
     const IT::Traced_geodesic line = IT::trace_geodesic(t, IT::direction_at_vertex(t, h, angle), 1.75);
     const auto x = IT::point_in_space(input, grid(4, 4).points, line.points.back());

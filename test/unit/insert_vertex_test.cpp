@@ -159,7 +159,7 @@ TEST(Insert_vertex, faces_without_area)
         test.expect_consistent(!is_closed_below);
       }
   Inserted_vertices test(triangle_over_flat_faces(false));
-  const IT::Delta_complex input = IT::internal::engine(test.triangulation).correspondence().input();
+  const IT::Delta_complex input = test.triangulation.input();
   const auto insert = [&](std::uint32_t face, const std::array<double, 3>& coordinates) {
     IT::insert_vertex(test.triangulation, {input.halfedge(IT::Face_index(face)), coordinates});
   };

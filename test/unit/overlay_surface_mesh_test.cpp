@@ -90,7 +90,7 @@ struct Maps
 void expect_right_places(const Mesh& overlay, const Mesh& input, const Triangulation& t)
 {
   const Maps maps(overlay);
-  const IT::Delta_complex& input_complex = IT::internal::engine(t).correspondence().input();
+  const IT::Delta_complex& input_complex = t.input();
   std::vector<double> covered(input.number_of_faces(), 0);
   for (auto f : overlay.faces()) {
     covered[maps.input_face[f]] += area(overlay, f);
@@ -259,7 +259,7 @@ TEST(Triangulate_overlay_faces, keeps_the_properties_of_corners_and_faces)
   auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv", Kernel::Point_2(9, 9)).first;
   auto words = mesh.add_property_map<Mesh::Face_index, std::string>("f:word").first;
   auto materials = mesh.add_property_map<Mesh::Face_index, Material>("f:material").first;
-  const IT::Delta_complex& complex = IT::internal::engine(t).correspondence().input();
+  const IT::Delta_complex& complex = t.input();
   for (auto f : mesh.faces()) {
     words[f] = std::to_string(maps.input_face[f]);
     materials[f].number = maps.input_face[f];

@@ -87,7 +87,7 @@ void expect_overlay(const Triangulation& triangulation)
             std::int64_t(complex.number_of_vertices()) - complex.number_of_edges() + complex.number_of_faces());
   std::size_t crossings = 0;
   for (IT::Edge_index e : complex.edges())
-    crossings += std::size_t(IT::internal::engine(triangulation).correspondence().coordinates().number_of_crossings(e));
+    crossings += std::size_t(triangulation.number_of_crossings(e));
   EXPECT_EQ(overlay.number_of_vertices(), complex.number_of_vertices() + crossings);
 }
 

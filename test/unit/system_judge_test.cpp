@@ -33,7 +33,7 @@ Result result_of(const Own_triangulation& t)
   for (IT::Halfedge_index h : halfedges_of_sides(t.connectivity())) {
     const IT::Edge_index e = t.connectivity().edge(h);
     result.triangles.lengths.push_back(t.length(e));
-    result.crossings.push_back(IT::internal::engine(t).correspondence().coordinates().number_of_crossings(e));
+    result.crossings.push_back(t.number_of_crossings(e));
   }
   const Eigen::SparseMatrix<double> matrix = IT::stiffness_matrix(t);
   for (int k = 0; k < matrix.outerSize(); ++k)

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Geodesic_report.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
@@ -462,7 +463,7 @@ private:
   {
     journal_ = nullptr;
     for (std::size_t i = flips.size(); i-- > 0;)
-      triangulation_.flip_back(flips[i]);
+      internal::Whole_triangulation<Traits>(triangulation_).flip_back(flips[i]);
     paths_.restore_loop(s, loop);
   }
 

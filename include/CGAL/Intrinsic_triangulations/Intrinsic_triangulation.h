@@ -222,6 +222,8 @@ public:
   std::int64_t number_of_crossings(Edge_index e) const { return integers().number_of_crossings(e); }
   /// returns whether `e` coincides with an edge of the input, or with a part of one.
   bool is_input_edge(Edge_index e) const { return integers().is_original(e); }
+  /// returns the halfedge of the input along `h`. \pre `is_input_edge(connectivity().edge(h))`
+  Halfedge_index input_halfedge(Halfedge_index h) const { return prepared_engine().correspondence().input_halfedge(h); }
   /// returns whether `v` was inserted: whether it is no vertex of the input.
   bool is_inserted(Vertex_index v) const { return prepared_engine().correspondence().is_inserted(v); }
   /// returns where an inserted vertex lies on the input. The coordinates are exact once they are divided by their sum.

@@ -107,11 +107,11 @@ std::vector<double> opposite_angles(const Intrinsic_triangulation<Traits>& trian
     result.push_back(std::isnan(a) ? angle(triangulation, h) : a);
   };
   if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
-    const internal::Exact_engine& geometry = internal::engine<ConcurrencyTag>(triangulation);
+    const internal::Exact_engine& engine = internal::engine<ConcurrencyTag>(triangulation);
     internal::Exact_engine::Rounded_numbers numbers(complex);
     internal::for_each_block<ConcurrencyTag>(
       complex.number_of_faces(), internal::elements_of_block,
-      [&](std::size_t first, std::size_t last) { geometry.find_numbers(first, last, numbers); });
+      [&](std::size_t first, std::size_t last) { engine.find_numbers(first, last, numbers); });
     for (Halfedge_index h : complex.halfedges())
       append(h, [&](Halfedge_index side) { return numbers.angle(side, relative_error); });
   } else {

@@ -137,8 +137,9 @@ public:
   Known_cotangents& operator=(const Known_cotangents&) = delete;
 
   // Opposite to h; zero on the border.
-  Number operator()(const Delta_complex& complex, const internal::Exact_engine& geometry, Halfedge_index h)
+  Number operator()(const internal::Exact_engine& engine, Halfedge_index h)
   {
+  const Delta_complex& complex = engine.connectivity();
     if (complex.is_border(h))
       return {};
     if (entries_.empty())
@@ -147,7 +148,7 @@ public:
     Entry& entry = entries_[f.idx() % number_of_entries];
     if (entry.face != f) {
       entry.face = Face_index();
-      geometry.find_cotangents(f, entry.cotangents);
+      engine.find_cotangents(f, entry.cotangents);
       entry.face = f;
     }
     const Halfedge_index first = complex.halfedge(f);
@@ -232,18 +233,18 @@ private:
                                           const Bounded_double& stored_l) const
   {
     if constexpr (Triangulation::uses_exact_geometry) {
-      const internal::Exact_engine& geometry = internal::engine(triangulation_);
+      const internal::Exact_engine& engine = internal::engine(triangulation_);
       const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
       double weight;
       if (!is_sign_alone) {
         const auto cotangent = [&](Halfedge_index side, const Bounded_double& stored) {
           const bool is_precise = stored.error <= stored_number_accuracy / 4 * (1 + std::abs(stored.value));
-          return is_precise ? Double_with_bound(stored.value, stored.error) : in_doubles_(complex_, geometry, side);
+          return is_precise ? Double_with_bound(stored.value, stored.error) : in_doubles_(engine, side);
         };
         if (find_weight(cotangent(h, stored_k), cotangent(g, stored_l), weight))
           return weight;
       }
-      if (find_weight(in_double_doubles_(complex_, geometry, h), in_double_doubles_(complex_, geometry, g), weight))
+      if (find_weight(in_double_doubles_(engine, h), in_double_doubles_(engine, g), weight))
         return weight;
     }
     return cotangent_weight_by_number_type(triangulation_, e);

@@ -129,7 +129,7 @@ Geodesic_path shortened_edge_path(const TriangleMesh& mesh, Intrinsic_triangulat
     points.push_back({CGAL::to_double(p_v.x()), CGAL::to_double(p_v.y()), CGAL::to_double(p_v.z())});
   }
   for (const Surface_point& q : result.points)
-    result.positions.push_back(point_in_space(internal::engine(triangulation).correspondence().input(), points, q));
+    result.positions.push_back(point_in_space(triangulation.input(), points, q));
   return result;
 }
 

@@ -30,7 +30,7 @@ namespace internal {
 
 // Appends the source of h, its crossings with input edges in order, and its target.
 // \pre `geometry.prepare()` was called
-void append_input_points(const Delta_complex& complex, const internal::Exact_engine& geometry, Halfedge_index h,
+void append_input_points(const internal::Exact_engine& engine, Halfedge_index h,
                          std::vector<Surface_point>& points);
 
 } // namespace internal
@@ -56,7 +56,7 @@ std::vector<Surface_point> geodesic_points(const Intrinsic_triangulation<Traits>
   for (Halfedge_index h : halfedges) {
     if (!result.empty()) // the same vertex follows, in the face that is entered there
       result.pop_back();
-    internal::append_input_points(triangulation.connectivity(), internal::engine(triangulation), h, result);
+    internal::append_input_points(internal::engine(triangulation), h, result);
   }
   return result;
 }

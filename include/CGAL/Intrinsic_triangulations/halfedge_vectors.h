@@ -51,22 +51,23 @@ inline Halfedge_index first_axis(const Delta_complex& input, Vertex_index v)
 }
 
 // The direction of a halfedge at its source, which is no vertex of the border: the angle from the first axis, before it is scaled.
-inline double direction_on_input(const Delta_complex& complex, const internal::Exact_engine& geometry, Halfedge_index h)
+inline double direction_on_input(const internal::Exact_engine& engine, Halfedge_index h)
 {
-  const internal::Correspondence& correspondence = geometry.correspondence();
+  const Delta_complex& complex = engine.connectivity();
+  const internal::Correspondence& correspondence = engine.correspondence();
   const Delta_complex& input = correspondence.input();
   const Vertex_index v = complex.source(h);
-  const auto begin = geometry.edge_beginning(h);
+  const auto begin = engine.edge_beginning(h);
   double sum = std::arg(begin.vector);
   if (!correspondence.is_inserted(v)) {
     for (Halfedge_index side = first_axis(input, v); side != begin.reference; side = input.next_around_source(side))
-      sum += geometry.input_angle(side);
+      sum += engine.input_angle(side);
     return sum;
   }
   // From a side of the face to the next one, one turns left by π minus the angle between them.
   const auto turn = [&](Halfedge_index& side) {
     side = input.next(side);
-    return CGAL_PI - geometry.input_angle(side);
+    return CGAL_PI - engine.input_angle(side);
   };
   const Surface_point& location = correspondence.location(v);
   Halfedge_index side = location.halfedge;
@@ -88,14 +89,14 @@ std::pair<Halfedge_index, double> halfedge_with_direction(const Intrinsic_triang
   const Delta_complex& complex = triangulation.connectivity();
   const Halfedge_index first = complex.opposite(complex.halfedge(v));
   if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
-    const internal::Exact_engine& geometry = internal::engine(triangulation);
-    const internal::Correspondence& correspondence = geometry.correspondence();
+    const internal::Exact_engine& engine = internal::engine(triangulation);
+    const internal::Correspondence& correspondence = engine.correspondence();
     if (complex.is_border(complex.halfedge(v)) && !correspondence.is_inserted(v))
       return {first, 0};
     Halfedge_index best = first; // that with the fewest crossings: -1 means that it lies on an edge of the input
     const auto crossings = [&](Halfedge_index h) { return correspondence.coordinates().crossings(complex.edge(h)); };
     for_each_halfedge_from(complex, v, [&](Halfedge_index h) { best = crossings(h) < crossings(best) ? h : best; });
-    return {best, direction_on_input(complex, geometry, best)};
+    return {best, direction_on_input(engine, best)};
   } else {
     const Halfedge_index axis = first_axis(complex, v);
     return {axis, 0};

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/compare_points.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/faces_without_area.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
@@ -56,10 +57,11 @@ inline void check_new_vertex(const Delta_complex& input, const Surface_point& po
 
 // The halfedge of the current triangulation that coincides with the part of an input edge which contains a point of that, if
 // there is one. Vertices that were inserted cut the edge into parts.
-inline std::optional<Halfedge_index> halfedge_along(const Delta_complex& complex, const internal::Exact_engine& geometry,
+inline std::optional<Halfedge_index> halfedge_along(const internal::Exact_engine& engine,
                                                     const Surface_point& point)
 {
-  const internal::Correspondence& correspondence = geometry.correspondence();
+  const Delta_complex& complex = engine.connectivity();
+  const internal::Correspondence& correspondence = engine.correspondence();
   const Delta_complex& input = correspondence.input();
   const Halfedge_index along = side_of(input, point);
   const auto [a, b] = coordinates_on_edge(input, point, along);
@@ -74,7 +76,7 @@ inline std::optional<Halfedge_index> halfedge_along(const Delta_complex& complex
                            correspondence.coordinates().number_of_crossings(e) - 1 - start.position);
       for (std::size_t step = 1; !walk.step(); ++step)
         if (step % 1024 == 0)
-          geometry.interruption().check();
+          engine.interruption().check();
       v = walk.end_vertex();
     }
     Sign order = NEGATIVE; // of the point and v, from the source on
@@ -105,10 +107,10 @@ inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex, const
   return std::nullopt;
 }
 
-inline void check_area(const internal::Exact_engine& geometry, const Surface_point& point)
+inline void check_area(const internal::Exact_engine& engine, const Surface_point& point)
 {
-  const Face_index f = geometry.correspondence().input().face(point.halfedge);
-  if (!geometry.has_input_face_area(f))
+  const Face_index f = engine.correspondence().input().face(point.halfedge);
+  if (!engine.has_input_face_area(f))
     throw Invalid_point_error("a new vertex lies in face " + std::to_string(f.idx()) +
                               " of the input, which has no area: move it into another one");
 }
@@ -159,12 +161,12 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
                                                            Static_boolean_property_map<Edge_index, false>());
   const internal::Standard_arithmetic arithmetic;
   const Delta_complex& complex = triangulation.connectivity();
-  const internal::Exact_engine& geometry = internal::engine(triangulation);
-  const internal::Correspondence& correspondence = geometry.correspondence();
+  const internal::Exact_engine& engine = internal::engine(triangulation);
+  const internal::Correspondence& correspondence = engine.correspondence();
   internal::check_new_vertex(correspondence.input(), point);
   Vertex_index v;
   if (point.dimension() == 1) {
-    const std::optional<Halfedge_index> h = internal::halfedge_along(complex, geometry, point);
+    const std::optional<Halfedge_index> h = internal::halfedge_along(engine, point);
     if (!h)
       throw Invalid_point_error("a new vertex lies on an input edge that is no edge of the triangulation any more: move it into a face, or "
                                 "constrain that edge before flips");
@@ -174,14 +176,14 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
       throw Invalid_point_error("a new vertex lies on a side of face " +
                                 std::to_string(correspondence.input().face(correspondence.input_halfedge(*side)).idx()) +
                                 " of the input, which has no area: move it into another one");
-    v = triangulation.split_edge(*h, point);
+    v = internal::Whole_triangulation<Traits>(triangulation).split_edge(*h, point);
   } else {
-    internal::check_area(geometry, point);
+    internal::check_area(engine, point);
     const internal::Triangle_piece start = internal::piece_at_source(complex, correspondence, point.halfedge);
-    const internal::Triangle_piece piece = internal::Piece_search(complex, geometry)(start, point);
+    const internal::Triangle_piece piece = internal::Piece_search(engine)(start, point);
     if (const auto there = internal::vertex_at(complex, correspondence, piece.side, point))
       throw Invalid_point_error("a new vertex lies at vertex " + std::to_string(there->idx()) + ": use that");
-    v = triangulation.split_face(piece, point);
+    v = internal::Whole_triangulation<Traits>(triangulation).split_face(piece, point);
   }
   std::vector<Edge_index> stack;
   internal::settle_around(triangulation, v, is_constrained, stack, [](Edge_index) {});

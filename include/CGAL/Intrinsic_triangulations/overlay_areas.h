@@ -56,14 +56,14 @@ struct Areas_in_both
 {
   explicit Areas_in_both(const Common_subdivision& subdivision)
   {
-    const internal::Exact_engine& geometry = internal::engine(subdivision);
+    const internal::Exact_engine& engine = internal::engine(subdivision);
     const Delta_complex& complex = subdivision.input();
     for (Face_index f : complex.faces())
       input.push_back(
-        area_in_input_unit(geometry.metric().four_areas_double_double(complex, f).hi() / 4,
-                           geometry.metric().unit_exponent(), f));
+        area_in_input_unit(engine.metric().four_areas_double_double(complex, f).hi() / 4,
+                           engine.metric().unit_exponent(), f));
     for (Face_index f : subdivision.intrinsic().faces())
-      intrinsic.push_back(geometry.area(f));
+      intrinsic.push_back(engine.area(f));
   }
 
   std::vector<double> input, intrinsic;

@@ -60,7 +60,7 @@ public:
   explicit Point_location(const Common_subdivision& subdivision)
     : input_{subdivision.input(), subdivision.overlay(), subdivision.positions()},
       intrinsic_{subdivision.intrinsic(), subdivision.overlay(), subdivision.positions()},
-      exact_side_(subdivision.intrinsic(), internal::engine(subdivision), subdivision.overlay()),
+      exact_side_(internal::engine(subdivision), subdivision.overlay()),
       correspondence_(internal::engine(subdivision).correspondence())
   {
     if (correspondence_.number_of_inserted_vertices() != 0)

@@ -63,7 +63,7 @@ Removed_elements remove_vertex(Intrinsic_triangulation<Traits>& triangulation, V
 {
   const auto is_constrained = parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
                                                            Static_boolean_property_map<Edge_index, false>());
-  if (v.idx() >= triangulation.connectivity().number_of_vertices() || !internal::engine(triangulation).correspondence().is_inserted(v))
+  if (v.idx() >= triangulation.connectivity().number_of_vertices() || !triangulation.is_inserted(v))
     throw Invalid_removal_error("vertex " + std::to_string(v.idx()) + " was not inserted: only inserted vertices can be removed");
   return internal::Vertex_remover<Traits, std::decay_t<decltype(is_constrained)>>(triangulation, v, is_constrained).remove();
 }

@@ -43,10 +43,10 @@ struct Traced_geodesic
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-Traced_geodesic trace(const internal::Exact_engine& geometry, const Surface_direction& start, double length, std::size_t maximum_number);
-Traced_geodesic trace(const Delta_complex& complex, const internal::Exact_engine& geometry, const Surface_direction& start, double length,
-                      std::size_t maximum_number);
-Surface_direction direction_at_vertex(const internal::Exact_engine& geometry, Halfedge_index h, double angle);
+Traced_geodesic trace(const Exact_engine& engine, const Surface_direction& start, double length, std::size_t maximum_number);
+Traced_geodesic trace_in_triangulation(const Exact_engine& engine, const Surface_direction& start, double length,
+                                       std::size_t maximum_number);
+Surface_direction direction_at_vertex(const Exact_engine& engine, Halfedge_index h, double angle);
 } // namespace internal
 /// \endcond
 
@@ -95,7 +95,7 @@ Traced_geodesic trace_geodesic_in_triangulation(const Intrinsic_triangulation<Tr
                                                 double length,
                                                 std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)())
 {
-  return internal::trace(triangulation.connectivity(), internal::engine(triangulation), start, length, maximum_number);
+  return internal::trace_in_triangulation(internal::engine(triangulation), start, length, maximum_number);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics

@@ -52,8 +52,8 @@ template <class ConstraintMap>
 class Delaunay_verifier
 {
 public:
-  Delaunay_verifier(const Delta_complex& complex, const internal::Exact_engine& geometry, const ConstraintMap& is_constrained)
-    : complex_(complex), geometry_(geometry), is_constrained_(is_constrained)
+  Delaunay_verifier(const internal::Exact_engine& engine, const ConstraintMap& is_constrained)
+    : complex_(engine.connectivity()), engine_(engine), is_constrained_(is_constrained)
   {}
 
   // `loop(n, f)` calls f(first, last) for ranges that make up [0, n) on one thread or several.
@@ -112,8 +112,8 @@ private:
 
   void verify(Face_index f, Delaunay_verification& found) const
   {
-    geometry_.interruption().check();
-    if (geometry_.sign_of_area(f) == NEGATIVE)
+    engine_.interruption().check();
+    if (engine_.sign_of_area(f) == NEGATIVE)
       found.inverted.push_back(f);
   }
   void verify(Edge_index e, Delaunay_verification& found) const
@@ -121,8 +121,8 @@ private:
     if (!complex_.is_flippable(e) || get(is_constrained_, e))
       return;
     ++found.tests;
-    geometry_.interruption().check();
-    const Sign sign = geometry_.sign_by_unfolding(e);
+    engine_.interruption().check();
+    const Sign sign = engine_.sign_by_unfolding(e);
     if (sign == NEGATIVE)
       found.not_Delaunay.push_back(e);
     else if (sign == ZERO)
@@ -138,7 +138,7 @@ private:
   }
 
   const Delta_complex& complex_;
-  const internal::Exact_engine& geometry_;
+  const internal::Exact_engine& engine_;
   const ConstraintMap& is_constrained_;
 };
 
@@ -179,7 +179,7 @@ Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  return internal::Delaunay_verifier(triangulation.connectivity(), internal::engine<ConcurrencyTag>(triangulation),
+  return internal::Delaunay_verifier(internal::engine<ConcurrencyTag>(triangulation),
                                      choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                                       Static_boolean_property_map<Edge_index, false>()))
     .verify([](std::size_t n, const auto& f) { internal::for_each_block<ConcurrencyTag>(n, 1, f); });

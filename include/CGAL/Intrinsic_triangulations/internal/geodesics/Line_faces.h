@@ -99,14 +99,14 @@ class Current_faces
 public:
   static constexpr bool has_divisors = true;
 
-  Current_faces(const Delta_complex& current, const Exact_engine& geometry, const Surface_direction& start)
-    : complex(current), correspondence_(geometry.correspondence()), input_(correspondence_.input()), start_(start)
+  Current_faces(const Exact_engine& engine, const Surface_direction& start)
+    : complex(engine.connectivity()), correspondence_(engine.correspondence()), input_(correspondence_.input()), start_(start)
   {
     if (start.point.dimension() == 0)
       begin_at_vertex();
     else {
       const Triangle_piece piece =
-        Piece_search(current, geometry)(piece_at_source(current, correspondence_, start.point.halfedge), start.point);
+        Piece_search(engine)(piece_at_source(complex, correspondence_, start.point.halfedge), start.point);
       first_ = piece.side;
       position_ = piece.gap;
     }

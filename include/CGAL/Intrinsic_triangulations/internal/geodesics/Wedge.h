@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Angle_sum.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 
 #include <CGAL/enum.h>
 
@@ -109,7 +110,7 @@ private:
     if (!sum.is_below_pi() && !sum.is_above_pi()) {
       for (const Estimated_corner& corner : corners_)
         if (!(corner.angle.error < 0x1p-44))
-          triangulation_.recompute(complex().face(corner.opposite));
+          Whole_triangulation<Traits>(triangulation_).recompute(complex().face(corner.opposite));
       sum = estimate();
     }
     if (angle)

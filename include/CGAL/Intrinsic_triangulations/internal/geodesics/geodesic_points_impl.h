@@ -43,10 +43,11 @@ inline Surface_point source_on_input(const Delta_complex& complex, const interna
 
 // The input edges that h crosses, from the integers alone.
 // \pre `geometry.prepare()` was called, and h crosses some
-inline Crossed_edges find_crossed_edges(const Delta_complex& complex, const internal::Exact_engine& geometry, Halfedge_index h)
+inline Crossed_edges find_crossed_edges(const internal::Exact_engine& engine, Halfedge_index h)
 {
-  const Crossed_halfedges sequence(complex, geometry.correspondence(), h, geometry.interruption());
-  Crossed_edges crossed(geometry.correspondence().input());
+  const Delta_complex& complex = engine.connectivity();
+  const Crossed_halfedges sequence(complex, engine.correspondence(), h, engine.interruption());
+  Crossed_edges crossed(engine.correspondence().input());
   for (std::size_t i = 0; i < sequence.size(); ++i)
     crossed.push_back(sequence[i]);
   return crossed;
@@ -74,10 +75,11 @@ inline void append_along_input_edge(const Delta_complex& complex, const internal
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void append_input_points(const Delta_complex& complex, const internal::Exact_engine& geometry, Halfedge_index h,
+void append_input_points(const internal::Exact_engine& engine, Halfedge_index h,
                          std::vector<Surface_point>& points)
 {
-  const internal::Correspondence& correspondence = geometry.correspondence();
+  const Delta_complex& complex = engine.connectivity();
+  const internal::Correspondence& correspondence = engine.correspondence();
   const Delta_complex& input = correspondence.input();
   if (correspondence.coordinates().is_original(complex.edge(h)))
     return append_along_input_edge(complex, correspondence, h, points);
@@ -85,8 +87,8 @@ void append_input_points(const Delta_complex& complex, const internal::Exact_eng
   if (correspondence.coordinates().number_of_crossings(complex.edge(h)) > 0) {
     // Positions are those of the edge, in the direction of its own halfedge, which the overlay has as well.
     const bool is_backward = !is_in_own_direction(h);
-    const Crossed_edges crossed = find_crossed_edges(complex, geometry, is_backward ? complex.opposite(h) : h);
-    const internal::Exact_engine::Surface_lease surface = geometry.input_surface();
+    const Crossed_edges crossed = find_crossed_edges(engine, is_backward ? complex.opposite(h) : h);
+    const internal::Exact_engine::Surface_lease surface = engine.input_surface();
     Crossing_locator locator(complex, correspondence, *surface);
     const std::vector<Position_on_edges>& positions = locator(complex.edge(h), crossed);
     const std::size_t n = crossed.size();

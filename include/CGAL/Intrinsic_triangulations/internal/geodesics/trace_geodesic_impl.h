@@ -37,18 +37,18 @@ template <class Faces>
 class Geodesic_tracer
 {
 public:
-  Geodesic_tracer(const Faces& faces, const internal::Exact_engine& geometry, const Surface_direction& start, double length,
+  Geodesic_tracer(const Faces& faces, const Exact_engine& engine, const Surface_direction& start, double length,
                   std::size_t maximum_number)
-    : faces_(faces), complex_(faces.complex), geometry_(geometry), surface_(geometry.input_surface()), metric_(*surface_), start_(start),
+    : faces_(faces), complex_(faces.complex), engine_(engine), surface_(engine.input_surface()), metric_(*surface_), start_(start),
       layout_(faces, metric_), wanted_(length), maximum_number_(maximum_number)
   {}
 
   Traced_geodesic operator()()
   {
     using Real = Bounded_double_double;
-    const Delta_complex& input = geometry_.correspondence().input();
+    const Delta_complex& input = engine_.correspondence().input();
     const Real speed = sqrt(layout_.squared_speed() * metric_.squared_length(input.edge(layout_.unit())));
-    speed_ = std::ldexp(speed.hi(), geometry_.metric().unit_exponent());
+    speed_ = std::ldexp(speed.hi(), engine_.metric().unit_exponent());
     if (!(speed_ > 0))
       throw Invalid_point_error("a line needs a direction: the displacement is zero, or too small");
     begin();
@@ -56,7 +56,7 @@ public:
     bool goes_on = leave_first_face();
     for (std::size_t i = 1; goes_on; ++i) {
       if (i % 64 == 0)
-        geometry_.interruption().check();
+        engine_.interruption().check();
       if (i >= maximum_number_) {
         result_.status = Trace_status::BUDGET_EXHAUSTED;
         result_.length = length_;
@@ -86,7 +86,7 @@ private:
     };
     return exact_sign(*surface_, evaluate, [&] {
       return "a line from a point of input face " +
-             std::to_string(geometry_.correspondence().input().face(start_.point.halfedge).idx()) + ": that it meets a vertex";
+             std::to_string(engine_.correspondence().input().face(start_.point.halfedge).idx()) + ": that it meets a vertex";
     });
   }
   Sign side_of_corner(int i)
@@ -299,7 +299,7 @@ private:
 
   const Faces& faces_;
   const Delta_complex& complex_;
-  const internal::Exact_engine& geometry_;
+  const Exact_engine& engine_;
   internal::Exact_engine::Surface_lease surface_;
   Double_double_metric metric_;
   const Surface_direction& start_;
@@ -338,32 +338,32 @@ inline void check_line(const Delta_complex& input, const Surface_direction& star
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Traced_geodesic trace(const internal::Exact_engine& geometry, const Surface_direction& start, double length, std::size_t maximum_number)
+Traced_geodesic trace(const Exact_engine& engine, const Surface_direction& start, double length, std::size_t maximum_number)
 {
   const Standard_arithmetic arithmetic;
-  const Delta_complex& input = geometry.correspondence().input();
+  const Delta_complex& input = engine.correspondence().input();
   check_line(input, start, length);
   const Input_faces faces(input, start);
-  return Geodesic_tracer<Input_faces>(faces, geometry, start, length, maximum_number)();
+  return Geodesic_tracer<Input_faces>(faces, engine, start, length, maximum_number)();
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Traced_geodesic trace(const Delta_complex& complex, const internal::Exact_engine& geometry, const Surface_direction& start, double length,
-                      std::size_t maximum_number)
+Traced_geodesic trace_in_triangulation(const Exact_engine& engine, const Surface_direction& start, double length,
+                                       std::size_t maximum_number)
 {
   const Standard_arithmetic arithmetic;
-  check_line(geometry.correspondence().input(), start, length);
-  const Current_faces faces(complex, geometry, start);
-  return Geodesic_tracer<Current_faces>(faces, geometry, start, length, maximum_number)();
+  check_line(engine.correspondence().input(), start, length);
+  const Current_faces faces(engine, start);
+  return Geodesic_tracer<Current_faces>(faces, engine, start, length, maximum_number)();
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Surface_direction direction_at_vertex(const internal::Exact_engine& geometry, Halfedge_index h, double angle)
+Surface_direction direction_at_vertex(const Exact_engine& engine, Halfedge_index h, double angle)
 {
-  const Delta_complex& input = geometry.correspondence().input();
+  const Delta_complex& input = engine.correspondence().input();
   if (!(h.idx() < input.number_of_halfedges()) || !std::isfinite(angle))
     throw Invalid_point_error("a direction at a vertex needs a halfedge and a finite angle");
-  const internal::Exact_engine::Surface_lease surface = geometry.input_surface();
+  const Exact_engine::Surface_lease surface = engine.input_surface();
   Double_double_metric metric(*surface);
   const Metric_frame<Double_double_metric> frame(input, metric);
   struct Fan_corner

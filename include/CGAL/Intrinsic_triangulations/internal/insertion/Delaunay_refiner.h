@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Measured_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Segments.h>
@@ -51,10 +52,10 @@ public:
 
   Delaunay_refiner(Triangulation& triangulation, const Refinement_criteria& criteria, std::vector<bool> is_segment, Visitor& visitor,
                    std::uint64_t maximum_number)
-    : triangulation_(triangulation), complex_(triangulation.connectivity()), geometry_(engine(triangulation)),
-      correspondence_(geometry_.correspondence()), shapes_(geometry_), criteria_(criteria), visitor_(visitor),
+    : triangulation_(triangulation), complex_(triangulation.connectivity()), engine_(engine(triangulation)),
+      correspondence_(engine_.correspondence()), shapes_(engine_), criteria_(criteria), visitor_(visitor),
       maximum_number_(maximum_number), faces_(triangulation), segments_(complex_, correspondence_, shapes_, faces_, std::move(is_segment)),
-      cones_(geometry_, shapes_), sine_of_minimum_angle_(std::sin(criteria.minimum_angle / 180 * CGAL_PI))
+      cones_(engine_, shapes_), sine_of_minimum_angle_(std::sin(criteria.minimum_angle / 180 * CGAL_PI))
   {}
 
   Refinement_report operator()()
@@ -274,7 +275,7 @@ private:
           nearest = h;
       const double radius = (std::min)(faces_.length(nearest) / 3, cones_.radius_of_input_faces(v) / 2);
       const double t = radius / faces_.length(nearest);
-      const auto place = point_on_input(complex_, geometry_, shapes_, nearest, {1 - t, t, 0}, [&](Halfedge_index x) { return faces_.apex(x); });
+      const auto place = point_on_input(engine_, shapes_, nearest, {1 - t, t, 0}, [&](Halfedge_index x) { return faces_.apex(x); });
       if (!(t > 0) || !place)
         continue;
       const std::optional<Vertex_index> p = insert(*place);
@@ -339,7 +340,7 @@ private:
       return split(f, complex_.edge(end->barrier));
     if (const std::optional<Edge_index> e = segments_.encroached_by(*end))
       return split(f, *e);
-    const auto place = point_on_input(complex_, geometry_, shapes_, end->halfedge, end->weights, [&](Halfedge_index g) { return faces_.apex(g); });
+    const auto place = point_on_input(engine_, shapes_, end->halfedge, end->weights, [&](Halfedge_index g) { return faces_.apex(g); });
     if (!place)
       return Refinement_obstacle::UNREPRESENTABLE;
     if (cones_.is_too_close(place->point))
@@ -361,7 +362,7 @@ private:
   // the angles opposite to it are smaller than those at the base.
   std::optional<Refinement_obstacle> insert_at_centroid(Face_index f)
   {
-    const auto place = point_on_input(complex_, geometry_, shapes_, complex_.halfedge(f), {1. / 3, 1. / 3, 1. / 3}, [&](Halfedge_index g) { return faces_.apex(g); });
+    const auto place = point_on_input(engine_, shapes_, complex_.halfedge(f), {1. / 3, 1. / 3, 1. / 3}, [&](Halfedge_index g) { return faces_.apex(g); });
     if (!place || is_too_fine(f, place->point) || !insert(*place))
       return Refinement_obstacle::UNREPRESENTABLE;
     return std::nullopt;
@@ -373,7 +374,7 @@ private:
     double size = 0;
     for (Halfedge_index h : {point.halfedge, input.next(point.halfedge), input.prev(point.halfedge)})
       size = (std::max)(size, shapes_.length(input.edge(h)));
-    return faces_.circumradius(f) < std::ldexp(size, geometry_.metric().unit_exponent() - 46);
+    return faces_.circumradius(f) < std::ldexp(size, engine_.metric().unit_exponent() - 46);
   }
 
   // \return nothing if a vertex lies there
@@ -381,10 +382,10 @@ private:
   {
     if (!(shapes_.four_areas(correspondence_.input().face(place.point.halfedge)) > 0))
       return std::nullopt;
-    const Triangle_piece piece = Piece_search(complex_, geometry_)(place.start, place.point);
+    const Triangle_piece piece = Piece_search(engine_)(place.start, place.point);
     if (vertex_at(complex_, correspondence_, piece.side, place.point))
       return std::nullopt;
-    const Vertex_index v = triangulation_.split_face(piece, place.point);
+    const Vertex_index v = Whole_triangulation<Traits>(triangulation_).split_face(piece, place.point);
     ++report_.insertions;
     settle(v);
     return v;
@@ -411,7 +412,7 @@ private:
     const double t = std::ldexp(std::nearbyint(std::ldexp(segments_.split_position(h, begin, end), 52)), -52);
     if (!(begin < t && t < end))
       return false;
-    const Vertex_index v = triangulation_.split_edge(h, Surface_point{along, {1 - t, t, 0}});
+    const Vertex_index v = Whole_triangulation<Traits>(triangulation_).split_edge(h, Surface_point{along, {1 - t, t, 0}});
     ++report_.segment_splits;
     segments_.resize();
     // Of the edges that lead to the new vertex, these are its parts.
@@ -488,7 +489,7 @@ private:
 
   Triangulation& triangulation_;
   const Delta_complex& complex_;
-  const Exact_engine& geometry_;
+  const Exact_engine& engine_;
   const Correspondence& correspondence_;
   const Input_shapes shapes_;
   const Refinement_criteria criteria_;

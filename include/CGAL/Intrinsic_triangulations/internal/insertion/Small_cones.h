@@ -29,8 +29,8 @@ namespace internal {
 class Small_cones
 {
 public:
-  Small_cones(const Exact_engine& geometry, const Input_shapes& shapes)
-    : input_(geometry.correspondence().input()), unit_exponent_(geometry.metric().unit_exponent()), shapes_(shapes)
+  Small_cones(const Exact_engine& engine, const Input_shapes& shapes)
+    : input_(engine.correspondence().input()), unit_exponent_(engine.metric().unit_exponent()), shapes_(shapes)
   {}
 
   void add(Vertex_index v, double angle) { cones_.emplace(v, Cone{angle, 0}); }

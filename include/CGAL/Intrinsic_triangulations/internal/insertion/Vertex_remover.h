@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Angle_sum.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
 
 #include <CGAL/enum.h>
@@ -58,7 +59,7 @@ public:
         continue;
       const std::size_t sides = complex_.is_border(complex_.edge(fixed[0])) ? 1 : 2;
       if (edges_at_vertex().size() == 2 + sides && is_simple_star())
-        removed = triangulation_.unsplit_edge(fixed[0]);
+        removed = Whole_triangulation<Traits>(triangulation_).unsplit_edge(fixed[0]);
     }
     if (!removed) {
       settle(triangulation_, is_constrained_, changed_, [](Edge_index) {});
@@ -176,11 +177,11 @@ private:
     if (!is_simple_star())
       return std::nullopt;
     if (edges.size() == 3)
-      return triangulation_.unsplit_face(v_);
+      return Whole_triangulation<Traits>(triangulation_).unsplit_face(v_);
     if (edges.size() == 4) // the vertex lies on a diagonal of the quadrilateral
       for (std::size_t i : {0, 1})
         if (is_straight(edges[i], edges[i + 1]))
-          return triangulation_.unsplit_edge(edges[i]);
+          return Whole_triangulation<Traits>(triangulation_).unsplit_edge(edges[i]);
     return std::nullopt;
   }
 
@@ -188,7 +189,7 @@ private:
   bool is_straight(Halfedge_index h, Halfedge_index following) const
   {
     const Bounded_angle unknown{0, std::numeric_limits<double>::infinity()};
-    return compare_angle_sum_with_pi(complex_, engine(triangulation_),
+    return compare_angle_sum_with_pi(engine(triangulation_),
                                      {{complex_.prev(h), unknown}, {complex_.prev(following), unknown}}) == EQUAL;
   }
 

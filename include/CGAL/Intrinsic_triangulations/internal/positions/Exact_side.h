@@ -28,8 +28,8 @@ namespace internal {
 class Exact_side
 {
 public:
-  Exact_side(const Delta_complex& intrinsic, const Exact_engine& geometry, const Overlay& overlay)
-    : intrinsic_(intrinsic), geometry_(geometry), overlay_(overlay)
+  Exact_side(const Exact_engine& engine, const Overlay& overlay)
+    : intrinsic_(engine.connectivity()), engine_(engine), overlay_(overlay)
   {}
 
   // The side of a point of the input with respect to a chord of an intrinsic edge.
@@ -41,7 +41,7 @@ public:
 
 private:
   const Delta_complex& intrinsic_;
-  const Exact_engine& geometry_;
+  const Exact_engine& engine_;
   const Overlay& overlay_;
 };
 

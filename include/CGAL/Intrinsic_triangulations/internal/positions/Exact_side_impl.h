@@ -56,9 +56,9 @@ std::optional<Sign> Exact_side::of_intrinsic_chord(Overlay::Halfedge chord, cons
   const Halfedge_index h = intrinsic_.halfedge(intrinsic_.edge(overlay_.intrinsic_halfedge(chord)));
   const std::int64_t position =
     std::int64_t(overlay_.segment(chord).idx()) - (*overlay_.intrinsic_segments(intrinsic_.edge(h)).begin()).idx();
-  const Sign side = geometry_.side_of(h, position, point);
-  const Delta_complex& input = geometry_.correspondence().input();
-  if (side == ZERO && squared_four_areas(geometry_.metric(), input, input.face(point.halfedge)) == 0)
+  const Sign side = engine_.side_of(h, position, point);
+  const Delta_complex& input = engine_.correspondence().input();
+  if (side == ZERO && squared_four_areas(engine_.metric(), input, input.face(point.halfedge)) == 0)
     return std::nullopt;
   return (chord.idx() & 1) ? -side : side;
 }
@@ -70,13 +70,13 @@ std::optional<Sign> Exact_side::of_input_chord(Overlay::Halfedge chord, Halfedge
   const Overlay::Vertex x = overlay_.source(chord);
   const Edge_index e = intrinsic_.edge(side);
   const bool is_left = side == intrinsic_.halfedge(e);
-  const Delta_complex& input = geometry_.correspondence().input();
+  const Delta_complex& input = engine_.correspondence().input();
   const Crossed_edges crossed = crossed_edges(overlay_, input, e);
   const auto right_of_crossed_edge = [&](auto& metric) {
     using Metric = std::decay_t<decltype(metric)>;
     using Frame = Metric_frame<Metric>;
     using Vector = typename Frame::Vector;
-    const internal::Unfolding<Metric> unfolding(intrinsic_, geometry_.correspondence(), metric);
+    const internal::Unfolding<Metric> unfolding(intrinsic_, engine_.correspondence(), metric);
     Strip<Frame> strip(input, Frame(input, metric));
     unfolding.lay_out(strip, intrinsic_.halfedge(e), crossed);
     const auto triangle = strip.triangle_behind(overlay_.intrinsic_position(x));
@@ -93,8 +93,8 @@ std::optional<Sign> Exact_side::of_input_chord(Overlay::Halfedge chord, Halfedge
     return area_between(p - triangle.left * scale, triangle.right - triangle.left);
   };
   const Sign result =
-    exact_sign(*geometry_.input_surface(), right_of_crossed_edge, [e] { return description_of_distance(e); });
-  if (result == ZERO && geometry_.sign_of_area(intrinsic_.face(side)) == ZERO)
+    exact_sign(*engine_.input_surface(), right_of_crossed_edge, [e] { return description_of_distance(e); });
+  if (result == ZERO && engine_.sign_of_area(intrinsic_.face(side)) == ZERO)
     return std::nullopt;
   return is_left ? result : -result;
 }

@@ -27,9 +27,9 @@ namespace internal {
 class Angle_sum_signs
 {
 public:
-  Angle_sum_signs(const Delta_complex& complex, const Exact_engine& geometry,
+  Angle_sum_signs(const Exact_engine& engine,
                   const std::vector<Estimated_corner>& corners)
-    : complex_(complex), geometry_(geometry), corners_(corners), surface_(geometry.input_surface())
+    : complex_(engine.connectivity()), engine_(engine), corners_(corners), surface_(engine.input_surface())
   {}
 
   // The signs of the sine and of the cosine of the sum of the corners from `first` to before `last`.
@@ -46,7 +46,7 @@ public:
   bool is_level(std::size_t first, std::size_t last)
   {
     const Halfedge_index from = complex_.prev(corners_[first].opposite), to = complex_.opposite(complex_.next(corners_[last - 1].opposite));
-    return Level_line(complex_, geometry_.correspondence(), *surface_)(from, to);
+    return Level_line(complex_, engine_.correspondence(), *surface_)(from, to);
   }
 
 private:
@@ -56,7 +56,7 @@ private:
     const auto evaluate = [&](auto& metric) {
       using Metric = std::decay_t<decltype(metric)>;
       using Vector = typename Metric::Vector;
-      const Unfolding<Metric> unfolding(complex_, geometry_.correspondence(), metric);
+      const Unfolding<Metric> unfolding(complex_, engine_.correspondence(), metric);
       const auto vector = [&](std::size_t i) {
         const auto corner = unfolding.opposite_corner(corners_[i].opposite);
         return Vector(corner.p, corner.four_areas);
@@ -73,16 +73,16 @@ private:
   }
 
   const Delta_complex& complex_;
-  const Exact_engine& geometry_;
+  const Exact_engine& engine_;
   const std::vector<Estimated_corner>& corners_;
   Exact_engine::Surface_lease surface_;
 };
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Comparison_result compare_angle_sum_with_pi(const Delta_complex& complex, const Exact_engine& geometry,
+Comparison_result compare_angle_sum_with_pi(const Exact_engine& engine,
                                             const std::vector<Estimated_corner>& corners)
 {
-  Angle_sum_signs signs(complex, geometry, corners);
+  Angle_sum_signs signs(engine, corners);
   Bounded_angle sum;
   bool is_straight = false; // the sum so far is π
   for (std::size_t i = 0; i < corners.size(); ++i) {
