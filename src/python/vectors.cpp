@@ -7,9 +7,9 @@
 #include "python/arrays.h"
 #include "python/bindings.h"
 
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
-#include <CGAL/Intrinsic_triangulations/connection_Laplacian.h>
-#include <CGAL/Intrinsic_triangulations/vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
 #include <pybind11/stl.h>
 

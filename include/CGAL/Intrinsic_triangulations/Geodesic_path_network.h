@@ -8,7 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_NETWORK_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_NETWORK_H
 
-#include <CGAL/Intrinsic_triangulations/Geodesic_report.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -17,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Linked_paths.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Wedge.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Uncertain.h>

@@ -3,16 +3,16 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of geodesic_points.h.
+// Definitions of trace_geodesic.h.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_GEODESIC_POINTS_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_GEODESIC_POINTS_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/geodesic_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Crossing_locator.h>
+#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <cstddef>
 #include <cstdint>
