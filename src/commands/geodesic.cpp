@@ -235,7 +235,7 @@ IT::Halfedge_index reference(const IT::Delta_complex& complex, IT::Vertex_index 
 {
   const IT::Halfedge_index first = complex.halfedge(v);
   if (!first.is_valid())
-    throw IT::Invalid_point_error("vertex " + std::to_string(v.idx()) + " belongs to no face: choose one that does");
+    throw IT::Invalid_argument_error("vertex " + std::to_string(v.idx()) + " belongs to no face: choose one that does");
   IT::Halfedge_index best = first, h = first;
   if (!complex.is_border(first))
     do {

@@ -72,7 +72,7 @@ py::tuple frames(Surface& surface, const Doubles& points)
   const auto p = copied_rows(points);
   const std::vector<IT::Vertex_frame> found = surface.use([&](const Triangulation& t) {
     if (p.size() != t.exact_geometry().correspondence().input().number_of_vertices())
-      throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::BAD_INDEX, p.size(), 1, "there is not a point for each vertex");
+      throw IT::Invalid_argument_error("there is not a point for each vertex");
     return IT::vertex_frames(t, p);
   });
   std::vector<double> x, y, normal;

@@ -166,10 +166,10 @@ TEST(Boundary_positions, only_on_convex_polygons)
   for (int i = 0; i < 5; ++i)
     star.push_back({std::cos(2.4 * M_PI / 3 * i), std::sin(2.4 * M_PI / 3 * i)});
   for (const Planar_points& polygon : {clockwise, straight, concave, two, star})
-    EXPECT_THROW(IT::positions_on_polygon(lengths, polygon), IT::Error);
-  EXPECT_THROW(IT::positions_on_polygon({1, 1, 1}, square), IT::Error);
+    EXPECT_THROW(IT::positions_on_polygon(lengths, polygon), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::positions_on_polygon({1, 1, 1}, square), IT::Invalid_argument_error);
   for (double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e308})
-    EXPECT_THROW(IT::positions_on_polygon(lengths, {{0, 0}, {1, 0}, {x, 1}}), IT::Error);
+    EXPECT_THROW(IT::positions_on_polygon(lengths, {{0, 0}, {1, 0}, {x, 1}}), IT::Invalid_argument_error);
 }
 
 // Lengths whose sum overflows, and lengths that vanish beside those before.

@@ -179,9 +179,9 @@ TEST(Geodesic_distances, bad_input)
   Triangles triangles;
   make_polygon(5, points, triangles);
   const Triangulation triangulation = Delaunay(points, triangles);
-  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(5)}), IT::Invalid_surface_error);
-  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(0)}, with_tolerance(-1)), IT::Invalid_surface_error);
-  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(0)}, with_tolerance(std::nan(""))), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(5)}), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(0)}, with_tolerance(-1)), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(0)}, with_tolerance(std::nan(""))), IT::Invalid_argument_error);
   for (double d : IT::geodesic_distances(triangulation, {}).distances)
     EXPECT_EQ(d, std::numeric_limits<double>::infinity());
 }

@@ -124,8 +124,8 @@ TEST(Shortest_path, needs_vertices_that_are_connected)
   surface.points.insert(surface.points.end(), {{9, 0, 0}, {10, 0, 0}, {9, 1, 0}});
   surface.triangles.push_back({n, n + 1, n + 2});
   Triangulation triangulation = Delaunay(surface);
-  EXPECT_THROW(IT::shortest_path(triangulation, Vertex_index(0), Vertex_index(n)), IT::Invalid_point_error);
-  EXPECT_THROW(IT::shortest_path(triangulation, Vertex_index(0), Vertex_index(n + 3)), IT::Invalid_point_error);
+  EXPECT_THROW(IT::shortest_path(triangulation, Vertex_index(0), Vertex_index(n)), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::shortest_path(triangulation, Vertex_index(0), Vertex_index(n + 3)), IT::Invalid_argument_error);
 }
 
 Surface_point located(const IT::Indexed_triangles& surface, const std::array<double, 3>& p)

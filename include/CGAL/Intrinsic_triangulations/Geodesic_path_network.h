@@ -76,7 +76,7 @@ public:
   /// \brief adds a path with fixed ends.
   /// \param halfedges a range of halfedges, each of which begins where the one before ends
   /// \return the number of the path: 0, 1, 2, ...
-  /// \exception Invalid_point_error if there is no such halfedge, or one begins elsewhere
+  /// \exception Invalid_argument_error if there is no such halfedge, or one begins elsewhere
   template <class HalfedgeRange>
   std::size_t add_path(const HalfedgeRange& halfedges)
   {
@@ -86,7 +86,7 @@ public:
   ///
   /// \param halfedges as for `add_path()`; the first begins where the last ends
   /// \return the number of the path
-  /// \exception Invalid_point_error as `add_path()`, or if the curve is not closed
+  /// \exception Invalid_argument_error as `add_path()`, or if the curve is not closed
   template <class HalfedgeRange>
   std::size_t add_closed_path(const HalfedgeRange& halfedges)
   {

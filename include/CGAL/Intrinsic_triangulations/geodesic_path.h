@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/compare_points.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/require_vertex.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
@@ -40,7 +41,7 @@ namespace Intrinsic_triangulations {
 ///
 /// \return its halfedges, in order; none if both vertices are the same. Lengths are rounded: among paths of nearly the same
 ///   length it may be any
-/// \exception Invalid_point_error if there is no such vertex, or no path
+/// \exception Invalid_argument_error if there is no such vertex, or no path
 ///
 /// O(n log n) for the n edges that are nearer to the source than the target.
 template <class Traits>
@@ -49,9 +50,7 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
 {
   const Delta_complex& complex = triangulation.connectivity();
   for (Vertex_index v : {source, target})
-    if (!(v.idx() < complex.number_of_vertices()))
-      throw Invalid_point_error("there is no vertex " + std::to_string(v.idx()) + ": the surface has " +
-                                std::to_string(complex.number_of_vertices()));
+    internal::require_vertex(v, complex.number_of_vertices());
   using Entry = std::pair<double, Vertex_index::size_type>;
   std::vector<double> distance(complex.number_of_vertices(), std::numeric_limits<double>::infinity());
   std::vector<Halfedge_index> arrival(complex.number_of_vertices());
@@ -82,8 +81,8 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
   std::vector<Halfedge_index> path;
   for (Vertex_index v = target; v != source; v = complex.source(path.back())) {
     if (!arrival[v.idx()].is_valid())
-      throw Invalid_point_error("no path along edges leads from vertex " + std::to_string(source.idx()) + " to vertex " +
-                                std::to_string(target.idx()));
+      throw Invalid_argument_error("no path along edges leads from vertex " + std::to_string(source.idx()) + " to vertex " +
+                                   std::to_string(target.idx()));
     path.push_back(arrival[v.idx()]);
   }
   std::reverse(path.begin(), path.end());
@@ -211,7 +210,7 @@ Geodesic_path shortened_edge_path(const TriangleMesh& mesh, Intrinsic_triangulat
 ///   the function `shorten` of `Geodesic_path_network`
 ///
 /// \exception Invalid_surface_error as `intrinsic_triangulation()`
-/// \exception Invalid_point_error if no path along edges joins the two vertices
+/// \exception Invalid_argument_error if no path along edges joins the two vertices
 /// \exception Undecided_error, Cancelled_error as the function `shorten` of `Geodesic_path_network`
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 Geodesic_path geodesic_path(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
@@ -235,7 +234,8 @@ Geodesic_path geodesic_path(const TriangleMesh& mesh, typename boost::graph_trai
 ///
 /// \return the path; one without points if both ends are the same
 /// \exception Invalid_surface_error as `intrinsic_triangulation()`
-/// \exception Invalid_point_error if a point is none of the mesh, or no path along edges joins the two
+/// \exception Invalid_point_error if a point is none of the mesh
+/// \exception Invalid_argument_error if no path along edges joins the two
 /// \exception Undecided_error, Cancelled_error as the function `shorten` of `Geodesic_path_network`
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 Geodesic_path geodesic_path(const TriangleMesh& mesh, const Surface_point& source, const Surface_point& target,

@@ -112,7 +112,7 @@ inline Planar_points positions_on_circle(const std::vector<double>& boundary_len
 /// \param boundary_lengths the lengths of the boundary's edges in order. \pre they are positive
 /// \param corners the corners of the polygon, counterclockwise and strictly convex
 /// \return the position where each edge begins
-/// \exception Error if the polygon is not strictly convex and counterclockwise, has a coordinate
+/// \exception Invalid_argument_error if the polygon is not strictly convex and counterclockwise, has a coordinate
 ///   that is not finite or beyond 1e300, or has more corners than the boundary has vertices. O(size).
 inline Planar_points positions_on_polygon(const std::vector<double>& boundary_lengths,
                                           const Planar_points& corners)
@@ -122,8 +122,8 @@ inline Planar_points positions_on_polygon(const std::vector<double>& boundary_le
   for (std::size_t i = 0; i < m; ++i)
     for (double x : corners[i])
       if (!(std::abs(x) <= 1e300))
-        throw Error("corner " + std::to_string(i) +
-                    " of the polygon: a coordinate is not finite, or beyond 1e300");
+        throw Invalid_argument_error("corner " + std::to_string(i) +
+                                     " of the polygon: a coordinate is not finite, or beyond 1e300");
   for (std::size_t i = 0; i < m; ++i) {
     const bool turns_left = m >= 3 && internal::planar_orientation(
                                         corners[i], corners[(i + 1) % m], corners[(i + 2) % m]) ==
@@ -132,12 +132,12 @@ inline Planar_points positions_on_polygon(const std::vector<double>& boundary_le
                            internal::planar_orientation(corners[0], corners[i], corners[i + 1]) ==
                              LEFT_TURN;
     if (!turns_left || !is_around)
-      throw Error("corner " + std::to_string(i) +
-                  " of the polygon: it is not strictly convex and counterclockwise there");
+      throw Invalid_argument_error("corner " + std::to_string(i) +
+                                   " of the polygon: it is not strictly convex and counterclockwise there");
   }
   if (m < 3 || m > n)
-    throw Error("a polygon with " + std::to_string(m) + " corners for a boundary with " +
-                std::to_string(n) + " vertices: there must be 3 at least, and no more than vertices");
+    throw Invalid_argument_error("a polygon with " + std::to_string(m) + " corners for a boundary with " +
+                                 std::to_string(n) + " vertices: there must be 3 at least, and no more than vertices");
 
   // Arc lengths from the first vertex and corner on; the last is the whole.
   std::vector<double> along_boundary{0}, along_polygon{0};

@@ -199,7 +199,7 @@ private:
 /// \param source, target vertices
 /// \param options as of `geodesic_distances()`; the tolerance plays no part
 /// \return the path; one without edges if both vertices are the same
-/// \exception Invalid_point_error if there is no such vertex, or no path
+/// \exception Invalid_argument_error if there is no such vertex, or no path
 /// \exception Cancelled_error as the options say
 /// \exception Undecided_error as `flip()` of `Intrinsic_triangulation`
 template <class Traits>
@@ -209,8 +209,7 @@ Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vert
   const Delta_complex& complex = triangulation.connectivity();
   const internal::Row_of_vertex row(complex);
   for (Vertex_index v : {source, target})
-    if (!(v.idx() < row.number_of_rows()))
-      throw Invalid_point_error("there is no vertex " + std::to_string(v.idx()) + ": the surface has " + std::to_string(row.number_of_rows()));
+    internal::require_vertex(v, row.number_of_rows());
   Shortest_path result;
   if (source == target)
     return result;

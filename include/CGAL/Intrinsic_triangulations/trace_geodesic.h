@@ -67,7 +67,8 @@ Surface_direction direction_at_vertex(const Exact_geometry& geometry, Halfedge_i
 /// \param maximum_number after how many faces the line ends at the latest, at least one. Each takes memory: near the tip of a needle, a short
 ///   line can cross any number of them
 /// \return the line
-/// \exception Invalid_point_error if `start` or `length` is not finite, the point does not lie on the surface, or the direction
+/// \exception Invalid_argument_error if `length` is not finite or is negative
+/// \exception Invalid_point_error if `start` is not finite, the point does not lie on the surface, or the direction
 ///   is zero or leaves the face at once
 /// \exception Undecided_error, Cancelled_error as `sign_of_cotangents()` of `Exact_geometry`
 ///
