@@ -14,11 +14,11 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
-#include <CGAL/Intrinsic_triangulations/parameterization_quality.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -22,14 +22,14 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
-#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
-#include <CGAL/Intrinsic_triangulations/vertex_frames.h>
 
 #include <nlohmann/json.hpp>
 

@@ -18,12 +18,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
-#include <CGAL/Intrinsic_triangulations/cut_along_path.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
-#include <CGAL/Intrinsic_triangulations/geodesic_points.h>
-#include <CGAL/Intrinsic_triangulations/locate.h>
-#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
@@ -238,7 +235,7 @@ IT::Halfedge_index reference(const IT::Delta_complex& complex, IT::Vertex_index 
 {
   const IT::Halfedge_index first = complex.halfedge(v);
   if (!first.is_valid())
-    throw IT::Invalid_point_error("vertex " + std::to_string(v.idx()) + " belongs to no face: choose one that does");
+    throw IT::Invalid_argument_error("vertex " + std::to_string(v.idx()) + " belongs to no face: choose one that does");
   IT::Halfedge_index best = first, h = first;
   if (!complex.is_border(first))
     do {

@@ -17,7 +17,7 @@
 #include "system/Stopwatch.h"
 #include "system/text.h"
 
-#include <CGAL/Intrinsic_triangulations/smallest_eigenvalues.h>
+#include <CGAL/Intrinsic_triangulations/eigenvalues.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <nlohmann/json.hpp>

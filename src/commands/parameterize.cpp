@@ -17,10 +17,9 @@
 #include "commands/triangulate.h"
 #include "output/write_textured_mesh.h"
 
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
-#include <CGAL/Intrinsic_triangulations/parameterization_quality.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <nlohmann/json.hpp>
 
@@ -144,8 +143,8 @@ Json json_value(const std::optional<IT::Circle_pattern>& pattern)
 {
   if (!pattern)
     return nullptr;
-  return {{"clipped_edges", pattern->input.number_of_clipped_edges},
-          {"largest_change_of_angle", pattern->input.largest_change},
+  return {{"clipped_edges", pattern->number_of_clipped_edges},
+          {"largest_change_of_angle", pattern->largest_change},
           {"gradient", pattern->gradient},
           {"iterations", pattern->iterations}};
 }
@@ -231,7 +230,7 @@ void write_report(std::ostream& os, const Parameterize_options& options, const R
      << " before, " << with_separators(outcome.weights_after->negative) << " after\n";
   if (result.pattern)
     os << "  circle pattern    "
-       << counted(result.pattern->input.number_of_clipped_edges, "edge", "edges")
+       << counted(result.pattern->number_of_clipped_edges, "edge", "edges")
        << " clipped, gradient " << in_short(result.pattern->gradient) << '\n';
   os << "  over the input    " << text(result.on_input) << "\n  over the iDT      "
      << text(result.on_intrinsic) << "\n  time              " << seconds_text(result.seconds)

@@ -13,8 +13,7 @@
 #include "commands/triangulate.h"
 
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/condition_number.h>
-#include <CGAL/Intrinsic_triangulations/weight_histogram.h>
+#include <CGAL/Intrinsic_triangulations/eigenvalues.h>
 
 #include <nlohmann/json.hpp>
 

@@ -7,8 +7,8 @@
 #define IDT_GLUING_FILE_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/exact_gluing_io.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <ostream>

@@ -8,7 +8,7 @@
 #define IDT_READ_SURFACE_H
 
 #include <CGAL/Intrinsic_triangulations/Polygon_soup.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
 #include <string>

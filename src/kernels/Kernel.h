@@ -14,10 +14,10 @@
 #include <CGAL/Intrinsic_triangulations/Crossing_counts.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
-#include <CGAL/Intrinsic_triangulations/Refinement_report.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <array>

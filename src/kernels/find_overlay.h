@@ -9,7 +9,7 @@
 #include "kernels/Kernel.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <functional>
 

@@ -6,8 +6,8 @@
 #include "system/Stopwatch.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/geodesic_points.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <algorithm>
 #include <functional>

@@ -23,10 +23,10 @@
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 

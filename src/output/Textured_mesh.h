@@ -11,7 +11,7 @@
 #include "kernels/Kernel.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/disk_boundary.h>
+#include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 
 #include <array>
 #include <cstddef>

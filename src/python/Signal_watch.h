@@ -7,8 +7,8 @@
 #define INTRINSIC_TRIANGULATIONS_PYTHON_SIGNAL_WATCH_H
 
 #include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/Refinement_report.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <pybind11/pybind11.h>
 

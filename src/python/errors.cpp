@@ -102,6 +102,8 @@ void translate(std::exception_ptr exception)
     if (const std::size_t at = text.find(in_cpp); at != std::string::npos)
       text.erase(at, in_cpp.size());
     PyErr_SetObject(cls.ptr(), cls(text + advice(error.defect()), name_of(error.defect()), error.element(), error.count()).ptr());
+  } catch (const IT::Invalid_argument_error& error) {
+    raise("InvalidArgumentError", error);
   } catch (const IT::Invalid_point_error& error) {
     raise("InvalidPointError", error);
   } catch (const IT::Undecided_error& error) {

@@ -10,13 +10,10 @@
 #include "python/tangent_direction.h"
 
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
-#include <CGAL/Intrinsic_triangulations/cut_along_path.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
-#include <CGAL/Intrinsic_triangulations/geodesic_points.h>
-#include <CGAL/Intrinsic_triangulations/locate.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
@@ -95,7 +92,7 @@ public:
       Path result;
       const std::vector<IT::Halfedge_index> start = is_shortest ? shortest_path(t, vertices, result) : edge_path(t, vertices);
       if (is_closed && start.empty())
-        throw IT::Invalid_point_error("a closed curve needs two different vertices");
+        throw IT::Invalid_argument_error("a closed curve needs two different vertices");
       IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(t);
       const std::size_t p = is_closed ? network.add_closed_path(start) : network.add_path(start);
       result.initial_length = network.length(p);
@@ -151,7 +148,7 @@ public:
     return surface_.use([&](const Triangulation& t) {
       const IT::Delta_complex& complex = t.connectivity();
       if (v >= complex.number_of_vertices() || !complex.halfedge(IT::Vertex_index(v)).is_valid())
-        throw IT::Invalid_point_error("there is no vertex " + std::to_string(v) + " with faces: there are " +
+        throw IT::Invalid_argument_error("there is no vertex " + std::to_string(v) + " with faces: there are " +
                                       std::to_string(complex.number_of_vertices()) + " vertices, counted from 0");
       return trace(t, Tangent_directions(complex, points_).at_vertex(IT::Vertex_index(v), Eigen::Vector3d(vector.data())),
                    maximum_number);
@@ -164,7 +161,7 @@ public:
     return surface_.use([&](const Triangulation& t) {
       const IT::Delta_complex& complex = t.connectivity();
       if (f >= complex.number_of_faces())
-        throw IT::Invalid_point_error("there is no face " + std::to_string(f) + ": there are " +
+        throw IT::Invalid_argument_error("there is no face " + std::to_string(f) + ": there are " +
                                       std::to_string(complex.number_of_faces()) + ", counted from 0");
       const IT::Surface_point start = {complex.halfedge(IT::Face_index(f)), coordinates};
       return trace(t, Tangent_directions(complex, points_).in_face(start, Eigen::Vector3d(vector.data())), maximum_number);

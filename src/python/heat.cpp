@@ -8,9 +8,9 @@
 #include "python/bindings.h"
 
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
-#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -9,7 +9,7 @@
 #include "python/surface_points.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 
@@ -148,7 +148,7 @@ py::tuple mass_matrices(const Subdivision& s)
 void check_face(const IT::Delta_complex& complex, std::uint32_t f)
 {
   if (f >= complex.number_of_faces())
-    throw IT::Invalid_point_error("there is no face " + std::to_string(f) + ": there are " +
+    throw IT::Invalid_argument_error("there is no face " + std::to_string(f) + ": there are " +
                                   std::to_string(complex.number_of_faces()));
 }
 

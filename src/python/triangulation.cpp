@@ -212,9 +212,8 @@ void check_marks(const Triangulation& t, const std::vector<bool>& is_constrained
 {
   const std::size_t n = t.connectivity().number_of_edges();
   if (!is_constrained.empty() && is_constrained.size() != n)
-    throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::BAD_INDEX, 0, 1,
-                                    "there are " + std::to_string(is_constrained.size()) + " marks of constrained edges for " +
-                                      std::to_string(n) + " edges");
+    throw IT::Invalid_argument_error("there are " + std::to_string(is_constrained.size()) + " marks of constrained edges for " +
+                                     std::to_string(n) + " edges");
 }
 
 py::tuple flip_to_Delaunay(Surface& surface, const std::optional<Booleans>& constrained, std::uint64_t maximum_number)

@@ -7,6 +7,7 @@
 #define IDT_TEST_FUZZ_CHECK_CORE_H
 
 #include "fuzz_target.h"
+#include "overlay_triangulations.h"
 #include "property/flip_test_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
@@ -14,13 +15,10 @@
 #include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
-#include <CGAL/Intrinsic_triangulations/are_same_overlay.h>
 #include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/overlay_areas.h>
-#include <CGAL/Intrinsic_triangulations/overlay_triangulations.h>
+#include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <algorithm>

@@ -8,10 +8,10 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/overlay_areas.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
+#include <CGAL/Intrinsic_triangulations/transfer.h>
 
 #include <gtest/gtest.h>
 

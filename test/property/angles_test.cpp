@@ -11,11 +11,11 @@
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
 #include <CGAL/Intrinsic_triangulations/angles.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/halfedge_vectors.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/is_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
 #include <CGAL/Interval_nt.h>
 

@@ -10,11 +10,10 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Scratch_pool.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <gtest/gtest.h>

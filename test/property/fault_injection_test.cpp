@@ -16,11 +16,10 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/remove_vertex.h>
-#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/untwist.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>

@@ -3,6 +3,7 @@
 //
 // The garden, by the algorithms that need no linear algebra.
 
+#include "overlay_triangulations.h"
 #include "property/garden.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
@@ -11,15 +12,11 @@
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
 #include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
-#include <CGAL/Intrinsic_triangulations/are_same_overlay.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
-#include <CGAL/Intrinsic_triangulations/overlay_areas.h>
 #include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
-#include <CGAL/Intrinsic_triangulations/overlay_triangulations.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>

@@ -8,13 +8,11 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
-#include <CGAL/Intrinsic_triangulations/condition_number.h>
 #include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/eigenvalues.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
-#include <CGAL/Intrinsic_triangulations/parameterization_quality.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
-#include <CGAL/Intrinsic_triangulations/weight_histogram.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -9,9 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/geodesic_points.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -9,7 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
-#include <CGAL/Intrinsic_triangulations/are_same_overlay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 
 #include <gtest/gtest.h>

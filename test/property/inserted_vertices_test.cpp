@@ -10,11 +10,10 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/overlay_areas.h>
 #include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>

@@ -5,13 +5,13 @@
 // be read back from it.
 
 #include "insert_random_vertices.h"
+#include "overlay_triangulations.h"
 #include "property/flip_test_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
-#include <CGAL/Intrinsic_triangulations/overlay_triangulations.h>
 
 #include <gtest/gtest.h>
 

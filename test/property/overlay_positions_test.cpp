@@ -6,10 +6,10 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Crossing_locator.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>

@@ -12,13 +12,12 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 

@@ -6,8 +6,8 @@
 
 #include "overlay_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
 
 #include <gtest/gtest.h>
 

@@ -9,11 +9,11 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <gtest/gtest.h>

@@ -7,7 +7,6 @@
 #include "evaluation_data.h"
 #include "overlay_surfaces.h"
 
-#include <CGAL/Intrinsic_triangulations/overlay_areas.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 
 #include <CGAL/IO/polygon_soup_io.h>

@@ -7,8 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/condition_number.h>
-#include <CGAL/Intrinsic_triangulations/weight_histogram.h>
+#include <CGAL/Intrinsic_triangulations/eigenvalues.h>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

@@ -303,7 +303,7 @@ TEST(GeodesicPath, OneCallOnAMesh)
   ASSERT_EQ(path.points.size(), path.positions.size());
   EXPECT_EQ(path.positions.front(), (std::array<double, 3>{0, 0, 0}));
   EXPECT_EQ(path.positions.back(), (std::array<double, 3>{4, 3, 0}));
-  EXPECT_THROW(IT::geodesic_path(mesh, Mesh::Vertex_index(0), Mesh::Vertex_index(99)), IT::Invalid_point_error);
+  EXPECT_THROW(IT::geodesic_path(mesh, Mesh::Vertex_index(0), Mesh::Vertex_index(99)), IT::Invalid_argument_error);
 }
 
 TEST(GeodesicPath, OneCallBetweenAnyPoints)
@@ -719,10 +719,10 @@ TEST(GeodesicNetwork, WrongPathsAreNamed)
   Triangulation t = triangulation_of(grid(3, 3));
   Network network(t);
   const auto h = halfedge_between(t.connectivity(), 0, 1), g = halfedge_between(t.connectivity(), 2, 3);
-  EXPECT_THROW(network.add_path(std::vector<IT::Halfedge_index>{h, g}), IT::Invalid_point_error);
-  EXPECT_THROW(network.add_path(std::vector<IT::Halfedge_index>{IT::Halfedge_index(9999)}), IT::Invalid_point_error);
-  EXPECT_THROW(network.add_closed_path(std::vector<IT::Halfedge_index>{h}), IT::Invalid_point_error);
-  EXPECT_THROW(network.add_closed_path(std::vector<IT::Halfedge_index>{}), IT::Invalid_point_error);
+  EXPECT_THROW(network.add_path(std::vector<IT::Halfedge_index>{h, g}), IT::Invalid_argument_error);
+  EXPECT_THROW(network.add_path(std::vector<IT::Halfedge_index>{IT::Halfedge_index(9999)}), IT::Invalid_argument_error);
+  EXPECT_THROW(network.add_closed_path(std::vector<IT::Halfedge_index>{h}), IT::Invalid_argument_error);
+  EXPECT_THROW(network.add_closed_path(std::vector<IT::Halfedge_index>{}), IT::Invalid_argument_error);
   EXPECT_EQ(network.number_of_paths(), 0u);
   network.add_path(std::vector<IT::Halfedge_index>{});
   network.add_path(std::vector<IT::Halfedge_index>{h, t.connectivity().opposite(h)}); // out and back
@@ -872,8 +872,8 @@ TEST(TracedLine, WrongStartsAreNamed)
   EXPECT_THROW(IT::trace_geodesic(t, {{h, {1, 1, -1}}, {1, 1}}, 1), IT::Invalid_point_error);
   EXPECT_THROW(IT::trace_geodesic(t, {{h, {0, 0, 0}}, {1, 1}}, 1), IT::Invalid_point_error);
   EXPECT_THROW(IT::trace_geodesic(t, {{h, {1, 1, 1}}, {1, inf}}, 1), IT::Invalid_point_error);
-  EXPECT_THROW(IT::trace_geodesic(t, {{h, {1, 1, 1}}, {1, 1}}, inf), IT::Invalid_point_error);
-  EXPECT_THROW(IT::trace_geodesic(t, {{h, {1, 1, 1}}, {1, 1}}, -1), IT::Invalid_point_error);
+  EXPECT_THROW(IT::trace_geodesic(t, {{h, {1, 1, 1}}, {1, 1}}, inf), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::trace_geodesic(t, {{h, {1, 1, 1}}, {1, 1}}, -1), IT::Invalid_argument_error);
   EXPECT_THROW(IT::trace_geodesic(t, {{t.connectivity().opposite(h), {1, 1, 1}}, {1, 1}}, 1), IT::Invalid_point_error);
   EXPECT_THROW(IT::trace_geodesic(t, {{IT::Halfedge_index(), {1, 1, 1}}, {1, 1}}, 1), IT::Invalid_point_error);
   EXPECT_EQ(IT::trace_geodesic(t, {{h, {1, 1, 1}}, {1, 1}}, 0).length, 0);

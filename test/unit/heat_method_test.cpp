@@ -7,9 +7,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 
 #include <gtest/gtest.h>
@@ -499,9 +499,9 @@ TEST(Heat_method, source_in_a_face)
     for (std::size_t v : {small.number(0, 1), small.number(2, 0), small.number(2, 1)})
       EXPECT_NEAR(near.distances()[v], small.distance(v, 2. / 3, 1. / 3), 0.5) << v << keeps_ridges;
   }
-  EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(), {1, 0, 0}}), IT::Invalid_surface_error);
-  EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(0), {0, 0, 0}}), IT::Invalid_surface_error);
-  EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(0), {-1, 1, 1}}), IT::Invalid_surface_error);
+  EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(), {1, 0, 0}}), IT::Invalid_point_error);
+  EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(0), {0, 0, 0}}), IT::Invalid_point_error);
+  EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(0), {-1, 1, 1}}), IT::Invalid_point_error);
 }
 
 TEST(Heat_method, extension_is_nearly_the_value_of_the_nearest_vertex)
@@ -565,15 +565,15 @@ TEST(Heat_method, what_it_refuses)
   const Grid grid(2, 2);
   const Triangulation triangulation = Delaunay(grid.points, grid.triangles);
   IT::Heat_method<> heat(triangulation);
-  EXPECT_THROW(heat.add_source(Vertex_index(9)), IT::Invalid_surface_error);
-  EXPECT_THROW(heat.add_source(Vertex_index()), IT::Invalid_surface_error);
-  EXPECT_THROW(heat.extend({{Vertex_index(9), 1.}}), IT::Invalid_surface_error);
+  EXPECT_THROW(heat.add_source(Vertex_index(9)), IT::Invalid_argument_error);
+  EXPECT_THROW(heat.add_source(Vertex_index()), IT::Invalid_argument_error);
+  EXPECT_THROW(heat.extend({{Vertex_index(9), 1.}}), IT::Invalid_argument_error);
   EXPECT_FALSE(heat.remove_source(Vertex_index(9)));
   EXPECT_EQ(heat.number_of_sources(), 0);
   for (double coefficient : {0., -1., infinity, std::numeric_limits<double>::quiet_NaN()}) {
     IT::Heat_method_options options;
     options.time_coefficient = coefficient;
-    EXPECT_THROW(IT::Heat_method<>(triangulation, options), IT::Invalid_surface_error);
+    EXPECT_THROW(IT::Heat_method<>(triangulation, options), IT::Invalid_argument_error);
   }
 }
 

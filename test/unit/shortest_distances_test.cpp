@@ -3,10 +3,10 @@
 //
 // Lengths of shortest paths against what is known of them.
 
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -179,9 +179,9 @@ TEST(Geodesic_distances, bad_input)
   Triangles triangles;
   make_polygon(5, points, triangles);
   const Triangulation triangulation = Delaunay(points, triangles);
-  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(5)}), IT::Invalid_surface_error);
-  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(0)}, with_tolerance(-1)), IT::Invalid_surface_error);
-  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(0)}, with_tolerance(std::nan(""))), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(5)}), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(0)}, with_tolerance(-1)), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(0)}, with_tolerance(std::nan(""))), IT::Invalid_argument_error);
   for (double d : IT::geodesic_distances(triangulation, {}).distances)
     EXPECT_EQ(d, std::numeric_limits<double>::infinity());
 }

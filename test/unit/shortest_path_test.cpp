@@ -7,15 +7,14 @@
 #include "samples/sample_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
-#include <CGAL/Intrinsic_triangulations/cut_along_path.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
-#include <CGAL/Intrinsic_triangulations/geodesic_points.h>
-#include <CGAL/Intrinsic_triangulations/locate.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
-#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
+#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <gtest/gtest.h>
 
@@ -125,8 +124,8 @@ TEST(Shortest_path, needs_vertices_that_are_connected)
   surface.points.insert(surface.points.end(), {{9, 0, 0}, {10, 0, 0}, {9, 1, 0}});
   surface.triangles.push_back({n, n + 1, n + 2});
   Triangulation triangulation = Delaunay(surface);
-  EXPECT_THROW(IT::shortest_path(triangulation, Vertex_index(0), Vertex_index(n)), IT::Invalid_point_error);
-  EXPECT_THROW(IT::shortest_path(triangulation, Vertex_index(0), Vertex_index(n + 3)), IT::Invalid_point_error);
+  EXPECT_THROW(IT::shortest_path(triangulation, Vertex_index(0), Vertex_index(n)), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::shortest_path(triangulation, Vertex_index(0), Vertex_index(n + 3)), IT::Invalid_argument_error);
 }
 
 Surface_point located(const IT::Indexed_triangles& surface, const std::array<double, 3>& p)

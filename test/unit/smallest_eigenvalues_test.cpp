@@ -5,8 +5,8 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/eigenvalues.h>
 #include <CGAL/Intrinsic_triangulations/point_cloud_Laplacian.h>
-#include <CGAL/Intrinsic_triangulations/smallest_eigenvalues.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <gtest/gtest.h>

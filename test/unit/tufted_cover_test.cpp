@@ -3,8 +3,8 @@
 //
 // What is glued to what in a tufted cover, in which order, and what is dropped before.
 
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge.h>
-#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 
 #include <gtest/gtest.h>
 

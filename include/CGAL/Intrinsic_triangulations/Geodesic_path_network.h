@@ -8,7 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_NETWORK_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_NETWORK_H
 
-#include <CGAL/Intrinsic_triangulations/Geodesic_report.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
@@ -18,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Linked_paths.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Wedge.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Uncertain.h>
@@ -77,7 +77,7 @@ public:
   /// \brief adds a path with fixed ends.
   /// \param halfedges a range of halfedges, each of which begins where the one before ends
   /// \return the number of the path: 0, 1, 2, ...
-  /// \exception Invalid_point_error if there is no such halfedge, or one begins elsewhere
+  /// \exception Invalid_argument_error if there is no such halfedge, or one begins elsewhere
   template <class HalfedgeRange>
   std::size_t add_path(const HalfedgeRange& halfedges)
   {
@@ -87,7 +87,7 @@ public:
   ///
   /// \param halfedges as for `add_path()`; the first begins where the last ends
   /// \return the number of the path
-  /// \exception Invalid_point_error as `add_path()`, or if the curve is not closed
+  /// \exception Invalid_argument_error as `add_path()`, or if the curve is not closed
   template <class HalfedgeRange>
   std::size_t add_closed_path(const HalfedgeRange& halfedges)
   {

@@ -101,8 +101,8 @@ public:
   ///
   /// The triangulation is not needed any more afterwards. It should be Delaunay, and the angles opposite to border edges should not
   /// be obtuse: otherwise heat can be negative, and distances far from right. The tufted cover has neither problem.
-  /// \exception Invalid_surface_error if a length or weight is beyond the range of `double`, or the time coefficient is not positive
-  ///   and finite
+  /// \exception Invalid_argument_error if the time coefficient is not positive and finite
+  /// \exception Invalid_surface_error if a length or weight is beyond the range of `double`
   /// \exception Numerical_error if a matrix cannot be factorized
   /// \exception Cancelled_error as `Heat_method_options` says
   template <class Traits>
@@ -127,7 +127,7 @@ public:
   /// \name Sources
   /// @{
 
-  /// makes `v` a source; returns whether it was none. \exception Invalid_surface_error if there is no such vertex
+  /// makes `v` a source; returns whether it was none. \exception Invalid_argument_error if there is no such vertex
   bool add_source(Vertex_index v)
   {
     const bool is_new = vertex_sources_.insert({v, row_of(v)}).second;
@@ -140,7 +140,7 @@ public:
   /// the plane of the face.
   /// \param triangulation the one that was given to the constructor
   /// \param point a point in a face of it; see `Point_location` for a point of the input
-  /// \exception Invalid_surface_error if this is no point of a face with an area
+  /// \exception Invalid_point_error if this is no point of a face with an area
   template <class Traits>
   void add_source(const Intrinsic_triangulation<Traits>& triangulation, const Surface_point& point)
   {

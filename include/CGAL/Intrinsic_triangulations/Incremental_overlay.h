@@ -3,7 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The overlay graph updated with each flip, by the order along the quadrilateral's sides alone.
+// The overlay of the input triangulation and the intrinsic one, updated with each flip, and its
+// comparison with an overlay that is built at the end.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INCREMENTAL_OVERLAY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INCREMENTAL_OVERLAY_H
@@ -14,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -164,11 +166,33 @@ private:
   std::vector<Side> sides_; // of the sources of chords
 };
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// Says how the two differ, or nothing. Crossings have no numbers in common: those of
+// `incremental` are learnt along the intrinsic edges.
+std::string difference_of_overlays(const Overlay& overlay, const Incremental_overlay& incremental);
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
+/// \brief returns whether two overlays are the same: whether each edge of both triangulations has
+/// the same crossings in the same order, and the same edges coincide, in the same direction.
+///
+/// The numbers of segments and crossings may differ. O(size).
+/// \param overlay built from the integers
+/// \param incremental updated flip by flip
+/// \param verbose whether the first difference is described on `std::cerr`
+bool are_same_overlay(const Overlay& overlay, const Incremental_overlay& incremental,
+                      bool verbose = false);
+
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Incremental_overlay_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/are_same_overlay_impl.h>
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INCREMENTAL_OVERLAY_H

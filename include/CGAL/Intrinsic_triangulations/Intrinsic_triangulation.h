@@ -833,14 +833,14 @@ namespace internal {
 // What is left of a triangulation that was given up.
 struct Released_engine
 {
-  Exact_engine engine;
+  internal::Exact_engine engine;
   std::function<bool()> go_further; // what was given to `set_interruption()`
 };
 
 struct Engine_access
 {
   template <class Triangulation>
-  static const Exact_engine& engine(const Triangulation& triangulation) { return triangulation.engine_; }
+  static const internal::Exact_engine& engine(const Triangulation& triangulation) { return triangulation.engine_; }
 
   // Afterwards the triangulation can only be destroyed or assigned to; its stored numbers are freed.
   template <class Traits>
@@ -855,9 +855,9 @@ struct Engine_access
 // The engine of a triangulation, or of what was made from one, ready for its queries.
 // \pre the input was kept
 template <class ConcurrencyTag = Sequential_tag, class Triangulation>
-const Exact_engine& engine(const Triangulation& triangulation)
+const internal::Exact_engine& engine(const Triangulation& triangulation)
 {
-  const Exact_engine& result = Engine_access::engine(triangulation);
+  const internal::Exact_engine& result = Engine_access::engine(triangulation);
   CGAL_precondition(result.keeps_input());
   result.template prepare<ConcurrencyTag>();
   return result;

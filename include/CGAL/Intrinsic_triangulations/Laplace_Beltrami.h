@@ -3,17 +3,18 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The Laplace-Beltrami operator of a triangulation as sparse matrices of Eigen: stiffness and
-// mass.
+// The Laplace-Beltrami operator of a triangulation, its mass matrix, and the Laplacian of tangent vectors.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_LAPLACE_BELTRAMI_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_LAPLACE_BELTRAMI_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
@@ -22,6 +23,7 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <complex>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -231,6 +233,74 @@ extrinsic_Laplacian(const TriangleMesh& mesh,
 {
   const auto triangulation = intrinsic_triangulation<ConcurrencyTag>(mesh, np);
   return {stiffness_matrix<ConcurrencyTag>(triangulation), lumped_mass_matrix<ConcurrencyTag>(triangulation)};
+}
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// What turns a vector at the target of h into the parallel one at its source.
+inline std::complex<double> transport_to_source(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
+                                                Halfedge_index h)
+{
+  const auto direction = [&](Halfedge_index side) {
+    const Planar_vector<double>& v = vectors[side.idx()];
+    return std::arg(std::complex<double>(v.x(), v.y()));
+  };
+  // The same halfedge as both ends see it: backwards at the target.
+  return -std::polar(1., direction(h) - direction(complex.opposite(h)));
+}
+
+// \param vectors those of `halfedge_vectors_in_vertex()`
+// \param weight gives that of an edge
+template <class Weight>
+Eigen::SparseMatrix<std::complex<double>> assemble_connection_Laplacian(const Delta_complex& complex,
+                                                                        const std::vector<Planar_vector<double>>& vectors,
+                                                                        const Weight& weight)
+{
+  using Scalar = std::complex<double>;
+  std::vector<Eigen::Triplet<Scalar>> entries;
+  entries.reserve(4 * std::size_t(complex.number_of_edges()));
+  for (Edge_index e : complex.edges()) {
+    const double w = weight(e);
+    if (w == 0)
+      continue;
+    const Halfedge_index h = complex.halfedge(e);
+    const int i = int(complex.source(h).idx()), j = int(complex.target(h).idx());
+    const Scalar r = transport_to_source(complex, vectors, h);
+    entries.emplace_back(i, i, w);
+    entries.emplace_back(j, j, w);
+    entries.emplace_back(i, j, -w * r);
+    entries.emplace_back(j, i, -w * std::conj(r));
+  }
+  const auto n = Eigen::Index(complex.number_of_vertices());
+  Eigen::SparseMatrix<Scalar> result(n, n);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief returns the connection Laplacian: the operator on tangent vectors whose kernel are the parallel fields.
+///
+/// A vector at a vertex is a complex number in the tangent plane of `halfedge_vectors_in_vertex()`. The matrix L is Hermitian, and
+/// u* L u is the sum over the edges ij of w |u_i - r u_j|², with half the sum w of the cotangents, where r turns vectors at j into the parallel
+/// ones at i. So it is positive semidefinite if no weight is negative: on a Delaunay triangulation, except for edges of the border whose
+/// opposite angle is obtuse. Where the surface is flat, and for real numbers instead of vectors, it is `stiffness_matrix()`.
+///
+/// \param triangulation all of its faces have positive area
+/// \return a matrix with a row for each vertex; the weights and the turns are rounded as those of `cotangent_weights()` and
+///   `halfedge_vectors_in_vertex()`. The weight has no unit
+/// \exception Invalid_surface_error if a face has no area. \exception Undecided_error as `angle()`. O(size).
+///
+/// Source: N. Sharp, Y. Soliman, K. Crane, "The vector heat method", 2019, section 3.
+template <class Traits>
+Eigen::SparseMatrix<std::complex<double>> connection_Laplacian(const Intrinsic_triangulation<Traits>& triangulation)
+{
+  const internal::Cotangent_weight<Traits> cotangents(triangulation);
+  return internal::assemble_connection_Laplacian(triangulation.connectivity(), halfedge_vectors_in_vertex(triangulation),
+                                                 [&](Edge_index e) { return cotangents(e) / 2; });
 }
 
 } // namespace Intrinsic_triangulations

@@ -12,13 +12,13 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_arrays.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_builder.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <CGAL/Iterator_range.h>
-#include <CGAL/tags.h>
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <cstdint>
 

@@ -73,8 +73,8 @@ public:
   ///   default 0.05 times the cube root of the number of its vertices, and at least 0.5: with longer times, the ways that heat takes
   ///   are further from the shortest ones; with shorter times, it prefers those along edges
   /// \param go_further as in `Heat_method_options`; where several threads call member functions, any of them asks it
-  /// \exception Invalid_surface_error if a length or weight is beyond the range of `double`, or the time coefficient is not positive
-  ///   and finite
+  /// \exception Invalid_argument_error if the time coefficient is not positive and finite
+  /// \exception Invalid_surface_error if a length or weight is beyond the range of `double`
   /// \exception Numerical_error if a matrix cannot be factorized
   /// \exception Undecided_error as `angle()`
   /// \exception Cancelled_error if `go_further` says so, as from all member functions
@@ -103,7 +103,7 @@ public:
   /// vanishes where there is no mean direction.
   /// \param sources vertices, and vectors there; a vertex may not appear twice
   /// \return a vector for each vertex: at the sources that which was given, and (0, 0) where no source is connected
-  /// \exception Invalid_surface_error if there is no such vertex, or a coordinate is not finite
+  /// \exception Invalid_argument_error if there is no such vertex, or a coordinate is not finite
   /// \exception Numerical_error if a linear system cannot be solved
   std::vector<Vector> transport_tangent_vectors(const std::vector<std::pair<Vertex_index, Vector>>& sources) const
   {
@@ -114,8 +114,7 @@ public:
       internal::require_vertex(v, number_of_vertices_);
       const Complex z(vector.x(), vector.y());
       if (!std::isfinite(z.real()) || !std::isfinite(z.imag()))
-        throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, v.idx(), 1,
-                                    "the vector at vertex " + std::to_string(v.idx()) + " is not finite");
+        throw Invalid_argument_error("the vector at vertex " + std::to_string(v.idx()) + " is not finite");
       from.push_back(std::uint32_t(v.idx()));
       const double length = std::hypot(z.real(), z.imag());
       heat[from.back()] += 1;
@@ -166,7 +165,7 @@ public:
   /// Where the surface is flat, and all ways between two vertices lead to the same vector, the result is exact up to rounding. Elsewhere it
   /// is an average over the ways that are about as short as the shortest one.
   /// \return a vector for each vertex, in the unit of the input: (0, 0) at the source, infinite where it is not connected
-  /// \exception Invalid_surface_error if there is no such vertex
+  /// \exception Invalid_argument_error if there is no such vertex
   /// \exception Numerical_error if a linear system cannot be solved, or heat spreads for so short a time that none arrives
   ///
   /// Source: Y. Soliman, N. Sharp, "The affine heat method", 2025. Their matrix with three rows for each vertex is triangular by blocks if

@@ -10,12 +10,12 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
-#include <CGAL/Intrinsic_triangulations/coherent_angles.h>
 #include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
-#include <CGAL/Intrinsic_triangulations/disk_boundary.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/parameterization/coherent_angles.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -37,10 +37,13 @@ namespace Intrinsic_triangulations {
 /// \brief a map by a circle pattern, and how it was computed.
 struct Circle_pattern
 {
-  Planar_points uv;      ///< the position of each vertex; the image has the area of the surface
-  Coherent_angles input; ///< the angles whose circle pattern it is
-  double gradient = 0;   ///< the largest component of the energy's gradient at the end
-  int iterations = 0;    ///< the number of steps of Newton's method
+  Planar_points uv; ///< the position of each vertex; the image has the area of the surface
+  /// the angles whose circle pattern it is: for each halfedge, the one opposite to it in its face, and 0 for a border halfedge
+  std::vector<double> angles;
+  std::size_t number_of_clipped_edges = 0; ///< interior edges whose two angles on the surface sum to more than is allowed
+  double largest_change = 0;               ///< of an angle on the surface, in radians
+  double gradient = 0;                     ///< the largest component of the energy's gradient at the end
+  int iterations = 0;                      ///< the number of steps of Newton's method
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -261,7 +264,8 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 /// \brief returns the discrete conformal map of a disk by a circle pattern: it preserves the angles at
 /// which the circumcircles of adjacent triangles meet, as far as flatness allows.
 ///
-/// First `find_coherent_angles()` changes the angles to those of some flat Delaunay triangulation.
+/// First the angles are changed to those of the flat Delaunay triangulation that are nearest in the least-squares sense: a convex
+/// quadratic program, solved by an interior-point method.
 /// Then the radii for which the circles fit together are found as the minimum of a convex
 /// energy, by Newton's method with sparse Cholesky factorizations, until no component of the
 /// gradient exceeds 1e-10. The boundary is free. The map preserves the orientation
@@ -290,17 +294,17 @@ inline Circle_pattern circle_pattern_parameterization(const Delta_complex& compl
                                                       const std::vector<double>& areas,
                                                       const Progress_function& progress = {})
 {
-  const auto half = [&progress](double begin) {
-    return progress ? Progress_function([&progress, begin](double x) { return progress(begin + x / 2); })
-                    : Progress_function();
-  };
   const std::vector<Halfedge_index> boundary = disk_boundary(complex);
   Circle_pattern result;
-  result.input = find_coherent_angles(complex, opposite_angles(complex, lengths, areas), 1e-3, half(0));
-  const internal::Circle_pattern_energy energy(complex, result.input.angles);
+  const internal::Coherent_angles coherent = internal::find_coherent_angles(
+    complex, internal::opposite_angles(complex, lengths, areas), 1e-3, internal::part_of_progress(progress, 0, 0.5));
+  result.angles = coherent.angles;
+  result.number_of_clipped_edges = coherent.number_of_clipped_edges;
+  result.largest_change = coherent.largest_change;
+  const internal::Circle_pattern_energy energy(complex, result.angles);
 
   Eigen::VectorXd rho = energy.first_guess();
-  internal::minimize(energy, rho, result, half(0.5));
+  internal::minimize(energy, rho, result, internal::part_of_progress(progress, 0.5, 1));
   result.uv = internal::lay_out(complex, energy, rho);
 
   double image_area = 0;

@@ -72,6 +72,15 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
+/// \brief is thrown if an argument is wrong though the surface is fine: a vertex or halfedge that does not exist, an option out of its
+/// range, or a polygon that is not convex.
+class Invalid_argument_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief is thrown if a point does not lie on the surface; the message says why.
 class Invalid_point_error : public Error
 {

@@ -9,13 +9,12 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_DELAUNAY_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Flip_report.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Tie_proof.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Parallel_Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

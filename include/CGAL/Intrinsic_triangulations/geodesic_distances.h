@@ -68,7 +68,7 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
                                         const std::vector<std::uint32_t>& sources, const Geodesic_distance_options& options)
 {
   if (!(options.tolerance >= 0 && options.tolerance < 1))
-    throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, 0, 1, "the tolerance of distances has to be at least 0 and less than 1");
+    throw Invalid_argument_error("the tolerance of distances has to be at least 0 and less than 1");
   const Interruption interruption(options.go_further);
   const Laid_out_faces faces(triangulation, row);
   Window_propagation windows(faces, options.tolerance);
@@ -102,7 +102,7 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
 /// \param triangulation a triangulation, best a Delaunay one: its faces are the least to cross
 /// \param sources vertices
 /// \param options as they say
-/// \exception Invalid_surface_error if there is no such vertex, or the tolerance makes no sense
+/// \exception Invalid_argument_error if there is no such vertex, or the tolerance makes no sense
 /// \exception Cancelled_error as the options say
 ///
 /// Source: J. Chen, Y. Han, "Shortest paths on a polyhedron", 1996; V. Surazhsky et al., "Fast exact and approximate geodesics on meshes",

@@ -9,10 +9,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_REFINE_DELAUNAY_H
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Refinement_report.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Delaunay_refiner.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>

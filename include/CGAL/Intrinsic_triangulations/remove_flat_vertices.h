@@ -10,8 +10,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <array>
 #include <vector>

@@ -9,8 +9,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H
 
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_repairer.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
 #include <CGAL/number_utils.h>

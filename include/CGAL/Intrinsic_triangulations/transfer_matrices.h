@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/overlay_areas.h>
+#include <CGAL/Intrinsic_triangulations/transfer.h>
 
 #include <CGAL/assertions.h>
 

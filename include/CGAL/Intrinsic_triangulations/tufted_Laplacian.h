@@ -8,14 +8,13 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_LAPLACIAN_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_LAPLACIAN_H
 
-#include <CGAL/Intrinsic_triangulations/Flip_report.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
-#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -10,17 +10,19 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
-#include <CGAL/Intrinsic_triangulations/internal/cover/Cleaned_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+using Vertex_number_pair = std::pair<std::uint32_t, std::uint32_t>;
 
 // Triangles in space with glued sides. Side 3f + i runs from corner i of face f to corner i + 1.
 struct Glued_faces

@@ -12,8 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/Stage_counts.h>
-#include <CGAL/Intrinsic_triangulations/Tie_proof.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>

@@ -8,8 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FILE_BLOCKS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FILE_BLOCKS_H
 
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <algorithm>
 #include <cstddef>

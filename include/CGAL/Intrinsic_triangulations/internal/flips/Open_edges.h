@@ -10,13 +10,12 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
-#include <CGAL/Intrinsic_triangulations/Flip_report.h>
-#include <CGAL/Intrinsic_triangulations/Stage_counts.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>

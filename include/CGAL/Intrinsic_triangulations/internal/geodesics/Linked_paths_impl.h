@@ -87,19 +87,19 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Linked_paths::check(const std::vector<
 {
   for (std::size_t i = 0; i < halfedges.size(); ++i) {
     if (!(halfedges[i].idx() < complex_.number_of_halfedges()))
-      throw Invalid_point_error("there is no halfedge " + std::to_string(halfedges[i].idx()));
+      throw Invalid_argument_error("there is no halfedge " + std::to_string(halfedges[i].idx()));
     const bool is_last = i + 1 == halfedges.size();
     if (is_last && !is_closed)
       break;
     const Halfedge_index following = halfedges[is_last ? 0 : i + 1];
     if (following.idx() < complex_.number_of_halfedges() &&
         complex_.source(following) != complex_.target(halfedges[i]))
-      throw Invalid_point_error("halfedge " + std::to_string(following.idx()) + " does not begin at vertex " +
-                                std::to_string(complex_.target(halfedges[i]).idx()) + ", where halfedge " +
-                                std::to_string(halfedges[i].idx()) + " before it ends");
+      throw Invalid_argument_error("halfedge " + std::to_string(following.idx()) + " does not begin at vertex " +
+                                   std::to_string(complex_.target(halfedges[i]).idx()) + ", where halfedge " +
+                                   std::to_string(halfedges[i].idx()) + " before it ends");
   }
   if (is_closed && halfedges.empty())
-    throw Invalid_point_error("a closed curve without edges");
+    throw Invalid_argument_error("a closed curve without edges");
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Linked_paths::Replaced Linked_paths::link(std::uint32_t p, Segment_index before, Segment_index after, const std::vector<Halfedge_index>& halfedges)

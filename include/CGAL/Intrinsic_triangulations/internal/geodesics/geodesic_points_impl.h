@@ -3,16 +3,16 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of geodesic_points.h.
+// Definitions of trace_geodesic.h.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_GEODESIC_POINTS_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_GEODESIC_POINTS_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/geodesic_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Crossing_locator.h>
+#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // The source of h in the input face into which h leaves it. \pre h runs along no input edge
-inline Surface_point source_on_input(const Delta_complex& complex, const internal::Correspondence& correspondence, Halfedge_index h)
+inline Surface_point source_on_input(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h)
 {
   const Delta_complex& input = correspondence.input();
   const Vertex_index v = complex.source(h);
@@ -43,7 +43,7 @@ inline Surface_point source_on_input(const Delta_complex& complex, const interna
 
 // The input edges that h crosses, from the integers alone.
 // \pre `geometry.prepare()` was called, and h crosses some
-inline Crossed_edges find_crossed_edges(const internal::Exact_engine& engine, Halfedge_index h)
+inline Crossed_edges find_crossed_edges(const Exact_engine& engine, Halfedge_index h)
 {
   const Delta_complex& complex = engine.connectivity();
   const Crossed_halfedges sequence(complex, engine.correspondence(), h, engine.interruption());
@@ -54,7 +54,7 @@ inline Crossed_edges find_crossed_edges(const internal::Exact_engine& engine, Ha
 }
 
 // An edge along an input edge, or a part of one.
-inline void append_along_input_edge(const Delta_complex& complex, const internal::Correspondence& correspondence, Halfedge_index h,
+inline void append_along_input_edge(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
                                     std::vector<Surface_point>& points)
 {
   const Delta_complex& input = correspondence.input();
@@ -75,11 +75,11 @@ inline void append_along_input_edge(const Delta_complex& complex, const internal
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void append_input_points(const internal::Exact_engine& engine, Halfedge_index h,
+void append_input_points(const Exact_engine& engine, Halfedge_index h,
                          std::vector<Surface_point>& points)
 {
   const Delta_complex& complex = engine.connectivity();
-  const internal::Correspondence& correspondence = engine.correspondence();
+  const Correspondence& correspondence = engine.correspondence();
   const Delta_complex& input = correspondence.input();
   if (correspondence.coordinates().is_original(complex.edge(h)))
     return append_along_input_edge(complex, correspondence, h, points);
@@ -88,7 +88,7 @@ void append_input_points(const internal::Exact_engine& engine, Halfedge_index h,
     // Positions are those of the edge, in the direction of its own halfedge, which the overlay has as well.
     const bool is_backward = !is_in_own_direction(h);
     const Crossed_edges crossed = find_crossed_edges(engine, is_backward ? complex.opposite(h) : h);
-    const internal::Exact_engine::Surface_lease surface = engine.input_surface();
+    const Exact_engine::Surface_lease surface = engine.input_surface();
     Crossing_locator locator(complex, correspondence, *surface);
     const std::vector<Position_on_edges>& positions = locator(complex.edge(h), crossed);
     const std::size_t n = crossed.size();

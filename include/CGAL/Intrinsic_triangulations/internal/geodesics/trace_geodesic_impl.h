@@ -300,7 +300,7 @@ private:
   const Faces& faces_;
   const Delta_complex& complex_;
   const Exact_engine& engine_;
-  internal::Exact_engine::Surface_lease surface_;
+  Exact_engine::Surface_lease surface_;
   Double_double_metric metric_;
   const Surface_direction& start_;
   Line_layout<Faces, Double_double_metric> layout_;
@@ -334,7 +334,7 @@ inline void check_line(const Delta_complex& input, const Surface_direction& star
   if (!std::isfinite(b[0] + b[1] + b[2]) || !(b[0] + b[1] + b[2] > 0) || !(d[1] != 0 || d[2] != 0))
     throw Invalid_point_error("the start of a line needs a positive coordinate and a displacement other than zero");
   if (!std::isfinite(length) || length < 0)
-    throw Invalid_point_error("the length of a line has to be finite and not negative");
+    throw Invalid_argument_error("the length of a line has to be finite and not negative");
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/require_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
@@ -86,18 +87,10 @@ struct Heat_surface
   }
 };
 
-// Throws unless there is such a vertex among n.
-inline void require_vertex(Vertex_index v, std::size_t n)
-{
-  if (!(v.idx() < n))
-    throw Invalid_surface_error(Invalid_surface_error::Defect::BAD_INDEX, v.idx(), 1,
-                                "there is no vertex " + std::to_string(v.idx()) + ": there are " + std::to_string(n) +
-                                  " vertices, counted from 0");
-}
 inline void require_time_coefficient(double coefficient)
 {
   if (!(coefficient > 0 && std::isfinite(coefficient)))
-    throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, 0, 1, "the time coefficient has to be a positive number");
+    throw Invalid_argument_error("the time coefficient has to be a positive number");
 }
 
 // \tparam Row gives the row of a vertex, as Row_of_vertex

@@ -10,12 +10,12 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/connection_Laplacian.h>
-#include <CGAL/Intrinsic_triangulations/halfedge_vectors.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
 #include <Eigen/SparseCore>
 

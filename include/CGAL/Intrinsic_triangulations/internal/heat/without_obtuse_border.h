@@ -10,11 +10,11 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Refinement_report.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Refinement_report.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
@@ -23,6 +22,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/point_on_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/number_type_config.h>
 

@@ -12,13 +12,13 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
-#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Input_edge_tracer.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_arrays.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>

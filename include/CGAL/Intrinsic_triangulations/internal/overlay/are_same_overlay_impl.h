@@ -3,12 +3,12 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of are_same_overlay.h.
+// Definitions of Incremental_overlay.h.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_ARE_SAME_OVERLAY_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_ARE_SAME_OVERLAY_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/are_same_overlay.h>
+#include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
 
 #include <cstdint>

@@ -76,7 +76,7 @@ std::optional<Sign> Exact_side::of_input_chord(Overlay::Halfedge chord, Halfedge
     using Metric = std::decay_t<decltype(metric)>;
     using Frame = Metric_frame<Metric>;
     using Vector = typename Frame::Vector;
-    const internal::Unfolding<Metric> unfolding(intrinsic_, engine_.correspondence(), metric);
+    const Unfolding<Metric> unfolding(intrinsic_, engine_.correspondence(), metric);
     Strip<Frame> strip(input, Frame(input, metric));
     unfolding.lay_out(strip, intrinsic_.halfedge(e), crossed);
     const auto triangle = strip.triangle_behind(overlay_.intrinsic_position(x));

@@ -8,9 +8,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_LAYERS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_LAYERS_H
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 
 #include <array>

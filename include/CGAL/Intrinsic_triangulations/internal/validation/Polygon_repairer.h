@@ -8,11 +8,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_REPAIRER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_REPAIRER_H
 
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/Repaired_polygons.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Element_collector.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/triangulate_polygon.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Simple_cartesian.h>

@@ -46,7 +46,7 @@ inline Two_corners corners_beside(const Delta_complex& complex, Edge_index e)
 }
 
 template <class Metric>
-Opposite_corners<typename Metric::Real> unfolded_corners(const Unfolding<Metric>& unfolding, const Two_corners& corners)
+internal::Opposite_corners<typename Metric::Real> unfolded_corners(const Unfolding<Metric>& unfolding, const Two_corners& corners)
 {
   return {unfolding.opposite_corner(corners.opposite_to_k),
           unfolding.opposite_corner(corners.opposite_to_l)};

@@ -8,11 +8,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_EXACT_SIGN_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_EXACT_SIGN_H
 
-#include <CGAL/Intrinsic_triangulations/Stage_counts.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Multiquadratic.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>

@@ -5,8 +5,8 @@
 //
 // How a long computation tells how far it is, and how it is stopped.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_PROGRESS_FUNCTION_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_PROGRESS_FUNCTION_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OBSERVER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_OBSERVER_H
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
@@ -79,4 +79,4 @@ private:
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_PROGRESS_FUNCTION_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_OBSERVER_H

@@ -1,12 +1,10 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
-// SPDX-License-Identifier: LGPL-3.0-or-later
-//
-// Author(s)     : The Intrinsic_triangulations developers
+// SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Reads the two triangulations back from their overlay.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_TRIANGULATIONS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_TRIANGULATIONS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TEST_OVERLAY_TRIANGULATIONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TEST_OVERLAY_TRIANGULATIONS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
@@ -17,7 +15,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // HalfedgeOf names the halfedge of the triangulation that a part belongs to, or none, and
@@ -65,13 +62,11 @@ Delta_complex read_triangulation(const Overlay& overlay, std::uint32_t number_of
 }
 
 } // namespace internal
-/// \endcond
 
-/// \ingroup PkgIntrinsicTriangulationsOverlay
-/// \brief reconstructs the intrinsic triangulation from the halfedges and labels of an overlay.
-///
-/// It has the descriptors of the triangulation from which the overlay was built; `halfedge(v)`
-/// and `halfedge(f)` may be different incident halfedges. O(size of the overlay).
+// reconstructs the intrinsic triangulation from the halfedges and labels of an overlay.
+//
+// It has the descriptors of the triangulation from which the overlay was built; `halfedge(v)`
+// and `halfedge(f)` may be different incident halfedges. O(size of the overlay).
 inline Delta_complex intrinsic_triangulation_of(const Overlay& overlay)
 {
   return internal::read_triangulation(
@@ -80,8 +75,7 @@ inline Delta_complex intrinsic_triangulation_of(const Overlay& overlay)
     [&](Overlay::Face f) { return overlay.intrinsic_face(f); });
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOverlay
-/// \brief reconstructs the input triangulation from an overlay; as `intrinsic_triangulation_of()`.
+// reconstructs the input triangulation from an overlay; as `intrinsic_triangulation_of()`.
 inline Delta_complex input_triangulation_of(const Overlay& overlay)
 {
   return internal::read_triangulation(
@@ -93,4 +87,4 @@ inline Delta_complex input_triangulation_of(const Overlay& overlay)
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_TRIANGULATIONS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TEST_OVERLAY_TRIANGULATIONS_H

@@ -5,13 +5,13 @@
 //
 // Angles that are those of a flat, Delaunay triangulation, as near as possible to given ones.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COHERENT_ANGLES_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_COHERENT_ANGLES_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_COHERENT_ANGLES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_COHERENT_ANGLES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <CGAL/assertions.h>
 
@@ -29,23 +29,22 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+namespace internal {
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief the result of `find_coherent_angles()`.
+// the result of `find_coherent_angles()`.
 struct Coherent_angles
 {
-  /// for each halfedge, the opposite angle in its face; 0 for a border halfedge
+  // for each halfedge, the opposite angle in its face; 0 for a border halfedge
   std::vector<double> angles;
-  /// the number of interior edges whose two given angles summed to more than is allowed
+  // the number of interior edges whose two given angles summed to more than is allowed
   std::size_t number_of_clipped_edges = 0;
-  double largest_change = 0; ///< in radians
+  double largest_change = 0; // in radians
 };
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief returns for each halfedge the opposite angle, in radians; 0 for border halfedges.
-/// \param complex the triangles
-/// \param lengths the length of each edge
-/// \param areas the area of each face. O(size).
+// returns for each halfedge the opposite angle, in radians; 0 for border halfedges.
+// \param complex the triangles
+// \param lengths the length of each edge
+// \param areas the area of each face. O(size).
 inline std::vector<double> opposite_angles(const Delta_complex& complex,
                                            const std::vector<double>& lengths,
                                            const std::vector<double>& areas)
@@ -64,9 +63,6 @@ inline std::vector<double> opposite_angles(const Delta_complex& complex,
   }
   return angles;
 }
-
-/// \cond SKIP_IN_MANUAL
-namespace internal {
 
 // How many corners of faces each vertex has.
 inline std::vector<int> numbers_of_corners(const Delta_complex& complex)
@@ -343,43 +339,39 @@ private:
   Array gradient_, equation_error_, slack_error_, edge_slack_error_;
 };
 
-} // namespace internal
-/// \endcond
-
-/// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief finds the coherent angle system that is nearest to given angles in the least-squares
-/// sense.
-///
-/// In a coherent angle system the angles of each face sum to π, those around each interior
-/// vertex sum to 2π, all are positive, and the two opposite an interior edge sum to less than
-/// π. If a triangulation is not Delaunay, some of its edges violate the last condition, and their
-/// angles are clipped. On an intrinsic Delaunay triangulation there is nothing to clip; only the
-/// curvature has to be distributed.
-///
-/// \param complex the triangles of a surface with boundary
-/// \param angles the angle opposite each halfedge, as returned by `opposite_angles()`
-/// \param margin in radians, how far edge sums stay below π and angles stay above 0; angles
-///   less than twice the margin can become half as large. At a vertex with *d* corners the margin is
-///   at most π/*d*
-/// \param progress is called before each iteration
-///
-/// \exception Invalid_surface_error if an interior vertex has fewer than three corners, whose
-///   angles cannot sum to 2π
-/// \exception Numerical_error if no such angles are found
-/// \exception Cancelled_error if `progress` returns `false`
-///
-/// The convex quadratic program is solved by an interior-point method, with about twenty sparse
-/// Cholesky factorizations. Face and vertex sums are accurate to 1e-12, or to 2⁻⁵² for each corner of a
-/// vertex if that is more.
-/// Source: L. Kharevych, B. Springborn, P. Schröder, "Discrete conformal mappings via circle
-/// patterns", 2006, section 3.
+// finds the coherent angle system that is nearest to given angles in the least-squares
+// sense.
+//
+// In a coherent angle system the angles of each face sum to π, those around each interior
+// vertex sum to 2π, all are positive, and the two opposite an interior edge sum to less than
+// π. If a triangulation is not Delaunay, some of its edges violate the last condition, and their
+// angles are clipped. On an intrinsic Delaunay triangulation there is nothing to clip; only the
+// curvature has to be distributed.
+//
+// \param complex the triangles of a surface with boundary
+// \param angles the angle opposite each halfedge, as returned by `opposite_angles()`
+// \param margin in radians, how far edge sums stay below π and angles stay above 0; angles
+//   less than twice the margin can become half as large. At a vertex with *d* corners the margin is
+//   at most π/*d*
+// \param progress is called before each iteration
+//
+// \exception Invalid_surface_error if an interior vertex has fewer than three corners, whose
+//   angles cannot sum to 2π
+// \exception Numerical_error if no such angles are found
+// \exception Cancelled_error if `progress` returns `false`
+//
+// The convex quadratic program is solved by an interior-point method, with about twenty sparse
+// Cholesky factorizations. Face and vertex sums are accurate to 1e-12, or to 2⁻⁵² for each corner of a
+// vertex if that is more.
+// Source: L. Kharevych, B. Springborn, P. Schröder, "Discrete conformal mappings via circle
+// patterns", 2006, section 3.
 inline Coherent_angles find_coherent_angles(const Delta_complex& complex,
                                             const std::vector<double>& angles,
                                             double margin = 1e-3,
                                             const Progress_function& progress = {})
 {
   CGAL_precondition(angles.size() == complex.number_of_halfedges());
-  const std::vector<int> corners = internal::numbers_of_corners(complex);
+  const std::vector<int> corners = numbers_of_corners(complex);
   for (Vertex_index v : complex.vertices()) {
     const Halfedge_index h = complex.halfedge(v);
     if (h.is_valid() && !complex.is_border(h) && corners[v.idx()] < 3)
@@ -392,12 +384,12 @@ inline Coherent_angles find_coherent_angles(const Delta_complex& complex,
   }
   Coherent_angles result;
   const std::vector<double> margins = internal::margins(corners, margin);
-  result.angles = internal::Angle_optimizer(complex, angles, margins).run(progress);
+  result.angles = Angle_optimizer(complex, angles, margins).run(progress);
   for (Edge_index e : complex.edges()) {
     const Halfedge_index h = complex.halfedge(e);
     if (!complex.is_border(e) && angles[h.idx()] + angles[complex.opposite(h).idx()] >
                                    boost::math::constants::pi<double>() -
-                                     internal::edge_margin(complex, margins, e))
+                                     edge_margin(complex, margins, e))
       ++result.number_of_clipped_edges;
   }
   for (std::size_t h = 0; h < angles.size(); ++h)
@@ -406,7 +398,8 @@ inline Coherent_angles find_coherent_angles(const Delta_complex& complex,
   return result;
 }
 
+} // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_COHERENT_ANGLES_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_COHERENT_ANGLES_H
