@@ -3,7 +3,7 @@
 //
 // What is compiled once of geodesics: sums of angles, the points that an edge passes, and traced lines.
 
-#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Angle_sum_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Linked_paths_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/geodesic_points_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/trace_geodesic_impl.h>

@@ -22,7 +22,7 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief an integer of any size, exact: Boost.Multiprecision's, without expression templates
 using Integer = internal::Integer;
 

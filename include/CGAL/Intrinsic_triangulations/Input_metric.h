@@ -28,7 +28,7 @@ struct Rational_lengths;
 }
 /// \endcond
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \ingroup PkgIntrinsicTriangulationsMetric
 ///
 /// \brief the squared lengths of the input edges, as exact functions of the given
 /// points with `double` coordinates, lengths, or rational squared lengths.

@@ -11,7 +11,7 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief a complex number, or a vector in a plane, over a ring.
 template <class Real>
 class Planar_vector

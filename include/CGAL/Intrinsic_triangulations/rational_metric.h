@@ -18,21 +18,21 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief a rational number, exact: Boost.Multiprecision's, without expression templates
 using Rational = internal::Rational;
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief constructs a metric from the exact squared length of each edge, as those between points with rational
 /// coordinates are. O(size).
 /// \exception Invalid_surface_error if a length leaves the range of `double`
 Input_metric metric_from_squared_lengths(std::vector<Rational> squared_lengths);
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief returns the squared length of an input edge exactly, in the unit of the metric. O(1).
 Rational squared_length(const Input_metric& metric, const Delta_complex& input, Edge_index e);
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief returns the square of four times the area of an input face exactly, in the unit of the metric. O(1).
 Rational squared_four_areas(const Input_metric& metric, const Delta_complex& input, Face_index f);
 

@@ -132,7 +132,7 @@ struct Geodesic_report
   std::uint64_t tests = 0; ///< the number of edges that were looked at
 };
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief the stages of an exact Delaunay test, each taken when those before cannot decide.
 enum class Stage {
   FILTER,         ///< the stored squared lengths and areas with their error bounds
@@ -144,11 +144,11 @@ enum class Stage {
   CONGRUENCE,     ///< a tie: both halves of the quadrilateral run over mirror images in the input
   MODULAR         ///< a tie, with an error below 2<sup>-128</sup>: zero in several finite fields
 };
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief the number of stages.
 constexpr std::size_t number_of_stages = 8;
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief how many Delaunay tests each stage decided, and how many were ties.
 struct Stage_counts
 {
@@ -174,7 +174,7 @@ struct Stage_counts
   }
 };
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief what exact decisions accept as a tie: that a number which looks like zero is zero.
 ///
 /// That a number is *not* zero, and its sign, is always proven.
@@ -199,7 +199,7 @@ struct Tie_proof_tag
 
 namespace parameters {
 
-/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief the named parameter `tie_proof`: what exact decisions accept as a tie.
 ///
 /// It has to be the first of a sequence: `parameters::tie_proof(…).visitor(…)`.

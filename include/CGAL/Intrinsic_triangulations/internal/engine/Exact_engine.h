@@ -69,7 +69,7 @@ public:
   // The corners opposite to an edge, k to its left and l to its right.
   using Opposite_corners = internal::Opposite_corners<Bounded_double_double>;
 
-  explicit Exact_engine(Delta_complex connectivity) : connectivity_(std::move(connectivity)) {}
+  explicit Exact_engine(Delta_complex connectivity);
 
   // What only speeds up queries is not copied.
   Exact_engine(const Exact_engine& other);

@@ -107,6 +107,9 @@ struct Exact_engine::Memory
 };
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Exact_engine(Delta_complex connectivity) : connectivity_(std::move(connectivity)) {}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_engine::keep_input(Input_metric metric)
 {
   std::unique_ptr<Memory> memory = std::make_unique<Memory>();

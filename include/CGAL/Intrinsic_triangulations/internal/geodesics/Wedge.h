@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_WEDGE_H
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Angle_sum.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 
 #include <CGAL/enum.h>

@@ -5,8 +5,8 @@
 //
 // Whether the angles of consecutive corners sum to less than π, exactly.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_ANGLE_SUM_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_ANGLE_SUM_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ANGLE_SUM_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ANGLE_SUM_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
@@ -74,7 +74,7 @@ Comparison_result compare_angle_sum_with_pi(const Exact_engine& engine,
 } // namespace CGAL
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Angle_sum_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum_impl.h>
 #endif
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_ANGLE_SUM_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ANGLE_SUM_H

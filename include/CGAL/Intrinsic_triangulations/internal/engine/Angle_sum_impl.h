@@ -5,11 +5,11 @@
 //
 // Definitions of Angle_sum.h.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_ANGLE_SUM_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_ANGLE_SUM_IMPL_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ANGLE_SUM_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ANGLE_SUM_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Angle_sum.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Level_line.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
@@ -108,4 +108,4 @@ Comparison_result compare_angle_sum_with_pi(const Exact_engine& engine,
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_ANGLE_SUM_IMPL_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ANGLE_SUM_IMPL_H
