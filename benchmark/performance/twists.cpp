@@ -9,7 +9,7 @@
 
 #include "samples/sample_exact_gluings.h"
 
-#include <CGAL/Intrinsic_triangulations/fast_forward.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>
 
 #include <algorithm>
 #include <chrono>

@@ -3,7 +3,7 @@
 //
 // A flat torus that is sheared so far that Delaunay flips, one by one, would take years.
 
-#include <CGAL/Intrinsic_triangulations/fast_forward.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <array>

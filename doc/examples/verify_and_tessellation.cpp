@@ -6,14 +6,13 @@
 
 #include "samples/sample_surfaces.h"
 
-#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <cstddef>
 #include <cstdlib>

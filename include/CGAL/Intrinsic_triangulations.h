@@ -10,9 +10,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_H
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
@@ -32,14 +32,11 @@
 #include <CGAL/Intrinsic_triangulations/graph_traits_Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/is_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
-#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_H

@@ -9,7 +9,7 @@
 #include "system/Interruption.h"
 #include "system/Progress.h"
 
-#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
 #include <cstdint>
 

@@ -10,7 +10,6 @@
 
 #include "samples/sample_surfaces.h"
 
-#include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <filesystem>

@@ -6,8 +6,7 @@
 #include "input/formats/Watched_file.h"
 #include "input/standard_input.h"
 
-#include <CGAL/Intrinsic_triangulations/Crossing_counts.h>
-#include <CGAL/Intrinsic_triangulations/exact_gluing_io.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 

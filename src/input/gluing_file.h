@@ -7,7 +7,7 @@
 #define IDT_GLUING_FILE_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/exact_gluing_io.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 

@@ -19,7 +19,7 @@
 #include "system/for_each_block.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -28,7 +28,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
-#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>

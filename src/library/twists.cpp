@@ -3,4 +3,4 @@
 //
 // What is compiled once of twists.
 
-#include <CGAL/Intrinsic_triangulations/internal/flips/untwist_impl.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>

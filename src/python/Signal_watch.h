@@ -6,7 +6,7 @@
 #ifndef INTRINSIC_TRIANGULATIONS_PYTHON_SIGNAL_WATCH_H
 #define INTRINSIC_TRIANGULATIONS_PYTHON_SIGNAL_WATCH_H
 
-#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 

@@ -8,8 +8,7 @@
 
 #include "samples/sample_surface_tools.h"
 
-#include <CGAL/Intrinsic_triangulations/Crossing_counts.h>
-#include <CGAL/Intrinsic_triangulations/exact_gluing_io.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 

@@ -6,7 +6,7 @@
 
 #include "samples/sample_surfaces.h"
 
-#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
-#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <gtest/gtest.h>
 

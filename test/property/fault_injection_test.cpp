@@ -9,7 +9,7 @@
 #include "samples/sample_exact_gluings.h"
 #include "samples/sample_surfaces.h"
 
-#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
@@ -22,7 +22,6 @@
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/untwist.h>
-#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <boost/config.hpp>
 

@@ -7,8 +7,8 @@
 #include "property/garden.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
-#include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
 #include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
@@ -20,7 +20,6 @@
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
-#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -6,10 +6,9 @@
 #include "samples/sample_exact_gluings.h"
 #include "samples/sample_gluings.h"
 
-#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/fast_forward.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -3,10 +3,9 @@
 //
 // The gluing format: what is written returns, and damage is named, never believed.
 
-#include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
-
-#include <CGAL/Intrinsic_triangulations/exact_gluing_io.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+
+#include <CGAL/Intrinsic_triangulations/untwist.h>
 
 #include <gtest/gtest.h>
 

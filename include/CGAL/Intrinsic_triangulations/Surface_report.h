@@ -9,7 +9,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_REPORT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_REPORT_H
 
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <array>

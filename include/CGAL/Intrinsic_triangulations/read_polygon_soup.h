@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_READ_POLYGON_SOUP_H
 
 #include <CGAL/Intrinsic_triangulations/Polygon_soup.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 

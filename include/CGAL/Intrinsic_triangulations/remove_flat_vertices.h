@@ -9,8 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_REMOVE_FLAT_VERTICES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <array>

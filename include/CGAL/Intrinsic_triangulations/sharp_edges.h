@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_SHARP_EDGES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <array>
 #include <vector>

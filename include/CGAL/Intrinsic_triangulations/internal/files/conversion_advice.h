@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_CONVERSION_ADVICE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_CONVERSION_ADVICE_H
 
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <string>
 

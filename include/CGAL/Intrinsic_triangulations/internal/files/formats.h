@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FORMATS_H
 
 #include <CGAL/Intrinsic_triangulations/Polygon_soup.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <cstdint>

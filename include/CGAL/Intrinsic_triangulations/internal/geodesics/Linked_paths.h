@@ -9,8 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINKED_PATHS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <cstddef>
 #include <cstdint>

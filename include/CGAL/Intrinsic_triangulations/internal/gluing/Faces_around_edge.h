@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_FACES_AROUND_EDGE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_FACES_AROUND_EDGE_H
 
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 
 #include <CGAL/enum.h>

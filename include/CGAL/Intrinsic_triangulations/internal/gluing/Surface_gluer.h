@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SURFACE_GLUER_H
 
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Triangle_pieces.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_DYNAMIC_OVERLAY_GRAPH_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_DYNAMIC_OVERLAY_GRAPH_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph.h>
 

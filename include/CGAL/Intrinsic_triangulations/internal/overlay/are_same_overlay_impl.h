@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_ARE_SAME_OVERLAY_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <cstdint>
 #include <iostream>

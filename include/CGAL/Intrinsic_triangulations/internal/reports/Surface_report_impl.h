@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REPORTS_SURFACE_REPORT_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/Surface_report.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <cstddef>

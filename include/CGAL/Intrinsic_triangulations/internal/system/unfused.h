@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_UNFUSED_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_UNFUSED_H
 
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <boost/config.hpp>
 

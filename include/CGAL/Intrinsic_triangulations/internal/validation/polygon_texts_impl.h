@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_TEXTS_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_TEXTS_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/polygon_texts.h>
 
 #include <array>

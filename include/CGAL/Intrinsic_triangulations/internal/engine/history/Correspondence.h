@@ -10,9 +10,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/Removed_elements.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Flip_journal.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Kept_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Rotation_system.h>

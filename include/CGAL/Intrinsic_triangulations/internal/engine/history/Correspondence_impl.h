@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 

@@ -9,9 +9,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_KEPT_CROSSINGS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/Removed_elements.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
 
 #include <algorithm>
 #include <array>

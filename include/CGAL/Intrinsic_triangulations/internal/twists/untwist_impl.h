@@ -5,11 +5,11 @@
 //
 // Definition of untwist().
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_UNTWIST_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_UNTWIST_IMPL_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_UNTWIST_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_UNTWIST_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/flips/Tube_straightener.h>
+#include <CGAL/Intrinsic_triangulations/internal/twists/Tube_straightener.h>
 #include <CGAL/Intrinsic_triangulations/untwist.h>
 
 #include <cstddef>
@@ -60,4 +60,4 @@ std::vector<Rational> squared_lengths(const std::vector<double>& lengths)
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_UNTWIST_IMPL_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_UNTWIST_IMPL_H

@@ -5,10 +5,10 @@
 //
 // What the removal of a vertex takes out of arrays, and what moves.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_REMOVED_ELEMENTS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_REMOVED_ELEMENTS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_REMOVED_ELEMENTS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_REMOVED_ELEMENTS_H
 
-#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Index.h>
 
 #include <boost/container/static_vector.hpp>
 
@@ -71,4 +71,4 @@ void remove_entries(Array& array, const Descriptors& holes, std::size_t first = 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_REMOVED_ELEMENTS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_REMOVED_ELEMENTS_H

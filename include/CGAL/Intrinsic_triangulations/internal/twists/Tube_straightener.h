@@ -5,13 +5,13 @@
 //
 // The engine of untwist().
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_TUBE_STRAIGHTENER_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_TUBE_STRAIGHTENER_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_TUBE_STRAIGHTENER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_TUBE_STRAIGHTENER_H
 
-#include <CGAL/Intrinsic_triangulations/Crossing_counts.h>
+#include <CGAL/Intrinsic_triangulations/internal/twists/Crossing_counts.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Tube.h>
-#include <CGAL/Intrinsic_triangulations/Untwisting.h>
+#include <CGAL/Intrinsic_triangulations/internal/twists/Tube.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 
 #include <array>
@@ -205,4 +205,4 @@ private:
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_TUBE_STRAIGHTENER_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_TUBE_STRAIGHTENER_H

@@ -5,8 +5,8 @@
 //
 // Two faces around which edges can wind.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TUBE_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_TUBE_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_TUBE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_TUBE_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
@@ -52,4 +52,4 @@ inline Tube tube(const Delta_complex& complex, Halfedge_index loop)
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_TUBE_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_TUBE_H

@@ -5,8 +5,8 @@
 //
 // Header-only, or compiled once: what a program chooses when it is built. And what every build of it must have in common.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONFIG_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CONFIG_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONFIG_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONFIG_H
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief By default the package is header-only. If `CGAL_INTRINSIC_TRIANGULATIONS_COMPILED` is defined, as the CMake target
@@ -41,4 +41,4 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(name, value)
 #endif
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONFIG_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONFIG_H

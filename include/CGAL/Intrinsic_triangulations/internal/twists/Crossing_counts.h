@@ -5,11 +5,11 @@
 //
 // How often each edge crosses the input, however often that is.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CROSSING_COUNTS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CROSSING_COUNTS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_CROSSING_COUNTS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_CROSSING_COUNTS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Tube.h>
+#include <CGAL/Intrinsic_triangulations/internal/twists/Tube.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 
 #include <CGAL/assertions.h>
@@ -164,4 +164,4 @@ private:
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CROSSING_COUNTS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_CROSSING_COUNTS_H

@@ -5,8 +5,8 @@
 //
 // Text files of gluings whose squared lengths are rational and no squares of doubles.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_GLUING_IO_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_GLUING_IO_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_EXACT_GLUING_IO_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_EXACT_GLUING_IO_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -123,4 +123,4 @@ inline Exact_gluing read_exact_gluing(std::istream& is)
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_GLUING_IO_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_EXACT_GLUING_IO_H
