@@ -11,7 +11,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H
 
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/prefetch.h>

@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_POINT_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
 
 #include <CGAL/assertions.h>
 

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_REPORTS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_REPORTS_H
 
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <CGAL/Named_function_parameters.h>

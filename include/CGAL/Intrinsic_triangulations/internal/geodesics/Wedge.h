@@ -117,7 +117,7 @@ private:
       *angle = sum.value;
     return sum.is_below_pi()   ? SMALLER
            : sum.is_above_pi() ? LARGER
-                               : compare_angle_sum_with_pi(complex(), engine(triangulation_), corners_);
+                               : compare_angle_sum_with_pi(engine(triangulation_), corners_);
   }
 
   Bounded_angle estimate()

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_OVERLAY_ARRAYS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_OVERLAY_ARRAYS_H
 
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <cstdint>
