@@ -102,9 +102,9 @@ Run flip_in_order(Triangulation& t)
     if (!c.is_flippable(e))
       continue;
     ++run.tests;
-    if (CGAL::certainly(IT::internal::Whole_triangulation<Triangulation::Traits>(t).test_and_refine(e)))
+    if (CGAL::certainly(IT::internal::Whole_triangulation<Triangulation::Traits>(t).test_and_recompute(e)))
       continue;
-    t.flip_not_Delaunay(e);
+    IT::internal::Whole_triangulation<Triangulation::Traits>(t).flip_not_Delaunay(e);
     ++run.flips;
     for (IT::Halfedge_index h : {c.halfedge(e), c.opposite(c.halfedge(e))})
       for (IT::Halfedge_index side : {c.next(h), c.prev(h)})
@@ -126,8 +126,8 @@ Run flip_in_sweeps(Triangulation& t)
       if (!t.connectivity().is_flippable(e))
         continue;
       ++run.tests;
-      if (!CGAL::certainly(IT::internal::Whole_triangulation<Triangulation::Traits>(t).test_and_refine(e))) {
-        t.flip_not_Delaunay(e);
+      if (!CGAL::certainly(IT::internal::Whole_triangulation<Triangulation::Traits>(t).test_and_recompute(e))) {
+        IT::internal::Whole_triangulation<Triangulation::Traits>(t).flip_not_Delaunay(e);
         ++run.flips;
       }
     }

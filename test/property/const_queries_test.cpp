@@ -241,7 +241,7 @@ TEST(Const_queries, journals_and_flips_one_by_one_lead_to_the_same)
       Triangulation followed = journaled;
       const IT::Delta_complex& complex = journaled.connectivity();
       for (int round = 0; round < 6; ++round) {
-        Whole(journaled).begin_journal();
+        Whole(journaled).engine().begin_journal();
         for (int i = 0; i < 40 * round; ++i) {
           const IT::Edge_index e(std::uint32_t(random() % complex.number_of_edges()));
           if (!complex.is_flippable(e))
@@ -249,7 +249,7 @@ TEST(Const_queries, journals_and_flips_one_by_one_lead_to_the_same)
           IT::internal::engine(followed).sign_of_cotangents(e);
           const auto outcome = followed.flip(e);
           if (outcome == Triangulation::Flip_outcome::FLIPPED) {
-            if (journaled.flip_not_Delaunay(e) != outcome)
+            if (Whole(journaled).flip_not_Delaunay(e) != outcome)
               ADD_FAILURE();
           }
         }

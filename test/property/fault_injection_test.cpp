@@ -406,12 +406,13 @@ protected:
         name + ": a split", [&] { return start; },
         [&](Triangulation& t) {
           t.set_interruption(goes_further);
-          const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
+          const IT::internal::Exact_engine& engine = IT::internal::engine(t);
+          IT::internal::Whole_triangulation<Triangulation::Traits> whole(t);
           if (p.dimension() == 2) {
-            const IT::internal::Triangle_piece at = IT::internal::piece_at_source(t.connectivity(), geometry.correspondence(), p.halfedge);
-            t.split_face(IT::internal::Piece_search(t.connectivity(), geometry)(at, p), p);
+            const IT::internal::Triangle_piece at = IT::internal::piece_at_source(t.connectivity(), engine.correspondence(), p.halfedge);
+            whole.split_face(IT::internal::Piece_search(engine)(at, p), p);
           } else {
-            t.split_edge(*IT::internal::halfedge_along(t.connectivity(), geometry, p), p);
+            whole.split_edge(*IT::internal::halfedge_along(engine, p), p);
           }
         },
         [&](Triangulation& t, Triangulation& whole) {

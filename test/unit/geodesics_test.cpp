@@ -162,7 +162,7 @@ TEST(Undone_flips, leave_each_face_with_a_side_of_its_own)
         flips.push_back(e);
     }
     for (; !flips.empty(); flips.pop_back())
-      t.flip_back(flips.back());
+      IT::internal::Whole_triangulation<Triangulation::Traits>(t).flip_back(flips.back());
     for (IT::Face_index f : complex.faces())
       ASSERT_EQ(complex.face(complex.halfedge(f)), f) << seed;
   }

@@ -135,7 +135,7 @@ TEST(Remove_vertex, on_a_line_across_a_fold)
   while (complex.source(h).idx() > 1)
     h = complex.next_around_target(h);
   const IT::Edge_index line = complex.edge(h);
-  const IT::Removed_elements removed = triangulation.unsplit_edge(h);
+  const IT::Removed_elements removed = IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>(triangulation).unsplit_edge(h);
   EXPECT_DOUBLE_EQ(triangulation.squared_length(removed.edge_after(line)), 8);
   EXPECT_DOUBLE_EQ(triangulation.length(removed.edge_after(line)), std::sqrt(8.));
 }

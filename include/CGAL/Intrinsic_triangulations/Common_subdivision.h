@@ -48,19 +48,10 @@ namespace Intrinsic_triangulations {
 class Overlay_positions
 {
 public:
-  /// \brief computes all positions.
-  ///
-  /// `Common_subdivision` does it for a triangulation.
-  ///
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the positions
-  ///   are the same, and `progress` is called only at the beginning
-  /// \param overlay the overlay
-  /// \param progress is called during the computation
-  /// \exception Undecided_error if an edge is not a straight line over the input triangles: an
-  ///   inexact number type has flipped a hinge that is not convex
-  /// \exception Cancelled_error if `progress` returns `false`
-  ///
-  /// O(size of the overlay) arithmetic operations.
+  /// \cond SKIP_IN_MANUAL
+  // Computes all positions, in O(size of the overlay) arithmetic operations. With threads, `progress` is called only at the beginning. Throws
+  // Undecided_error if an edge is not a straight line over the input triangles, as an inexact number type has flipped a hinge that is not
+  // convex, and Cancelled_error if `progress` returns `false`.
   template <class ConcurrencyTag = Sequential_tag>
   Overlay_positions(const internal::Exact_engine& engine, const Overlay& overlay, const Progress_function& progress = {},
                     ConcurrencyTag = ConcurrencyTag())
@@ -90,6 +81,7 @@ public:
           make_ascending(overlay, Edge_index(size_type(e)));
       });
   }
+  /// \endcond
 
   /// returns the position of the crossing `x` on `overlay.intrinsic_edge(x)`, from 0 to 1.
   double on_intrinsic_edge(Overlay::Vertex x) const { return on_intrinsic_edge_[index(x)]; }
@@ -311,7 +303,9 @@ public:
   /// \endcond
 
 private:
+  /// \cond SKIP_IN_MANUAL
   friend struct internal::Engine_access;
+  /// \endcond
 
   template <class ConcurrencyTag>
   Common_subdivision(internal::Released_engine released, const Progress_function& progress, ConcurrencyTag)

@@ -30,6 +30,10 @@ class Intrinsic_triangulation;
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
+class Exact_engine;
+template <class ConcurrencyTag, class Triangulation>
+const Exact_engine& engine(const Triangulation& triangulation);
+
 struct Overlay_vertex_tag
 {
   static constexpr char letter = 'v';
