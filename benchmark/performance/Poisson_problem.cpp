@@ -40,7 +40,7 @@ using Point_2 = Eigen::Vector2d;
 // A surface, and where its vertices lie in the plane.
 struct Flat_surface
 {
-  IT::Indexed_triangles triangles;
+  samples::Indexed_triangles triangles;
   std::vector<Point_2> plane;
 };
 
@@ -114,7 +114,7 @@ Flat_surface folded_sheet(std::uint32_t strips, std::uint32_t points)
 Flat_surface sheared_squares(std::size_t n, double shear)
 {
   Flat_surface result;
-  result.triangles = IT::sheared_grid(n, n, shear);
+  result.triangles = samples::sheared_grid(n, n, shear);
   for (std::array<double, 3>& p : result.triangles.points) {
     for (double& x : p)
       x /= double(n);

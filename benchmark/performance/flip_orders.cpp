@@ -150,10 +150,10 @@ const std::pair<const char*, Run (*)(Triangulation&)> orders[] = {
 
 Mesh surface(const std::string& name)
 {
-  for (const IT::Sample& sample : IT::sample_names())
+  for (const samples::Sample& sample : samples::sample_names())
     if (sample.name == name) {
-      const auto made = IT::make_sample(name);
-      if (const auto* triangles = std::get_if<IT::Indexed_triangles>(&made))
+      const auto made = samples::make_sample(name);
+      if (const auto* triangles = std::get_if<samples::Indexed_triangles>(&made))
         return mesh_of(*triangles);
       std::fprintf(stderr, "%s has lengths alone, and is no mesh\n", name.c_str());
       std::exit(2);
@@ -186,8 +186,8 @@ int main(int argc, char** argv)
     compare(std::filesystem::path(argv[i]).stem().string(), surface(argv[i]));
   if (argc > 1)
     return 0;
-  compare("pillow(1000)", mesh_of(IT::pillow(1000)));
-  compare("sheared_grid(300, 300, 20.3)", mesh_of(IT::sheared_grid(300, 300, 20.3)));
-  compare("Schwarz_lantern(100, 2000)", mesh_of(IT::Schwarz_lantern(100, 2000)));
-  compare("bad_torus(500, 500)", mesh_of(IT::bad_torus(500, 500)));
+  compare("pillow(1000)", mesh_of(samples::pillow(1000)));
+  compare("sheared_grid(300, 300, 20.3)", mesh_of(samples::sheared_grid(300, 300, 20.3)));
+  compare("Schwarz_lantern(100, 2000)", mesh_of(samples::Schwarz_lantern(100, 2000)));
+  compare("bad_torus(500, 500)", mesh_of(samples::bad_torus(500, 500)));
 }

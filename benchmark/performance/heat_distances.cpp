@@ -47,7 +47,7 @@ struct Problem
   std::vector<double> exact;
 };
 
-Mesh mesh_of(const CGAL::Intrinsic_triangulations::Indexed_triangles& sample)
+Mesh mesh_of(const samples::Indexed_triangles& sample)
 {
   Mesh mesh;
   for (const auto& [x, y, z] : sample.points)
@@ -60,7 +60,7 @@ Mesh mesh_of(const CGAL::Intrinsic_triangulations::Indexed_triangles& sample)
 // An octahedron, each face cut into n² triangles, on the unit sphere.
 Mesh octahedral_sphere(int n)
 {
-  CGAL::Intrinsic_triangulations::Indexed_triangles result;
+  samples::Indexed_triangles result;
   std::map<std::array<int, 3>, std::uint32_t> numbers;
   const auto vertex = [&](int x, int y, int z) {
     const auto [it, is_new] = numbers.insert({{x, y, z}, std::uint32_t(numbers.size())});
@@ -186,10 +186,10 @@ int main(int argc, char** argv)
             "| --- | --- | ---: | ---: | ---: | ---: | ---: |");
   namespace IT = CGAL::Intrinsic_triangulations;
   measure_all(on_sphere("sphere of 10,002 vertices", octahedral_sphere(50)));
-  measure_all(on_sphere("sphere of circles of latitude", mesh_of(IT::latitude_longitude_sphere(140, 72))));
-  measure_all(flat("square, sources on the border", mesh_of(IT::sheared_grid(40, 40, 0)), true));
-  measure_all(flat("parallelogram of needles, shear 1", mesh_of(IT::sheared_grid(60, 60, 1)), false));
-  measure_all(flat("parallelogram of needles, shear 5", mesh_of(IT::sheared_grid(60, 60, 5)), false));
+  measure_all(on_sphere("sphere of circles of latitude", mesh_of(samples::latitude_longitude_sphere(140, 72))));
+  measure_all(flat("square, sources on the border", mesh_of(samples::sheared_grid(40, 40, 0)), true));
+  measure_all(flat("parallelogram of needles, shear 1", mesh_of(samples::sheared_grid(60, 60, 1)), false));
+  measure_all(flat("parallelogram of needles, shear 5", mesh_of(samples::sheared_grid(60, 60, 5)), false));
   for (int i = 1; i < argc; ++i)
     measure_all(of_file(argv[i]));
 }

@@ -115,11 +115,11 @@ struct Input
 
 Input input(const std::string& name)
 {
-  for (const IT::Sample& sample : IT::sample_names())
+  for (const samples::Sample& sample : samples::sample_names())
     if (sample.name == name)
       return {name, [name] {
-                const auto surface = IT::make_sample(name);
-                if (const auto* triangles = std::get_if<IT::Indexed_triangles>(&surface))
+                const auto surface = samples::make_sample(name);
+                if (const auto* triangles = std::get_if<samples::Indexed_triangles>(&surface))
                   return mesh_of(*triangles);
                 std::cerr << name << ": has lengths alone, and is no mesh\n";
                 std::exit(2);
@@ -129,9 +129,9 @@ Input input(const std::string& name)
 
 std::vector<Input> default_inputs()
 {
-  std::vector<Input> inputs{{"bad_torus_1000x1000", [] { return mesh_of(IT::bad_torus(1000, 1000)); }},
-                            {"bumpy_sphere_700x351", [] { return mesh_of(IT::bumpy_sphere(700, 351)); }},
-                            {"sheared_grid_300x300", [] { return mesh_of(IT::sheared_grid(300, 300, 3.3)); }}};
+  std::vector<Input> inputs{{"bad_torus_1000x1000", [] { return mesh_of(samples::bad_torus(1000, 1000)); }},
+                            {"bumpy_sphere_700x351", [] { return mesh_of(samples::bumpy_sphere(700, 351)); }},
+                            {"sheared_grid_300x300", [] { return mesh_of(samples::sheared_grid(300, 300, 3.3)); }}};
   if (const std::string horse = horse_path(); !horse.empty())
     inputs.insert(inputs.begin(), input(horse));
   return inputs;

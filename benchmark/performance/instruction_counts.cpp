@@ -44,17 +44,17 @@ auto triangulate(const Mesh& mesh)
 int main(int argc, char** argv)
 {
   const auto is = [&](const char* name) { return argc == 2 && std::strcmp(argv[1], name) == 0; };
-  const Mesh torus = mesh_of(IT::bad_torus(100, 100));
+  const Mesh torus = mesh_of(samples::bad_torus(100, 100));
   std::size_t result = 0;
   if (is("double"))
     result = counted([&] { return triangulate<IT::Edge_length_traits<double>>(torus).report.flips; });
   else if (is("exact"))
     result = counted([&] { return triangulate<Filtered>(torus).report.flips; });
   else if (is("ties")) {
-    const Mesh grid = mesh_of(IT::random_diagonal_grid(100, 100, 1, 3));
+    const Mesh grid = mesh_of(samples::random_diagonal_grid(100, 100, 1, 3));
     result = counted([&] { return triangulate<Filtered>(grid).report.tests; });
   } else if (is("pillow")) {
-    const Mesh pillow = mesh_of(IT::pillow(300));
+    const Mesh pillow = mesh_of(samples::pillow(300));
     result = counted([&] { return triangulate<Filtered>(pillow).report.flips; });
   } else if (is("overlay")) {
     const auto t = triangulate<Filtered>(torus).triangulation;

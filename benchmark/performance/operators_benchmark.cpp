@@ -98,5 +98,5 @@ int main(int argc, char** argv)
     return EXIT_SUCCESS;
   if (const std::optional<Mesh> horse = read_horse())
     measure("horse", *horse);
-  measure("bumpy_sphere_700x351", mesh_of(IT::bumpy_sphere(700, 351)));
+  measure("bumpy_sphere_700x351", mesh_of(samples::bumpy_sphere(700, 351)));
 }

@@ -171,16 +171,16 @@ int main(int argc, char** argv)
               "integers", "input", "heat", "heat with");
   std::printf("%-20s %11s %9s %7s %9s %9s %9s %9s %9s\n", "", "", "", "graph", "positions", "", "",
               "graph", "positions");
-  report("prism 2880", measure(mesh_of(IT::prism(2880)), rounds, true));
-  report("prism 2880, rotated", measure(mesh_of(IT::prism(2880, 1)), rounds, true));
+  report("prism 2880", measure(mesh_of(samples::prism(2880)), rounds, true));
+  report("prism 2880, rotated", measure(mesh_of(samples::prism(2880, 1)), rounds, true));
   if (const std::optional<Mesh> horse = read_horse())
     report("horse", measure(*horse, rounds, true));
-  report("torus 1000 x 1000", measure(mesh_of(IT::bad_torus(1000, 1000)), rounds, true));
+  report("torus 1000 x 1000", measure(mesh_of(samples::bad_torus(1000, 1000)), rounds, true));
 
   // The slope of the line that fits best, of the logarithms.
   std::vector<std::pair<double, double>> graph, with_positions;
   for (std::size_t n : {26, 46, 82, 146, 260, 462, 820}) {
-    const Costs costs = measure(mesh_of(IT::bad_torus(n, n)), rounds, false);
+    const Costs costs = measure(mesh_of(samples::bad_torus(n, n)), rounds, false);
     report("torus " + std::to_string(n) + " x " + std::to_string(n), costs);
     graph.emplace_back(std::log(costs.elements), std::log(costs.graph));
     with_positions.emplace_back(std::log(costs.elements), std::log(costs.graph + costs.positions));

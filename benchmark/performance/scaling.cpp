@@ -78,7 +78,7 @@ int main(int argc, char** argv)
   std::printf("| vertices | | edges | flips an edge | ns an edge | bytes an edge |\n"
               "| ---: | --- | ---: | ---: | ---: | ---: |\n");
   for (int side : sides) {
-    const Mesh mesh = mesh_of(IT::bad_torus(std::size_t(side), std::size_t(side)));
+    const Mesh mesh = mesh_of(samples::bad_torus(std::size_t(side), std::size_t(side)));
     measure<IT::Edge_length_traits<double>, CGAL::Sequential_tag>("double", mesh);
     measure<IT::Filtered_edge_length_traits, CGAL::Sequential_tag>("exact", mesh);
 #ifdef CGAL_LINKED_WITH_TBB

@@ -206,7 +206,7 @@ int main(int argc, char** argv)
     measure(argv[i], read_mesh(argv[i]));
   if (argc > 1)
     return 0;
-  measure("torus of bad triangles", mesh_of(IT::bad_torus(1000, 1000)));
+  measure("torus of bad triangles", mesh_of(samples::bad_torus(1000, 1000)));
   if (const auto horse = read_horse())
     measure("horse", *horse);
 }

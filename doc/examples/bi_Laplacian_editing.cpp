@@ -33,7 +33,7 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 namespace {
 
-Mesh mesh_of(const IT::Indexed_triangles& sample)
+Mesh mesh_of(const samples::Indexed_triangles& sample)
 {
   Mesh mesh;
   for (const auto& p : sample.points)
@@ -87,7 +87,7 @@ double error(const Mesh& mesh, const IT::Laplace_Beltrami_operator& Laplacian, s
 int main()
 {
   const std::size_t columns = 30, rows = 20;
-  IT::Indexed_triangles sheet = IT::sheared_grid(columns, rows, 0);
+  samples::Indexed_triangles sheet = samples::sheared_grid(columns, rows, 0);
   for (std::array<double, 3>& p : sheet.points) {
     p[0] += 2.5 * std::sin(p[1] * p[1]) + 0.3 * std::sin(37 * p[0] + 11 * p[1]);
     p[1] += 0.3 * std::sin(23 * p[0] + 5 * p[1]);

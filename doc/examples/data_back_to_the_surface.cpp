@@ -27,7 +27,7 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 
 int main()
 {
-  const IT::Indexed_triangles mesh = IT::bumpy_sphere(40, 21);
+  const samples::Indexed_triangles mesh = samples::bumpy_sphere(40, 21);
   Triangulation idt(IT::make_Delta_complex_from_triangles(mesh.points.size(), mesh.triangles), mesh.points);
   IT::flip_to_Delaunay(idt);
 

@@ -65,7 +65,7 @@ std::array<double, 2> range_of_values(const char* name, const Triangulation& t,
 int main()
 {
   const std::size_t columns = 20, rows = 20;
-  const IT::Indexed_triangles sheet = IT::sheared_grid(columns, rows, 2);
+  const samples::Indexed_triangles sheet = samples::sheared_grid(columns, rows, 2);
   Triangulation t(IT::make_Delta_complex_from_triangles(sheet.points.size(), sheet.triangles),
                   sheet.points);
 

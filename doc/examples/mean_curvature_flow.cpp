@@ -28,7 +28,7 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 namespace {
 
-Mesh mesh_of(const IT::Indexed_triangles& sample)
+Mesh mesh_of(const samples::Indexed_triangles& sample)
 {
   Mesh mesh;
   for (const auto& p : sample.points)
@@ -65,7 +65,7 @@ double worst_dent(const IT::Laplace_Beltrami_operator& Laplacian, double h)
 
 int main()
 {
-  const Mesh mesh = mesh_of(IT::bumpy_sphere(40, 21)); // needles and obtuse triangles
+  const Mesh mesh = mesh_of(samples::bumpy_sphere(40, 21)); // needles and obtuse triangles
   const IT::Laplace_Beltrami_operator extrinsic = IT::extrinsic_Laplacian(mesh),
                                       intrinsic = IT::intrinsic_Delaunay_Laplacian(mesh);
   const double h = 1e-3;

@@ -28,7 +28,7 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 namespace {
 
-Mesh mesh_of(const IT::Indexed_triangles& sample)
+Mesh mesh_of(const samples::Indexed_triangles& sample)
 {
   Mesh mesh;
   for (const auto& p : sample.points)
@@ -73,7 +73,7 @@ bool step(Mesh& mesh, const IT::Laplace_Beltrami_operator& Laplacian)
 
 int main()
 {
-  const Mesh lantern = mesh_of(IT::Schwarz_lantern(16, 64));
+  const Mesh lantern = mesh_of(samples::Schwarz_lantern(16, 64));
   const double start = area(lantern);
 
   // With the extrinsic operator, triangles fold, and their weights pull to the wrong side.

@@ -73,7 +73,7 @@ public:
 } // namespace CGAL
 
 // The triangulation when vertex 0 lies higher by `step`.
-auto triangulation_of(const IT::Indexed_triangles& surface, double step)
+auto triangulation_of(const samples::Indexed_triangles& surface, double step)
 {
   std::vector<IT::Edge_length_traits<Dual>::Point_data> points;
   for (const auto& p : surface.points)
@@ -87,7 +87,7 @@ auto triangulation_of(const IT::Indexed_triangles& surface, double step)
 
 int main()
 {
-  const IT::Indexed_triangles surface = IT::bumpy_sphere(20, 11);
+  const samples::Indexed_triangles surface = samples::bumpy_sphere(20, 11);
   const double step = 1e-6;
   const auto idt = triangulation_of(surface, 0), moved = triangulation_of(surface, step);
   double largest = 0, error = 0;

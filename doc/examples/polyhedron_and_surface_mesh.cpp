@@ -43,7 +43,7 @@ std::vector<double> sorted_lengths(const TriangleMesh& mesh)
 
 int main()
 {
-  const IT::Indexed_triangles sample = IT::bumpy_sphere(40, 21);
+  const samples::Indexed_triangles sample = samples::bumpy_sphere(40, 21);
   Mesh mesh;
   for (const auto& p : sample.points)
     mesh.add_vertex({p[0], p[1], p[2]});

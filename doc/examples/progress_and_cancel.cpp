@@ -47,7 +47,7 @@ private:
 
 int main()
 {
-  const IT::Indexed_triangles sample = IT::pillow(400); // its flips are quadratic in number
+  const samples::Indexed_triangles sample = samples::pillow(400); // its flips are quadratic in number
   Triangulation triangulation(
     IT::make_Delta_complex_from_triangles(sample.points.size(), sample.triangles), sample.points);
 

@@ -45,7 +45,7 @@ double area(const Triangulation& t)
 
 int main()
 {
-  const IT::Indexed_triangles dome = IT::bumpy_dome();
+  const samples::Indexed_triangles dome = samples::bumpy_dome();
   Triangulation t(IT::make_Delta_complex_from_triangles(dome.points.size(), dome.triangles), dome.points);
   const double area_before = area(t);
   std::cout << "smallest angle " << smallest_angle(t) << " degrees\n";

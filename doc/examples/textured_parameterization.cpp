@@ -28,7 +28,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 int main(int argc, char* argv[])
 {
-  const IT::Indexed_triangles sample = IT::disk_with_spike();
+  const samples::Indexed_triangles sample = samples::disk_with_spike();
   Mesh mesh;
   for (const auto& p : sample.points)
     mesh.add_vertex({p[0], p[1], p[2]});

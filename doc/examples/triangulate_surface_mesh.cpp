@@ -24,7 +24,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 int main()
 {
   // A sample, so that no file is needed; CGAL::IO::read_polygon_mesh() reads one.
-  const IT::Indexed_triangles sample = IT::bumpy_sphere();
+  const samples::Indexed_triangles sample = samples::bumpy_sphere();
   Mesh mesh;
   for (const auto& p : sample.points)
     mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));

@@ -21,7 +21,7 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 
 template <class Traits>
-IT::Intrinsic_triangulation<Traits> triangulate(const IT::Indexed_triangles& surface)
+IT::Intrinsic_triangulation<Traits> triangulate(const samples::Indexed_triangles& surface)
 {
   IT::Intrinsic_triangulation<Traits> triangulation(
     IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
@@ -34,7 +34,7 @@ IT::Intrinsic_triangulation<Traits> triangulate(const IT::Indexed_triangles& sur
 
 int main()
 {
-  const IT::Indexed_triangles prism = IT::prism(24, 1); // many corners on a circle, rotated
+  const samples::Indexed_triangles prism = samples::prism(24, 1); // many corners on a circle, rotated
   const auto rounded = triangulate<IT::Edge_length_traits<double>>(prism);
   const auto exact = triangulate<IT::Filtered_edge_length_traits>(prism);
   const IT::Delaunay_verification wrong = IT::verify_Delaunay(rounded), right = IT::verify_Delaunay(exact);
@@ -42,8 +42,8 @@ int main()
             << " edges are not Delaunay\nexact:  " << right.not_Delaunay.size() << '\n';
 
   // Squares that are split at random: other diagonals, the same cells.
-  const auto first = triangulate<IT::Filtered_edge_length_traits>(IT::random_diagonal_grid(12, 12, 1)),
-             second = triangulate<IT::Filtered_edge_length_traits>(IT::random_diagonal_grid(12, 12, 2));
+  const auto first = triangulate<IT::Filtered_edge_length_traits>(samples::random_diagonal_grid(12, 12, 1)),
+             second = triangulate<IT::Filtered_edge_length_traits>(samples::random_diagonal_grid(12, 12, 2));
   const std::size_t cells = IT::Delaunay_tessellation(first).number_of_cells();
   std::cout << first.connectivity().number_of_faces() << " triangles form " << cells << " cells\n";
 

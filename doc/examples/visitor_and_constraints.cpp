@@ -39,7 +39,7 @@ struct Counter
 
 int main()
 {
-  const IT::Indexed_triangles sample = IT::sheared_grid();
+  const samples::Indexed_triangles sample = samples::sheared_grid();
   Triangulation triangulation(
     IT::make_Delta_complex_from_triangles(sample.points.size(), sample.triangles), sample.points);
 

@@ -33,13 +33,13 @@ struct Sample_options
 };
 
 // \param format OFF if none is given
-void write_surface(std::ostream& os, const IT::Indexed_triangles& surface,
+void write_surface(std::ostream& os, const samples::Indexed_triangles& surface,
                    std::optional<Mesh_format> format)
 {
   write_mesh(os, surface.points, surface.triangles, format.value_or(Mesh_format::OFF));
 }
 
-void write_surface(std::ostream& os, const IT::Glued_triangles& surface, std::optional<Mesh_format>)
+void write_surface(std::ostream& os, const samples::Glued_triangles& surface, std::optional<Mesh_format>)
 {
   const IT::Delta_complex complex =
     IT::make_Delta_complex_from_gluing(surface.number_of_faces, surface.glued_sides);
@@ -53,8 +53,8 @@ void write_surface(std::ostream& os, const IT::Glued_triangles& surface, std::op
 }
 
 // A gluing has no place in space that a mesh file could hold.
-const char* extension(const IT::Indexed_triangles&) { return ".off"; }
-const char* extension(const IT::Glued_triangles&) { return ".gluing"; }
+const char* extension(const samples::Indexed_triangles&) { return ".off"; }
+const char* extension(const samples::Glued_triangles&) { return ".gluing"; }
 
 std::string path_with_extension(const Sample_options& options, const std::string& extension)
 {
@@ -82,7 +82,7 @@ Exit_status run_sample(const Sample_options& options)
   if (options.lists_names) {
     if (!options.path.empty())
       throw Usage_error("sample: --list writes to the standard output, without -o");
-    for (const IT::Sample& sample : IT::sample_names())
+    for (const samples::Sample& sample : samples::sample_names())
       std::cout << sample.name << '\n';
     return Exit_status::DONE;
   }
@@ -96,7 +96,7 @@ Exit_status run_sample(const Sample_options& options)
       if (!is_printed)
         std::cout << path << '\n';
     },
-    IT::make_sample(options.name));
+    samples::make_sample(options.name));
   return Exit_status::DONE;
 }
 
@@ -104,7 +104,7 @@ std::string sample_help()
 {
   std::ostringstream text;
   text << "Names:\n";
-  for (const IT::Sample& sample : IT::sample_names())
+  for (const samples::Sample& sample : samples::sample_names())
     text << "  " << sample.name
          << std::string(sample.name.size() < 26 ? 26 - sample.name.size() : 1, ' ')
          << sample.description << '\n';
@@ -119,7 +119,7 @@ void add_sample_command(CLI::App& app, Selected_command& selected)
   CLI::App& command = *app.add_subcommand("sample", "Write one of the built-in surfaces");
   command.footer(sample_help());
   std::vector<std::string> names;
-  for (const IT::Sample& sample : IT::sample_names())
+  for (const samples::Sample& sample : samples::sample_names())
     names.push_back(sample.name);
   set_words(command.add_option("NAME", options->name, "which one; see below"), names, false);
   command

@@ -19,9 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace samples {
 
 constexpr double sample_pi = 3.14159265358979323846;
 
@@ -134,8 +132,6 @@ inline void append_fan(Indexed_triangles& surface, std::size_t first, std::size_
   }
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace samples
 
 #endif // IDT_SAMPLES_SAMPLE_SURFACE_TOOLS_H

@@ -17,8 +17,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace samples {
 
 // The name of a sample surface and a one-line description.
 struct Sample
@@ -26,8 +25,6 @@ struct Sample
   std::string name;        ///< the argument of `make_sample()`
   std::string description; ///< one line
 };
-
-namespace internal {
 
 using Sample_surface = std::variant<Indexed_triangles, Glued_triangles>;
 
@@ -78,13 +75,11 @@ inline const std::vector<Named_sample>& named_samples()
   return samples;
 }
 
-} // namespace internal
-
 // returns the names that `make_sample()` accepts, with descriptions.
 inline std::vector<Sample> sample_names()
 {
   std::vector<Sample> samples;
-  for (const internal::Named_sample& sample : internal::named_samples())
+  for (const Named_sample& sample : named_samples())
     samples.push_back({sample.name, sample.description});
   return samples;
 }
@@ -94,7 +89,7 @@ inline std::vector<Sample> sample_names()
 inline std::variant<Indexed_triangles, Glued_triangles> make_sample(const std::string& name)
 {
   std::string known;
-  for (const internal::Named_sample& sample : internal::named_samples()) {
+  for (const Named_sample& sample : named_samples()) {
     if (name == sample.name)
       return sample.make();
     known += known.empty() ? "" : ", ";
@@ -103,7 +98,6 @@ inline std::variant<Indexed_triangles, Glued_triangles> make_sample(const std::s
   throw std::invalid_argument("unknown sample surface \"" + name + "\"; known are " + known);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace samples
 
 #endif // IDT_SAMPLES_SAMPLE_SURFACES_H

@@ -25,7 +25,6 @@
 
 namespace {
 
-namespace IT = CGAL::Intrinsic_triangulations;
 using Json = nlohmann::json;
 
 class Command_long_job : public Command_test
@@ -193,7 +192,7 @@ TEST_F(Command_long_job, can_be_interrupted_at_any_time)
 // A proof of this tie is tried for ten seconds and given up then.
 TEST_F(Command_long_job, can_be_interrupted_within_a_decision)
 {
-  const IT::Indexed_triangles sheet = symmetric_surfaces::quarter_turns(5).mesh;
+  const samples::Indexed_triangles sheet = symmetric_surfaces::quarter_turns(5).mesh;
   std::ofstream off(folder_ / "tie.off");
   off << "OFF\n"
       << sheet.points.size() << ' ' << sheet.triangles.size() << " 0\n"

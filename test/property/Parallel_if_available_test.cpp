@@ -41,7 +41,7 @@ static_assert(std::is_same<Tag, Sequential_tag>::value, "");
 // Large enough for several blocks of edges.
 Mesh torus()
 {
-  const IT::Indexed_triangles triangles = IT::bad_torus(200, 200);
+  const samples::Indexed_triangles triangles = samples::bad_torus(200, 200);
   Mesh mesh;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(triangles.points, triangles.triangles, mesh);
   return mesh;

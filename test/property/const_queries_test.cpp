@@ -43,7 +43,7 @@ struct Named_triangulation
   Triangulation triangulation;
 };
 
-Triangulation make(const IT::Indexed_triangles& surface, bool is_Delaunay)
+Triangulation make(const samples::Indexed_triangles& surface, bool is_Delaunay)
 {
   Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   if (is_Delaunay)
@@ -55,14 +55,14 @@ Triangulation make(const IT::Indexed_triangles& surface, bool is_Delaunay)
 std::vector<Named_triangulation> triangulations()
 {
   std::vector<Named_triangulation> result;
-  result.push_back({"bumpy sphere", make(IT::bumpy_sphere(12, 20), true)});
-  result.push_back({"bad torus, as it came", make(IT::bad_torus(10, 12), false)});
-  result.push_back({"bad torus", make(IT::bad_torus(10, 12), true)});
-  result.push_back({"pillow", make(IT::pillow(16), true)});
-  result.push_back({"prism", make(IT::prism(20, 3), true)});
-  result.push_back({"grid", make(IT::random_diagonal_grid(9, 9, 1), false)});
-  result.push_back({"cap", make(IT::cap(0), true)});
-  const Triangulation source = make(IT::bad_torus(8, 9), false);
+  result.push_back({"bumpy sphere", make(samples::bumpy_sphere(12, 20), true)});
+  result.push_back({"bad torus, as it came", make(samples::bad_torus(10, 12), false)});
+  result.push_back({"bad torus", make(samples::bad_torus(10, 12), true)});
+  result.push_back({"pillow", make(samples::pillow(16), true)});
+  result.push_back({"prism", make(samples::prism(20, 3), true)});
+  result.push_back({"grid", make(samples::random_diagonal_grid(9, 9, 1), false)});
+  result.push_back({"cap", make(samples::cap(0), true)});
+  const Triangulation source = make(samples::bad_torus(8, 9), false);
   std::vector<double> lengths;
   for (IT::Edge_index e : source.connectivity().edges())
     lengths.push_back(source.length(e));
@@ -180,7 +180,7 @@ TEST(Const_queries, eight_threads_hear_what_one_hears)
 
 TEST(Const_queries, sixty_four_threads_and_ten_thousand_short_ones)
 {
-  const Triangulation t = make(IT::prism(20, 3), true);
+  const Triangulation t = make(samples::prism(20, 3), true);
   const std::vector<double> expected = answers(Triangulation(t), nullptr, 0);
   std::array<std::vector<double>, 64> found;
   run([&](std::size_t i) { found[i] = answers(t, nullptr, i % number_of_threads); }, found.size());
@@ -307,7 +307,7 @@ TEST(Const_queries, the_integers_are_computed_while_the_input_is_recovered)
 
 TEST(Const_queries, copies_are_made_while_others_ask)
 {
-  const Triangulation t = make(IT::bad_torus(12, 14), true);
+  const Triangulation t = make(samples::bad_torus(12, 14), true);
   const std::vector<double> expected = answers(Triangulation(t), nullptr, 0);
   std::array<std::vector<double>, number_of_threads> found;
   run([&](std::size_t i) { found[i] = i % 2 == 0 ? answers(t, nullptr, i) : answers(Triangulation(t), nullptr, i); });

@@ -168,11 +168,11 @@ private:
 
 // ---------------------------------------------------------------- checks
 
-Triangulation triangulation_of(const IT::Indexed_triangles& surface)
+Triangulation triangulation_of(const samples::Indexed_triangles& surface)
 {
   return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
 }
-Triangulation triangulation_of(const IT::Glued_triangles& gluing)
+Triangulation triangulation_of(const samples::Glued_triangles& gluing)
 {
   IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(gluing.side_lengths.size() / 3, gluing.glued_sides);
   std::vector<double> lengths(complex.number_of_edges());
@@ -421,7 +421,7 @@ protected:
         });
   }
 
-  void refinement(const std::string& name, const IT::Indexed_triangles& surface)
+  void refinement(const std::string& name, const samples::Indexed_triangles& surface)
   {
     const Triangulation start = triangulation_of(surface);
     const IT::Delta_complex input = start.connectivity();
@@ -436,7 +436,7 @@ protected:
   }
 
   // Paths between far vertices, and closed curves around vertices, in a triangulation that was flipped before or not.
-  void geodesics(const std::string& name, const IT::Indexed_triangles& surface)
+  void geodesics(const std::string& name, const samples::Indexed_triangles& surface)
   {
     using Network = IT::Geodesic_path_network<IT::Filtered_edge_length_traits>;
     struct State
@@ -537,7 +537,7 @@ protected:
       });
   }
 
-  void heat(const std::string& name, const IT::Indexed_triangles& surface)
+  void heat(const std::string& name, const samples::Indexed_triangles& surface)
   {
     Triangulation t = triangulation_of(surface);
     IT::flip_to_Delaunay(t);
@@ -565,7 +565,7 @@ protected:
   // In blocks, on several threads.
   void parallel_flips()
   {
-    const Triangulation start = triangulation_of(IT::bad_torus(160, 150));
+    const Triangulation start = triangulation_of(samples::bad_torus(160, 150));
     const IT::Delta_complex input = start.connectivity();
     for (bool has_visitor : {false, true})
       sweep(
@@ -591,24 +591,24 @@ protected:
   void all(bool is_large)
   {
     const std::size_t factor = is_large ? 3 : 1;
-    flips("prism", IT::prism(16 * factor));
-    flips("cap", IT::cap());
-    flips("pillow", IT::pillow(20 * factor));
-    flips("helical tube", IT::helical_tube(20 * factor));
-    flips("torus with one vertex", IT::sheared_one_vertex_torus(double(100 * factor)));
-    flips("gluing", IT::random_gluing(12 * factor, 5));
-    vertices("prism", IT::prism(12 * factor), 3 * factor);
-    vertices("pillow", IT::pillow(24 * factor), 3 * factor);
-    vertices("sheared grid", IT::sheared_grid(6 * factor, 5, 3), 3 * factor);
-    vertices("torus with one vertex", IT::sheared_one_vertex_torus(double(100 * factor)), 2);
-    refinement("pillow", IT::pillow(16 * factor));
-    refinement("dome", IT::bumpy_dome(6 * factor, 5));
-    geodesics("helical tube", IT::helical_tube(24 * factor));
-    geodesics("torus", IT::bad_torus(6 * factor, 6));
-    geodesics("pillow", IT::pillow(16 * factor));
-    untwisting("Fibonacci torus", IT::Fibonacci_torus(20 * factor));
-    untwisting("genus two", IT::sheared_genus_two(1000, 12345));
-    heat("torus", IT::bad_torus(6 * factor, 6));
+    flips("prism", samples::prism(16 * factor));
+    flips("cap", samples::cap());
+    flips("pillow", samples::pillow(20 * factor));
+    flips("helical tube", samples::helical_tube(20 * factor));
+    flips("torus with one vertex", samples::sheared_one_vertex_torus(double(100 * factor)));
+    flips("gluing", samples::random_gluing(12 * factor, 5));
+    vertices("prism", samples::prism(12 * factor), 3 * factor);
+    vertices("pillow", samples::pillow(24 * factor), 3 * factor);
+    vertices("sheared grid", samples::sheared_grid(6 * factor, 5, 3), 3 * factor);
+    vertices("torus with one vertex", samples::sheared_one_vertex_torus(double(100 * factor)), 2);
+    refinement("pillow", samples::pillow(16 * factor));
+    refinement("dome", samples::bumpy_dome(6 * factor, 5));
+    geodesics("helical tube", samples::helical_tube(24 * factor));
+    geodesics("torus", samples::bad_torus(6 * factor, 6));
+    geodesics("pillow", samples::pillow(16 * factor));
+    untwisting("Fibonacci torus", samples::Fibonacci_torus(20 * factor));
+    untwisting("genus two", samples::sheared_genus_two(1000, 12345));
+    heat("torus", samples::bad_torus(6 * factor, 6));
 #ifdef CGAL_LINKED_WITH_TBB
     if (is_large)
       parallel_flips();

@@ -38,7 +38,7 @@ struct Surface
   std::vector<float> lengths;               // one for each edge
 };
 
-inline Surface from_triangles(const std::string& name, const IT::Indexed_triangles& triangles)
+inline Surface from_triangles(const std::string& name, const samples::Indexed_triangles& triangles)
 {
   Surface surface{name,
                   IT::make_Delta_complex_from_triangles(triangles.points.size(), triangles.triangles),
@@ -50,7 +50,7 @@ inline Surface from_triangles(const std::string& name, const IT::Indexed_triangl
 }
 
 // Moves each point at random, so that no tie is left.
-inline Surface shaken(const std::string& name, IT::Indexed_triangles triangles, double distance)
+inline Surface shaken(const std::string& name, samples::Indexed_triangles triangles, double distance)
 {
   std::mt19937 random(1);
   for (std::array<double, 3>& p : triangles.points)
@@ -60,7 +60,7 @@ inline Surface shaken(const std::string& name, IT::Indexed_triangles triangles, 
 }
 
 // The length of each edge of the complex that make_Delta_complex_from_gluing() builds.
-inline std::vector<double> edge_lengths(const IT::Glued_triangles& gluing, const IT::Delta_complex& complex)
+inline std::vector<double> edge_lengths(const samples::Glued_triangles& gluing, const IT::Delta_complex& complex)
 {
   std::vector<double> lengths(complex.number_of_edges());
   for (IT::Face_index f : complex.faces()) {
@@ -71,7 +71,7 @@ inline std::vector<double> edge_lengths(const IT::Glued_triangles& gluing, const
   return lengths;
 }
 
-inline Surface from_gluing(const std::string& name, const IT::Glued_triangles& gluing)
+inline Surface from_gluing(const std::string& name, const samples::Glued_triangles& gluing)
 {
   Surface surface{
     name, IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides), {}, {}};
@@ -84,20 +84,20 @@ inline Surface from_gluing(const std::string& name, const IT::Glued_triangles& g
 inline std::vector<Surface> generic_surfaces(bool small)
 {
   std::vector<Surface> surfaces{
-    from_triangles("helical tube", IT::helical_tube(small ? 8 : 60)),
-    from_triangles("bumpy sphere", small ? IT::bumpy_sphere(5, 4) : IT::bumpy_sphere(12, 8)),
-    from_triangles("bad torus", small ? IT::bad_torus(4, 4) : IT::bad_torus(9, 8)),
-    shaken("Schwarz lantern", small ? IT::Schwarz_lantern(4, 5) : IT::Schwarz_lantern(6, 20), 0.01),
-    shaken("disk with spike", small ? IT::disk_with_spike(5, 3) : IT::disk_with_spike(9, 8), 0.01),
-    from_gluing("one-vertex torus", IT::one_vertex_torus(1, 1.25, 2)),
-    from_gluing("sheared torus", IT::sheared_one_vertex_torus(small ? 3.3 : 8.3)),
-    from_gluing("self-glued triangle", IT::self_glued_triangle(1, 1.5)),
-    from_gluing("self-glued sphere", IT::self_glued_sphere(1, 0.7, 1.3))};
+    from_triangles("helical tube", samples::helical_tube(small ? 8 : 60)),
+    from_triangles("bumpy sphere", small ? samples::bumpy_sphere(5, 4) : samples::bumpy_sphere(12, 8)),
+    from_triangles("bad torus", small ? samples::bad_torus(4, 4) : samples::bad_torus(9, 8)),
+    shaken("Schwarz lantern", small ? samples::Schwarz_lantern(4, 5) : samples::Schwarz_lantern(6, 20), 0.01),
+    shaken("disk with spike", small ? samples::disk_with_spike(5, 3) : samples::disk_with_spike(9, 8), 0.01),
+    from_gluing("one-vertex torus", samples::one_vertex_torus(1, 1.25, 2)),
+    from_gluing("sheared torus", samples::sheared_one_vertex_torus(small ? 3.3 : 8.3)),
+    from_gluing("self-glued triangle", samples::self_glued_triangle(1, 1.5)),
+    from_gluing("self-glued sphere", samples::self_glued_sphere(1, 0.7, 1.3))};
   for (std::uint64_t seed = 1; seed <= (small ? 2 : 10); ++seed) {
     const std::string number = std::to_string(seed);
-    surfaces.push_back(from_gluing("closed gluing " + number, IT::random_gluing(small ? 8 : 40, seed)));
+    surfaces.push_back(from_gluing("closed gluing " + number, samples::random_gluing(small ? 8 : 40, seed)));
     surfaces.push_back(
-      from_gluing("open gluing " + number, IT::random_gluing(small ? 9 : 41, seed, true, true)));
+      from_gluing("open gluing " + number, samples::random_gluing(small ? 9 : 41, seed, true, true)));
   }
   return surfaces;
 }

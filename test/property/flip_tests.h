@@ -342,16 +342,16 @@ TYPED_TEST(Flip, reports_edges_that_have_no_other_diagonal)
 TYPED_TEST(Flip, ends_on_ties)
 {
   std::vector<Surface> surfaces{
-    from_triangles("grid", IT::random_diagonal_grid(2, 2)), from_triangles("sheared grid", IT::sheared_grid(2, 2, 1))};
+    from_triangles("grid", samples::random_diagonal_grid(2, 2)), from_triangles("sheared grid", samples::sheared_grid(2, 2, 1))};
   if (!is_exact) // the proofs of zero take too long
     for (const Surface& surface :
-         {from_triangles("prism", IT::prism(80)), from_triangles("turned prism", IT::prism(12, 3)),
-          from_triangles("turned grid", IT::random_diagonal_grid(6, 6, 1, 7)),
-          from_triangles("torus", IT::torus(12, 8)),
-          from_triangles("Schwarz lantern", IT::Schwarz_lantern(6, 20)), from_triangles("cap", IT::cap()),
-          from_triangles("large sheared grid", IT::sheared_grid(5, 5, 3)),
-          from_triangles("sphere", IT::latitude_longitude_sphere(12, 6)),
-          from_gluing("square torus", IT::sheared_one_vertex_torus(10))})
+         {from_triangles("prism", samples::prism(80)), from_triangles("turned prism", samples::prism(12, 3)),
+          from_triangles("turned grid", samples::random_diagonal_grid(6, 6, 1, 7)),
+          from_triangles("torus", samples::torus(12, 8)),
+          from_triangles("Schwarz lantern", samples::Schwarz_lantern(6, 20)), from_triangles("cap", samples::cap()),
+          from_triangles("large sheared grid", samples::sheared_grid(5, 5, 3)),
+          from_triangles("sphere", samples::latitude_longitude_sphere(12, 6)),
+          from_gluing("square torus", samples::sheared_one_vertex_torus(10))})
       surfaces.push_back(surface);
   const std::uint64_t budget = 5000;
   bool is_every_run_complete = true;

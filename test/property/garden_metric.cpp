@@ -64,7 +64,7 @@ void triangulate(const Surface& surface)
 
 void examine(const Surface& surface)
 {
-  const IT::Indexed_triangles& s = in_space(surface);
+  const samples::Indexed_triangles& s = in_space(surface);
   IT::throw_if_fatal(IT::examine_polygons(s.points, s.triangles), "surface");
 }
 

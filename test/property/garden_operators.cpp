@@ -82,10 +82,10 @@ void project(const Surface& surface)
 // As for a stiffness matrix, but for any triangles and without exceptions for the border.
 void tufted(const Surface& surface)
 {
-  const auto* const s = std::get_if<IT::Indexed_triangles>(&surface);
+  const auto* const s = std::get_if<samples::Indexed_triangles>(&surface);
   const auto from_gluing = [&] {
     const IT::Delta_complex complex = connectivity(surface);
-    return IT::tufted_Laplacian(complex, edge_lengths(std::get<IT::Glued_triangles>(surface), complex));
+    return IT::tufted_Laplacian(complex, edge_lengths(std::get<samples::Glued_triangles>(surface), complex));
   };
   const IT::Tufted_Laplacian result = s ? IT::tufted_Laplacian(s->points, s->triangles) : from_gluing();
   EXPECT_GE(result.minimum_weight, 0);

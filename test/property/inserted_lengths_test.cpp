@@ -122,7 +122,7 @@ private:
 };
 
 // Refines a surface, and compares at most so many lengths. \return the largest error, in units in the last place
-double largest_error(const IT::Indexed_triangles& surface, std::size_t number)
+double largest_error(const samples::Indexed_triangles& surface, std::size_t number)
 {
   Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   EXPECT_GT(IT::refine_Delaunay(triangulation).insertions, 0u);
@@ -152,9 +152,9 @@ double largest_error(const IT::Indexed_triangles& surface, std::size_t number)
 
 TEST(Inserted_lengths, are_good_to_one_unit_in_the_last_place)
 {
-  for (const IT::Indexed_triangles& surface :
-       {IT::bad_torus(20, 20), IT::bumpy_dome(), IT::disk_with_spike(), IT::Schwarz_lantern(), IT::cap(), IT::prism(),
-        IT::pillow(60), IT::helical_tube(), IT::sheared_grid(), IT::latitude_longitude_sphere(20, 10)})
+  for (const samples::Indexed_triangles& surface :
+       {samples::bad_torus(20, 20), samples::bumpy_dome(), samples::disk_with_spike(), samples::Schwarz_lantern(), samples::cap(), samples::prism(),
+        samples::pillow(60), samples::helical_tube(), samples::sheared_grid(), samples::latitude_longitude_sphere(20, 10)})
     EXPECT_LE(largest_error(surface, 500), 1);
 }
 
@@ -170,7 +170,7 @@ TEST(Inserted_lengths, of_meshes)
     std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
     std::vector<std::vector<std::size_t>> polygons;
     ASSERT_TRUE(CGAL::IO::read_OFF(file, points, polygons));
-    IT::Indexed_triangles surface;
+    samples::Indexed_triangles surface;
     for (const auto& p : points)
       surface.points.push_back({p.x(), p.y(), p.z()});
     for (const std::vector<std::size_t>& p : polygons)

@@ -36,7 +36,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 using Point = std::array<double, 3>;
 
-Triangulation with_inserted_vertices(const IT::Indexed_triangles& surface, std::size_t number, unsigned largest_coordinate)
+Triangulation with_inserted_vertices(const samples::Indexed_triangles& surface, std::size_t number, unsigned largest_coordinate)
 {
   Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   IT::flip_to_Delaunay(triangulation);
@@ -45,15 +45,15 @@ Triangulation with_inserted_vertices(const IT::Indexed_triangles& surface, std::
   return triangulation;
 }
 
-std::vector<IT::Indexed_triangles> flat_surfaces()
+std::vector<samples::Indexed_triangles> flat_surfaces()
 {
-  return {IT::sheared_grid(), IT::random_diagonal_grid(), IT::strip(200, 30)};
+  return {samples::sheared_grid(), samples::random_diagonal_grid(), samples::strip(200, 30)};
 }
 
-std::vector<IT::Indexed_triangles> curved_surfaces()
+std::vector<samples::Indexed_triangles> curved_surfaces()
 {
-  return {IT::torus(20, 12), IT::bad_torus(20, 20), IT::bumpy_dome(), IT::disk_with_spike(), IT::Schwarz_lantern(), IT::cap(),
-          IT::prism(), IT::pillow(60), IT::helical_tube()};
+  return {samples::torus(20, 12), samples::bad_torus(20, 20), samples::bumpy_dome(), samples::disk_with_spike(), samples::Schwarz_lantern(), samples::cap(),
+          samples::prism(), samples::pillow(60), samples::helical_tube()};
 }
 
 double distance(const Point& p, const Point& q)
@@ -95,7 +95,7 @@ IT::Surface_point random_point(const IT::Delta_complex& complex, std::mt19937& r
 // In a plane, both triangulations interpolate coordinates to the same points.
 TEST(Inserted_vertices, lie_where_both_triangulations_say)
 {
-  for (const IT::Indexed_triangles& surface : flat_surfaces()) {
+  for (const samples::Indexed_triangles& surface : flat_surfaces()) {
     const Triangulation triangulation = with_inserted_vertices(surface, 500, 6);
     const IT::Common_subdivision subdivision(triangulation);
     const IT::Overlay& overlay = subdivision.overlay();
@@ -150,7 +150,7 @@ void expect_same_areas(const Triangulation& triangulation, const IT::Common_subd
 
 TEST(Inserted_vertices, divide_areas)
 {
-  for (const IT::Indexed_triangles& surface : curved_surfaces())
+  for (const samples::Indexed_triangles& surface : curved_surfaces())
     for (unsigned largest_coordinate : {3u, 1000u}) {
       const Triangulation triangulation = with_inserted_vertices(surface, 200, largest_coordinate);
       expect_same_areas(triangulation, IT::Common_subdivision(triangulation));
@@ -161,8 +161,8 @@ TEST(Inserted_vertices, divide_areas)
 TEST(Inserted_vertices, leave_points_where_they_are)
 {
   std::mt19937 random(5);
-  for (const std::vector<IT::Indexed_triangles>& surfaces : {flat_surfaces(), curved_surfaces()})
-    for (const IT::Indexed_triangles& surface : surfaces) {
+  for (const std::vector<samples::Indexed_triangles>& surfaces : {flat_surfaces(), curved_surfaces()})
+    for (const samples::Indexed_triangles& surface : surfaces) {
       const Triangulation triangulation = with_inserted_vertices(surface, 300, 4);
       const IT::Common_subdivision subdivision(triangulation);
       const IT::Point_location location(subdivision);
@@ -191,8 +191,8 @@ TEST(Inserted_vertices, leave_points_where_they_are)
 
 TEST(Inserted_vertices, are_found)
 {
-  for (const std::vector<IT::Indexed_triangles>& surfaces : {flat_surfaces(), curved_surfaces()})
-    for (const IT::Indexed_triangles& surface : surfaces) {
+  for (const std::vector<samples::Indexed_triangles>& surfaces : {flat_surfaces(), curved_surfaces()})
+    for (const samples::Indexed_triangles& surface : surfaces) {
       const Triangulation triangulation = with_inserted_vertices(surface, 200, 4);
       const IT::Common_subdivision subdivision(triangulation);
       const IT::Point_location location(subdivision);
@@ -220,7 +220,7 @@ TEST(Inserted_vertices, are_found)
 
 TEST(Inserted_vertices, are_refined_to)
 {
-  for (const IT::Indexed_triangles& surface : {IT::bad_torus(30, 30), IT::bumpy_dome(), IT::sheared_grid(), IT::prism(), IT::cap()}) {
+  for (const samples::Indexed_triangles& surface : {samples::bad_torus(30, 30), samples::bumpy_dome(), samples::sheared_grid(), samples::prism(), samples::cap()}) {
     Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
     EXPECT_GT(IT::refine_Delaunay(triangulation).insertions, 0u);
     const IT::Common_subdivision subdivision(triangulation);

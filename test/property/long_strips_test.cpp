@@ -36,14 +36,14 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 using Point = std::array<double, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-using Surface = IT::Indexed_triangles;
+using Surface = samples::Indexed_triangles;
 
 Triangulation triangulation_of(const Surface& s)
 {
   return Triangulation(IT::make_Delta_complex_from_triangles(s.points.size(), s.triangles), s.points);
 }
 
-Triangulation triangulation_of(const IT::Glued_triangles& s)
+Triangulation triangulation_of(const samples::Glued_triangles& s)
 {
   const IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(s.number_of_faces, s.glued_sides);
   std::vector<double> lengths(complex.number_of_edges());
@@ -169,7 +169,7 @@ TEST(Long_strips, what_edges_cross_is_kept_through_flips_insertions_and_removals
 {
   std::mt19937 random(7);
   std::size_t kept = 0;
-  for (const Surface& surface : {fan_box(12, 40), fan_box(30, 30), IT::strip(60, 30), IT::Schwarz_lantern(), IT::pillow(60), IT::sheared_grid()})
+  for (const Surface& surface : {fan_box(12, 40), fan_box(30, 30), samples::strip(60, 30), samples::Schwarz_lantern(), samples::pillow(60), samples::sheared_grid()})
     kept += check_random_changes(triangulation_of(surface), random);
   EXPECT_GT(kept, 2000u);
 }
@@ -177,8 +177,8 @@ TEST(Long_strips, what_edges_cross_is_kept_through_flips_insertions_and_removals
 TEST(Long_strips, what_edges_cross_is_kept_where_faces_are_glued_to_themselves)
 {
   std::mt19937 random(3);
-  const std::size_t kept = check_random_changes(triangulation_of(IT::helical_tube()), random) +
-                           check_random_changes(triangulation_of(IT::sheared_one_vertex_torus(20)), random);
+  const std::size_t kept = check_random_changes(triangulation_of(samples::helical_tube()), random) +
+                           check_random_changes(triangulation_of(samples::sheared_one_vertex_torus(20)), random);
   EXPECT_GT(kept, 300u);
 }
 

@@ -63,7 +63,7 @@ using Inputs =
                  Polyhedron_of<Exact_with_sqrt>, Polyhedron_of<Cartesian>>;
 
 template <class Input>
-typename Input::Mesh mesh_of(const IT::Indexed_triangles& triangles)
+typename Input::Mesh mesh_of(const samples::Indexed_triangles& triangles)
 {
   std::vector<typename Input::Kernel::Point_3> points;
   for (const std::array<double, 3>& p : triangles.points)
@@ -76,14 +76,14 @@ typename Input::Mesh mesh_of(const IT::Indexed_triangles& triangles)
   return mesh;
 }
 
-const IT::Indexed_triangles& sphere()
+const samples::Indexed_triangles& sphere()
 {
-  static const IT::Indexed_triangles triangles = IT::bumpy_sphere(20, 11);
+  static const samples::Indexed_triangles triangles = samples::bumpy_sphere(20, 11);
   return triangles;
 }
 
 // The reference, which needs no mesh and no kernel.
-std::vector<Edge_record> expected_edges(const IT::Indexed_triangles& triangles)
+std::vector<Edge_record> expected_edges(const samples::Indexed_triangles& triangles)
 {
   IT::Intrinsic_triangulation<Double_traits> t(
     IT::make_Delta_complex_from_triangles(triangles.points.size(), triangles.triangles),
@@ -152,7 +152,7 @@ TYPED_TEST(Mesh_input, leads_to_the_same_triangulation)
 
 TYPED_TEST(Mesh_input, helical_tube_has_58_loops)
 {
-  const auto [t, report] = IT::intrinsic_Delaunay_triangulation(mesh_of<TypeParam>(IT::helical_tube()),
+  const auto [t, report] = IT::intrinsic_Delaunay_triangulation(mesh_of<TypeParam>(samples::helical_tube()),
                                                                 test_traits<TypeParam>());
   const IT::Delta_complex& c = t.connectivity();
   EXPECT_EQ(report.status, IT::Flip_status::DELAUNAY);

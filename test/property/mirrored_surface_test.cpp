@@ -48,7 +48,7 @@ void flip_at_random(Triangulation& t, std::size_t number)
   }
 }
 
-void check(const IT::Indexed_triangles& surface, std::size_t flips_before, Counts& counts)
+void check(const samples::Indexed_triangles& surface, std::size_t flips_before, Counts& counts)
 {
   Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   flip_at_random(t, flips_before);
@@ -61,10 +61,10 @@ void check(const IT::Indexed_triangles& surface, std::size_t flips_before, Count
 }
 
 // The surface, cut and mirrored across each axis, as far as that makes a manifold.
-void check_mirrored(const IT::Indexed_triangles& surface, Counts& counts)
+void check_mirrored(const samples::Indexed_triangles& surface, Counts& counts)
 {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const IT::Indexed_triangles mirrored = mirrored_surface::mirrored(surface, axis);
+    const samples::Indexed_triangles mirrored = mirrored_surface::mirrored(surface, axis);
     try {
       check(mirrored, 0, counts);
     } catch (const IT::Invalid_surface_error&) {
@@ -79,16 +79,16 @@ TEST(Mirrored_surface, ties_of_samples_are_decided)
   Counts counts;
   for (const char* name : {"bumpy-sphere", "bumpy-dome", "bad-torus", "latitude-longitude-sphere", "disk-with-spike"}) {
     SCOPED_TRACE(name);
-    check_mirrored(std::get<IT::Indexed_triangles>(IT::make_sample(name)), counts);
+    check_mirrored(std::get<samples::Indexed_triangles>(samples::make_sample(name)), counts);
   }
   EXPECT_GE(counts.surfaces, 20u);
   EXPECT_GT(counts.ties, 20u);
   EXPECT_GT(counts.by_symmetry, 20u);
 }
 
-IT::Indexed_triangles read(const std::filesystem::path& path)
+samples::Indexed_triangles read(const std::filesystem::path& path)
 {
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   std::ifstream file(path);
   std::string word;
   std::size_t vertices = 0, faces = 0, edges = 0, corners = 0;

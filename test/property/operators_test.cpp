@@ -41,7 +41,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 using Matrix = Eigen::SparseMatrix<double>;
 
-Mesh mesh_of(const IT::Indexed_triangles& triangles)
+Mesh mesh_of(const samples::Indexed_triangles& triangles)
 {
   Mesh mesh;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(triangles.points, triangles.triangles, mesh);
@@ -74,7 +74,7 @@ Mesh upper_half(const Mesh& mesh)
     low = std::min(low, mesh.point(v).y());
     high = std::max(high, mesh.point(v).y());
   }
-  IT::Indexed_triangles half;
+  samples::Indexed_triangles half;
   std::vector<std::uint32_t> number(mesh.number_of_vertices(), 0); // from 1
   for (Mesh::Face_index f : mesh.faces()) {
     const auto corners = mesh.vertices_around_face(mesh.halfedge(f));
@@ -141,7 +141,7 @@ Eigen::VectorXd spectrum(const Matrix& stiffness, const Matrix& mass)
 double sphere_error(std::size_t rows, bool is_Galerkin)
 {
   const auto t = IT::intrinsic_Delaunay_triangulation(
-                   mesh_of(IT::latitude_longitude_sphere(2 * rows, rows)))
+                   mesh_of(samples::latitude_longitude_sphere(2 * rows, rows)))
                    .triangulation;
   const Eigen::VectorXd values = spectrum(
     IT::stiffness_matrix(t), is_Galerkin ? IT::Galerkin_mass_matrix(t) : IT::lumped_mass_matrix(t));
@@ -205,8 +205,8 @@ double torus_error(std::size_t n, bool is_Galerkin)
 
 TEST(Operators, extrinsic_weights_are_the_cotangents_of_CGAL)
 {
-  expect_cotangents_from_points(mesh_of(IT::bumpy_sphere(30, 16)));
-  expect_cotangents_from_points(mesh_of(IT::bad_torus(20, 20)));
+  expect_cotangents_from_points(mesh_of(samples::bumpy_sphere(30, 16)));
+  expect_cotangents_from_points(mesh_of(samples::bad_torus(20, 20)));
   for (const std::filesystem::path& path : evaluation_meshes("good")) {
     SCOPED_TRACE(path.filename());
     try {
@@ -219,7 +219,7 @@ TEST(Operators, extrinsic_weights_are_the_cotangents_of_CGAL)
 
 TEST(Operators, linear_functions_on_a_plane_mesh_are_harmonic)
 {
-  IT::Indexed_triangles sheet = IT::sheared_grid(12, 9, 1.7);
+  samples::Indexed_triangles sheet = samples::sheared_grid(12, 9, 1.7);
   for (std::array<double, 3>& p : sheet.points)
     p[1] += 0.1 * std::sin(5 * p[0]);
   const Mesh mesh = mesh_of(sheet);

@@ -254,14 +254,14 @@ inline Overlay_numbers check_overlay(Triangulation t, const std::vector<Point_3>
   return check.numbers();
 }
 
-inline Overlay_numbers check_overlay(const IT::Indexed_triangles& surface)
+inline Overlay_numbers check_overlay(const samples::Indexed_triangles& surface)
 {
   return check_overlay(
     Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points),
     surface.points);
 }
 
-inline Overlay_numbers check_overlay(const IT::Glued_triangles& surface)
+inline Overlay_numbers check_overlay(const samples::Glued_triangles& surface)
 {
   const Delta_complex complex =
     IT::make_Delta_complex_from_gluing(surface.number_of_faces, surface.glued_sides);

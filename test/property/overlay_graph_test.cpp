@@ -281,24 +281,24 @@ TEST(Overlay_graph, OfGenericSurfaces)
 
 TEST(Overlay_graph, OfSampleSurfaces)
 {
-  for (const IT::Sample& sample : IT::sample_names()) {
-    const auto surface = IT::make_sample(sample.name);
-    if (std::holds_alternative<IT::Indexed_triangles>(surface))
-      check_Delaunay_overlay(from_triangles(sample.name, std::get<IT::Indexed_triangles>(surface)));
+  for (const samples::Sample& sample : samples::sample_names()) {
+    const auto surface = samples::make_sample(sample.name);
+    if (std::holds_alternative<samples::Indexed_triangles>(surface))
+      check_Delaunay_overlay(from_triangles(sample.name, std::get<samples::Indexed_triangles>(surface)));
     else
-      check_Delaunay_overlay(from_gluing(sample.name, std::get<IT::Glued_triangles>(surface)));
+      check_Delaunay_overlay(from_gluing(sample.name, std::get<samples::Glued_triangles>(surface)));
   }
 }
 
 TEST(Overlay_graph, of_inserted_vertices)
 {
   std::mt19937 random(1);
-  for (const IT::Sample& sample : IT::sample_names()) {
+  for (const samples::Sample& sample : samples::sample_names()) {
     SCOPED_TRACE(sample.name);
-    const auto surface = IT::make_sample(sample.name);
-    if (!std::holds_alternative<IT::Indexed_triangles>(surface))
+    const auto surface = samples::make_sample(sample.name);
+    if (!std::holds_alternative<samples::Indexed_triangles>(surface))
       continue;
-    auto t = triangulation<IT::Filtered_edge_length_traits>(from_triangles(sample.name, std::get<IT::Indexed_triangles>(surface)));
+    auto t = triangulation<IT::Filtered_edge_length_traits>(from_triangles(sample.name, std::get<samples::Indexed_triangles>(surface)));
     IT::flip_to_Delaunay(t);
     for (unsigned largest_coordinate : {2u, 1000u}) {
       EXPECT_GT(IT::insert_random_vertices(t, 200, largest_coordinate, random), 10u);
@@ -310,7 +310,7 @@ TEST(Overlay_graph, of_inserted_vertices)
 
 TEST(Overlay_graph, OfUnflippedAndIsolated)
 {
-  IT::Indexed_triangles triangles = IT::prism(5);
+  samples::Indexed_triangles triangles = samples::prism(5);
   triangles.points.push_back({9, 9, 9});
   const auto t = triangulation<IT::Filtered_edge_length_traits>(from_triangles("prism", triangles));
   const Overlay_check check(t.connectivity(), IT::internal::engine(t).correspondence());
@@ -328,7 +328,7 @@ TEST(Overlay_graph, OfRandomGluingsAfterAnyFlips)
     SCOPED_TRACE(seed);
     const bool with_boundary = seed % 3 == 0;
     const std::size_t n = with_boundary ? 1 + seed % 13 : 2 + 2 * (seed % 7);
-    const auto gluing = IT::random_gluing(n, seed, with_boundary, seed % 2 == 0);
+    const auto gluing = samples::random_gluing(n, seed, with_boundary, seed % 2 == 0);
     Delta_complex complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
     internal::Correspondence correspondence;
     if (seed % 4 < 2) // before the flips or after them

@@ -32,7 +32,7 @@ using Vector = std::array<std::int64_t, 2>;
 // The one-vertex torus of the lattice of u and v, with the edges u, v and u + v: exactly.
 Triangulation torus(const Vector& u, const Vector& v)
 {
-  const auto gluing = IT::one_vertex_torus();
+  const auto gluing = samples::one_vertex_torus();
   const auto squared_length = [](std::int64_t x, std::int64_t y) { return Rational(x) * x + Rational(y) * y; };
   return Triangulation::from_metric(
     IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides), IT::metric_from_squared_lengths({squared_length(u[0], u[1]), squared_length(v[0], v[1]), squared_length(u[0] + v[0], u[1] + v[1])}));
@@ -75,7 +75,7 @@ struct Grown_torus
 {
   explicit Grown_torus(std::int64_t number)
   {
-    const auto gluing = IT::one_vertex_torus();
+    const auto gluing = samples::one_vertex_torus();
     complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
     correspondence.prepare(complex);
     while (edges.crossings(last) <= number)

@@ -30,13 +30,13 @@ namespace {
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 using Rational = IT::Rational;
 
-IT::Delta_complex complex_of(const IT::Indexed_triangles& surface)
+IT::Delta_complex complex_of(const samples::Indexed_triangles& surface)
 {
   return IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
 }
 
 // Knows no points, so that positions come from bounded double-doubles and MPFR.
-Triangulation from_squared_lengths(const IT::Indexed_triangles& surface)
+Triangulation from_squared_lengths(const samples::Indexed_triangles& surface)
 {
   const IT::Delta_complex complex = complex_of(surface);
   std::vector<Rational> squared_lengths;
@@ -51,30 +51,30 @@ Triangulation from_squared_lengths(const IT::Indexed_triangles& surface)
   return Triangulation::from_metric(complex, IT::metric_from_squared_lengths(squared_lengths));
 }
 
-Triangulation triangulated(const IT::Indexed_triangles& surface)
+Triangulation triangulated(const samples::Indexed_triangles& surface)
 {
   Triangulation t(complex_of(surface), surface.points);
   IT::flip_to_Delaunay(t);
   return t;
 }
 
-std::vector<std::pair<std::string, IT::Indexed_triangles>> surfaces()
+std::vector<std::pair<std::string, samples::Indexed_triangles>> surfaces()
 {
-  std::vector<std::pair<std::string, IT::Indexed_triangles>> result{
-    {"prism", IT::prism(60)},
-    {"rotated prism", IT::prism(60, 1)},
-    {"bad torus", IT::bad_torus(30, 30)},
-    {"helical tube", IT::helical_tube()},
-    {"sheared grid", IT::sheared_grid(10, 10, 7)},
-    {"cap", IT::cap(1e-6)},
-    {"sliver sheet", IT::sliver_sheet(12, 1e-4, 1e-4)},
-    {"bumpy sphere", IT::bumpy_sphere(40, 21)}};
+  std::vector<std::pair<std::string, samples::Indexed_triangles>> result{
+    {"prism", samples::prism(60)},
+    {"rotated prism", samples::prism(60, 1)},
+    {"bad torus", samples::bad_torus(30, 30)},
+    {"helical tube", samples::helical_tube()},
+    {"sheared grid", samples::sheared_grid(10, 10, 7)},
+    {"cap", samples::cap(1e-6)},
+    {"sliver sheet", samples::sliver_sheet(12, 1e-4, 1e-4)},
+    {"bumpy sphere", samples::bumpy_sphere(40, 21)}};
   // Planes that are parallel to no axis; sums and differences of small integers are exact.
-  IT::Indexed_triangles tilted = IT::sheared_grid(10, 10, 7);
+  samples::Indexed_triangles tilted = samples::sheared_grid(10, 10, 7);
   for (auto& p : tilted.points)
     p = {p[0] + p[1], p[0] - p[1], 3 * p[1] - 2 * p[0]};
   result.emplace_back("tilted grid", tilted);
-  IT::Indexed_triangles tiny = result[2].second; // squared lengths still are no trouble
+  samples::Indexed_triangles tiny = result[2].second; // squared lengths still are no trouble
   for (auto& p : tiny.points)
     for (double& x : p)
       x = std::ldexp(x + 3, -300);
@@ -139,20 +139,20 @@ void expect_most_positions_known(const Triangulation& t)
 
 TEST(Space_frame, knows_most_positions)
 {
-  expect_most_positions_known<IT::internal::Space_frame>(triangulated(IT::bad_torus(60, 60)));
+  expect_most_positions_known<IT::internal::Space_frame>(triangulated(samples::bad_torus(60, 60)));
 }
 
 // The caps of a prism are flat, and its sides need no flip.
 TEST(Plane_frame, knows_most_positions)
 {
-  expect_most_positions_known<IT::internal::Plane_frame>(triangulated(IT::prism(120)));
+  expect_most_positions_known<IT::internal::Plane_frame>(triangulated(samples::prism(120)));
 }
 
 // In a strip of zero area there is no position that could be called good.
 template <class Frame>
 void expect_nothing_without_area()
 {
-  const IT::Indexed_triangles flat{{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}, {1, 0, 3}}};
+  const samples::Indexed_triangles flat{{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}, {1, 0, 3}}};
   const IT::Delta_complex input = complex_of(flat);
   const IT::internal::Points points(flat.points.begin(), flat.points.end());
   for (IT::Halfedge_index h : input.halfedges())

@@ -33,7 +33,7 @@ struct Overlaid
   explicit Overlaid(Triangulation t)
     : triangulation(flipped(std::move(t))), subdivision(triangulation)
   {}
-  explicit Overlaid(const IT::Indexed_triangles& surface)
+  explicit Overlaid(const samples::Indexed_triangles& surface)
     : Overlaid(Triangulation(
         IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points))
   {}
@@ -75,12 +75,12 @@ void for_each_overlaid_surface(const Check& check)
 {
   for (const Surface& surface : generic_surfaces(false))
     check(surface.name, Overlaid(triangulation<IT::Filtered_edge_length_traits>(surface)));
-  check("cap", Overlaid(IT::cap()));
-  check("exact cap", Overlaid(IT::cap(0)));
-  check("prism", Overlaid(IT::prism(30, 1)));
-  check("pillow", Overlaid(IT::pillow(40)));
-  check("sheared grid", Overlaid(IT::sheared_grid(12, 12)));
-  check("strip", Overlaid(IT::strip(60, 20)));
+  check("cap", Overlaid(samples::cap()));
+  check("exact cap", Overlaid(samples::cap(0)));
+  check("prism", Overlaid(samples::prism(30, 1)));
+  check("pillow", Overlaid(samples::pillow(40)));
+  check("sheared grid", Overlaid(samples::sheared_grid(12, 12)));
+  check("strip", Overlaid(samples::strip(60, 20)));
 }
 
 // The face to the left of h in the plane, h along the x-axis. The area tells how high it is: for

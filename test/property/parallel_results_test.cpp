@@ -55,12 +55,12 @@ using Filtered = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 using Matrix = Eigen::SparseMatrix<double>;
 
 template <class Traits = IT::Filtered_edge_length_traits>
-IT::Intrinsic_triangulation<Traits> triangulation(const IT::Indexed_triangles& s)
+IT::Intrinsic_triangulation<Traits> triangulation(const samples::Indexed_triangles& s)
 {
   return {IT::make_Delta_complex_from_triangles(s.points.size(), s.triangles), s.points};
 }
 
-Filtered Delaunay(const IT::Indexed_triangles& s)
+Filtered Delaunay(const samples::Indexed_triangles& s)
 {
   Filtered t = triangulation(s);
   EXPECT_EQ(IT::flip_to_Delaunay(t).status, IT::Flip_status::DELAUNAY);
@@ -68,7 +68,7 @@ Filtered Delaunay(const IT::Indexed_triangles& s)
 }
 
 // Edges with the same ends, loops, faces glued to themselves.
-Filtered Delaunay(const IT::Glued_triangles& s)
+Filtered Delaunay(const samples::Glued_triangles& s)
 {
   IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(s.number_of_faces, s.glued_sides);
   std::vector<double> lengths(complex.number_of_edges());
@@ -82,7 +82,7 @@ Filtered Delaunay(const IT::Glued_triangles& s)
   return t;
 }
 
-IT::Indexed_triangles shuffled(IT::Indexed_triangles triangles)
+samples::Indexed_triangles shuffled(samples::Indexed_triangles triangles)
 {
   std::shuffle(triangles.triangles.begin(), triangles.triangles.end(), std::mt19937(1));
   return triangles;
@@ -90,20 +90,20 @@ IT::Indexed_triangles shuffled(IT::Indexed_triangles triangles)
 
 std::vector<std::pair<std::string, Filtered>> surfaces()
 {
-  IT::Indexed_triangles with_isolated_vertices = IT::bad_torus(20, 20);
+  samples::Indexed_triangles with_isolated_vertices = samples::bad_torus(20, 20);
   with_isolated_vertices.points.insert(with_isolated_vertices.points.end(), 20000, {0, 0, 9});
   std::vector<std::pair<std::string, Filtered>> result;
-  result.emplace_back("torus", Delaunay(IT::bad_torus(150, 150)));
-  result.emplace_back("shuffled torus", Delaunay(shuffled(IT::bad_torus(120, 120))));
-  result.emplace_back("with border, long edges", Delaunay(IT::sheared_grid(150, 120, 5.25)));
-  result.emplace_back("shuffled, with border", Delaunay(shuffled(IT::random_diagonal_grid(150, 120, 1, 7))));
-  result.emplace_back("prism, high degree", Delaunay(IT::prism(9000)));
-  result.emplace_back("pillow", Delaunay(IT::pillow(200)));
+  result.emplace_back("torus", Delaunay(samples::bad_torus(150, 150)));
+  result.emplace_back("shuffled torus", Delaunay(shuffled(samples::bad_torus(120, 120))));
+  result.emplace_back("with border, long edges", Delaunay(samples::sheared_grid(150, 120, 5.25)));
+  result.emplace_back("shuffled, with border", Delaunay(shuffled(samples::random_diagonal_grid(150, 120, 1, 7))));
+  result.emplace_back("prism, high degree", Delaunay(samples::prism(9000)));
+  result.emplace_back("pillow", Delaunay(samples::pillow(200)));
   result.emplace_back("isolated vertices", Delaunay(with_isolated_vertices));
-  result.emplace_back("large gluing", Delaunay(IT::random_gluing(20000, 3)));
-  result.emplace_back("open gluing", Delaunay(IT::random_gluing(300, 6, true)));
-  result.emplace_back("one-vertex torus", Delaunay(IT::sheared_one_vertex_torus(7.3)));
-  result.emplace_back("glued to itself", Delaunay(IT::self_glued_triangle()));
+  result.emplace_back("large gluing", Delaunay(samples::random_gluing(20000, 3)));
+  result.emplace_back("open gluing", Delaunay(samples::random_gluing(300, 6, true)));
+  result.emplace_back("one-vertex torus", Delaunay(samples::sheared_one_vertex_torus(7.3)));
+  result.emplace_back("glued to itself", Delaunay(samples::self_glued_triangle()));
   return result;
 }
 
@@ -195,7 +195,7 @@ TEST(Parallel_results, integers_and_input)
 // Each edge is flipped several times, so that there are long walks around vertices.
 TEST(Parallel_results, integers_of_many_flips)
 {
-  IT::Delta_complex complex = triangulation(IT::bad_torus(100, 100)).connectivity();
+  IT::Delta_complex complex = triangulation(samples::bad_torus(100, 100)).connectivity();
   const IT::Delta_complex input = complex;
   IT::internal::Correspondence flipped;
   for (int round = 0; round < 7; ++round)
@@ -221,7 +221,7 @@ TEST(Parallel_results, integers_of_many_flips)
 // What the flips cross grows like the Fibonacci numbers.
 TEST(Parallel_results, integers_that_are_too_large_are_an_error)
 {
-  const IT::Glued_triangles torus = IT::one_vertex_torus();
+  const samples::Glued_triangles torus = samples::one_vertex_torus();
   IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(torus.number_of_faces, torus.glued_sides);
   IT::internal::Exact_engine geometry(IT::Input_metric::from_normalized_lengths({1, 1, 1}, 0));
   for (unsigned i = 0; i < 20; ++i) { // below the number that makes it recover the input by itself
@@ -269,7 +269,7 @@ TEST(Parallel_results, a_loop_begins_no_other_work)
 
 TEST(Parallel_results, tasks_ask_for_the_integers)
 {
-  const Filtered t = Delaunay(IT::bad_torus(150, 150));
+  const Filtered t = Delaunay(samples::bad_torus(150, 150));
   for_each_number_of_threads([&] {
     const Filtered copy = t;
     std::atomic<int> number_of_answers{0};
@@ -287,12 +287,12 @@ TEST(Parallel_results, verifications)
     for_each_number_of_threads([&] { expect_same_verification(IT::verify_Delaunay<Parallel_tag>(t), expected); });
     return expected;
   };
-  const IT::Indexed_triangles torus = shuffled(IT::bad_torus(60, 60));
+  const samples::Indexed_triangles torus = shuffled(samples::bad_torus(60, 60));
   EXPECT_GT(verify(triangulation(torus)).not_Delaunay.size(), 1000u);
   EXPECT_TRUE(verify(Delaunay(torus)).is_Delaunay());
-  EXPECT_GT(verify(Delaunay(IT::sheared_grid(60, 50, 0))).ties, 1000u);
-  EXPECT_TRUE(verify(Delaunay(IT::random_gluing(3000, 3))).is_Delaunay());
-  EXPECT_TRUE(verify(Delaunay(IT::self_glued_triangle())).is_Delaunay());
+  EXPECT_GT(verify(Delaunay(samples::sheared_grid(60, 50, 0))).ties, 1000u);
+  EXPECT_TRUE(verify(Delaunay(samples::random_gluing(3000, 3))).is_Delaunay());
+  EXPECT_TRUE(verify(Delaunay(samples::self_glued_triangle())).is_Delaunay());
 }
 
 // Flips of any hinges, as a number type makes that decides wrongly.
@@ -322,7 +322,7 @@ struct Flipped_anyhow
 
 TEST(Parallel_results, faces_inside_out)
 {
-  const Flipped_anyhow t(triangulation(IT::random_diagonal_grid(60, 50, 1, 7)));
+  const Flipped_anyhow t(triangulation(samples::random_diagonal_grid(60, 50, 1, 7)));
   const IT::Delaunay_verification expected = IT::verify_Delaunay(t);
   EXPECT_GT(expected.inverted.size(), 100u);
   for_each_number_of_threads([&] { expect_same_verification(IT::verify_Delaunay<Parallel_tag>(t), expected); });
@@ -345,7 +345,7 @@ struct Failing_map
 
 TEST(Parallel_results, the_first_failure_of_a_verification_is_told)
 {
-  const Filtered t = Delaunay(IT::bad_torus(100, 100));
+  const Filtered t = Delaunay(samples::bad_torus(100, 100));
   for_each_number_of_threads([&] {
     try {
       IT::verify_Delaunay<Parallel_tag>(t, CGAL::parameters::edge_is_constrained_map(Failing_map()));
@@ -358,7 +358,7 @@ TEST(Parallel_results, the_first_failure_of_a_verification_is_told)
 
 TEST(Parallel_results, verifications_can_be_cancelled)
 {
-  Filtered t = Delaunay(IT::bad_torus(150, 150));
+  Filtered t = Delaunay(samples::bad_torus(150, 150));
   for (int calls : {0, 1, 2})
     for_each_number_of_threads([&] {
       std::atomic<int> left = calls;
@@ -406,7 +406,7 @@ TEST(Parallel_results, weights_areas_and_matrices)
 
 TEST(Parallel_results, rounded_numbers)
 {
-  auto t = triangulation<IT::Edge_length_traits<double>>(IT::bad_torus(120, 120));
+  auto t = triangulation<IT::Edge_length_traits<double>>(samples::bad_torus(120, 120));
   IT::flip_to_Delaunay(t);
   for_each_number_of_threads([&] {
     EXPECT_TRUE(are_same(IT::cotangent_weights<Parallel_tag>(t), IT::cotangent_weights(t)));
@@ -418,7 +418,7 @@ TEST(Parallel_results, rounded_numbers)
 // Whatever thread meets them, it is the first face without an area that is named.
 TEST(Parallel_results, the_first_bad_element_is_named)
 {
-  IT::Indexed_triangles s = IT::sheared_grid(150, 120, 0);
+  samples::Indexed_triangles s = samples::sheared_grid(150, 120, 0);
   for (std::array<std::uint32_t, 3> face : {s.triangles[20000], s.triangles[30000]}) {
     const std::array<double, 3> p = s.points[face[0]], q = s.points[face[1]];
     s.points[face[2]] = {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
@@ -446,7 +446,7 @@ TEST(Parallel_results, the_first_bad_element_is_named)
 
 TEST(Parallel_results, can_be_cancelled)
 {
-  const Filtered t = Delaunay(IT::bad_torus(100, 100));
+  const Filtered t = Delaunay(samples::bad_torus(100, 100));
   const IT::Overlay overlay(t);
   for (int calls : {0, 1, 2}) {
     int left = calls;

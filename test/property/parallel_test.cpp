@@ -48,7 +48,7 @@ using CGAL::Sequential_tag;
 using IT::Flip_report;
 using IT::Flip_status;
 
-Mesh mesh_of(const IT::Indexed_triangles& triangles)
+Mesh mesh_of(const samples::Indexed_triangles& triangles)
 {
   Mesh mesh;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(triangles.points, triangles.triangles, mesh);
@@ -56,7 +56,7 @@ Mesh mesh_of(const IT::Indexed_triangles& triangles)
 }
 
 // Few hinges lie in one block.
-IT::Indexed_triangles shuffled(IT::Indexed_triangles triangles)
+samples::Indexed_triangles shuffled(samples::Indexed_triangles triangles)
 {
   std::shuffle(triangles.triangles.begin(), triangles.triangles.end(), std::mt19937(1));
   return triangles;
@@ -115,7 +115,7 @@ void expect_same_numbers(const Filtered& several, const Filtered& one)
 }
 
 // Returns how the tests were decided.
-IT::Stage_counts expect_same_with_any_number_of_threads(const IT::Indexed_triangles& triangles)
+IT::Stage_counts expect_same_with_any_number_of_threads(const samples::Indexed_triangles& triangles)
 {
   const Mesh mesh = mesh_of(triangles);
   const auto sequential = flipped<IT::Filtered_edge_length_traits, Sequential_tag>(mesh, 1).triangulation;
@@ -141,27 +141,27 @@ IT::Stage_counts expect_same_with_any_number_of_threads(const IT::Indexed_triang
   return one.stage_counts();
 }
 
-TEST(Parallel, torus) { expect_same_with_any_number_of_threads(IT::bad_torus(300, 300)); }
+TEST(Parallel, torus) { expect_same_with_any_number_of_threads(samples::bad_torus(300, 300)); }
 
 TEST(Parallel, faces_in_any_order)
 {
-  expect_same_with_any_number_of_threads(shuffled(IT::bad_torus(200, 200)));
+  expect_same_with_any_number_of_threads(shuffled(samples::bad_torus(200, 200)));
 }
 
 TEST(Parallel, boundary_and_many_flips)
 {
-  expect_same_with_any_number_of_threads(IT::sheared_grid(200, 150, 5.25));
+  expect_same_with_any_number_of_threads(samples::sheared_grid(200, 150, 5.25));
 }
 
 TEST(Parallel, ties)
 {
-  expect_same_with_any_number_of_threads(IT::random_diagonal_grid(200, 150, 1, 7));
+  expect_same_with_any_number_of_threads(samples::random_diagonal_grid(200, 150, 1, 7));
 }
 
 // Queries before, and flips and insertions before these: as many tests and flips in blocks, and none of them followed one by one.
 TEST(Parallel, after_queries_as_without)
 {
-  const IT::Indexed_triangles surface = IT::bad_torus(200, 150);
+  const samples::Indexed_triangles surface = samples::bad_torus(200, 150);
   Filtered start(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   Filtered asked = start;
   asked.length(IT::Edge_index(0));
@@ -191,9 +191,9 @@ TEST(Parallel, after_queries_as_without)
 }
 
 // Stairs of unit squares, with a diagonal each that is a tie: nothing is flipped, and the stages after the filter decide all.
-IT::Indexed_triangles stairs(std::size_t columns, std::size_t rows)
+samples::Indexed_triangles stairs(std::size_t columns, std::size_t rows)
 {
-  IT::Indexed_triangles result = IT::random_diagonal_grid(columns, rows);
+  samples::Indexed_triangles result = samples::random_diagonal_grid(columns, rows);
   for (std::array<double, 3>& p : result.points)
     p = {std::ceil(p[0] / 2), p[1], std::floor(p[0] / 2)};
   return result;
@@ -207,10 +207,10 @@ TEST(Parallel, ties_in_planes)
   EXPECT_EQ(expect_same_with_any_number_of_threads(shuffled(stairs(160, 150))).ties, 24000u);
 }
 
-IT::Indexed_triangles together(const std::vector<IT::Indexed_triangles>& parts)
+samples::Indexed_triangles together(const std::vector<samples::Indexed_triangles>& parts)
 {
-  IT::Indexed_triangles result;
-  for (const IT::Indexed_triangles& part : parts) {
+  samples::Indexed_triangles result;
+  for (const samples::Indexed_triangles& part : parts) {
     const std::uint32_t first = std::uint32_t(result.points.size());
     result.points.insert(result.points.end(), part.points.begin(), part.points.end());
     for (std::array<std::uint32_t, 3> t : part.triangles)
@@ -222,13 +222,13 @@ IT::Indexed_triangles together(const std::vector<IT::Indexed_triangles>& parts)
 TEST(Parallel, every_stage)
 {
   // The angles opposite to the fold sum to pi, and it takes rational numbers to tell so.
-  std::vector<IT::Indexed_triangles> parts(
+  std::vector<samples::Indexed_triangles> parts(
     5000, {{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 0.25}}, {{0, 1, 2}, {1, 0, 3}}});
-  IT::Indexed_triangles pillow = IT::pillow(60); // ties across long strips
+  samples::Indexed_triangles pillow = samples::pillow(60); // ties across long strips
   for (auto& p : pillow.points)
     p[2] = p[1];
-  for (const IT::Indexed_triangles& part : {IT::bad_torus(100, 100), pillow, IT::prism(200, 1), stairs(50, 40),
-                                            IT::random_diagonal_grid(50, 40, 1, 1)})
+  for (const samples::Indexed_triangles& part : {samples::bad_torus(100, 100), pillow, samples::prism(200, 1), stairs(50, 40),
+                                                 samples::random_diagonal_grid(50, 40, 1, 1)})
     parts.push_back(part);
   const IT::Stage_counts counts = expect_same_with_any_number_of_threads(together(parts));
   EXPECT_EQ(counts[IT::Stage::RATIONAL], 5000u);
@@ -239,7 +239,7 @@ TEST(Parallel, every_stage)
 
 TEST(Parallel, components_and_isolated_vertices)
 {
-  IT::Indexed_triangles triangles = IT::bad_torus(150, 150);
+  samples::Indexed_triangles triangles = samples::bad_torus(150, 150);
   const std::size_t n = triangles.points.size(), m = triangles.triangles.size();
   triangles.points.push_back({0, 0, 9});
   for (std::size_t v = 0; v < n; ++v) {
@@ -258,7 +258,7 @@ TEST(Parallel, components_and_isolated_vertices)
 
 TEST(Parallel, rounded_decisions)
 {
-  const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
+  const Mesh mesh = mesh_of(samples::bad_torus(200, 200));
   const auto one = flipped<IT::Edge_length_traits<double>, Sequential_tag>(mesh, 1).triangulation;
   for (int threads : {1, 2}) {
     const auto [several, report] = flipped<IT::Edge_length_traits<double>, Parallel_tag>(mesh, threads);
@@ -278,7 +278,7 @@ TEST(Parallel, rounded_decisions)
 // Numbers that threads cannot share are left to one of them; the tag is allowed.
 TEST(Parallel, other_traits)
 {
-  const IT::Indexed_triangles torus = IT::bad_torus(160, 160);
+  const samples::Indexed_triangles torus = samples::bad_torus(160, 160);
   const Mesh mesh = mesh_of(torus);
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 2);
   const auto expect_Delaunay = [&](auto traits) {
@@ -295,7 +295,7 @@ TEST(Parallel, other_traits)
 
 TEST(Parallel, construction_is_the_same)
 {
-  const Mesh mesh = mesh_of(shuffled(IT::sheared_grid(200, 150, 0.3)));
+  const Mesh mesh = mesh_of(shuffled(samples::sheared_grid(200, 150, 0.3)));
   const auto a = IT::intrinsic_triangulation<Sequential_tag>(mesh);
   const auto b = IT::intrinsic_triangulation<Parallel_tag>(mesh);
   EXPECT_TRUE(a.connectivity() == b.connectivity());
@@ -311,7 +311,7 @@ TEST(Parallel, construction_is_the_same)
 
 TEST(Parallel, bad_input_is_refused)
 {
-  Mesh mesh = mesh_of(IT::bad_torus(150, 150));
+  Mesh mesh = mesh_of(samples::bad_torus(150, 150));
   const auto expect = [&](IT::Invalid_surface_error::Defect defect, std::size_t element) {
     try {
       IT::intrinsic_triangulation<Parallel_tag>(mesh);
@@ -336,7 +336,7 @@ TEST(Parallel, bad_input_is_refused)
   mesh.remove_face(Mesh::Face_index(7)); // leaves garbage
   EXPECT_NO_THROW(IT::intrinsic_triangulation<Parallel_tag>(mesh));
 
-  Mesh with_polygon = mesh_of(IT::bad_torus(150, 150));
+  Mesh with_polygon = mesh_of(samples::bad_torus(150, 150));
   std::vector<Mesh::Vertex_index> corners;
   for (int i = 0; i < 4; ++i)
     corners.push_back(with_polygon.add_vertex({double(i), double(i * i), 9}));
@@ -347,7 +347,7 @@ TEST(Parallel, bad_input_is_refused)
 
 TEST(Parallel, constraints)
 {
-  const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
+  const Mesh mesh = mesh_of(samples::bad_torus(200, 200));
   Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
   const IT::Delta_complex input = t.connectivity();
   const auto is_constrained = boost::make_function_property_map<IT::Edge_index>(
@@ -371,7 +371,7 @@ TEST(Parallel, constraints)
 
 TEST(Parallel, budget_is_kept)
 {
-  const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
+  const Mesh mesh = mesh_of(samples::bad_torus(200, 200));
   Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
   for (std::uint64_t budget : {std::uint64_t(0), std::uint64_t(1), std::uint64_t(10000)}) {
     Filtered copy = t;
@@ -405,7 +405,7 @@ struct Counter
 
 TEST(Parallel, visitor_is_told_of_each_flip)
 {
-  Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh_of(IT::bad_torus(200, 200)));
+  Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh_of(samples::bad_torus(200, 200)));
   Counter counter;
   const Flip_report report =
     IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter)));
@@ -470,7 +470,7 @@ TEST(Parallel, interruption_stops_the_tests_that_were_left_open)
 
 TEST(Parallel, visitor_cancels)
 {
-  const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
+  const Mesh mesh = mesh_of(samples::bad_torus(200, 200));
   Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
   Counter counter;
   counter.limit = 5000;
@@ -486,7 +486,7 @@ TEST(Parallel, visitor_cancels)
 
 TEST(Parallel, exception_of_a_visitor_leaves_a_valid_triangulation)
 {
-  const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
+  const Mesh mesh = mesh_of(samples::bad_torus(200, 200));
   Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
   Counter counter;
   counter.throw_at = 3000;

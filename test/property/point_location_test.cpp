@@ -139,7 +139,7 @@ TEST(Point_location, points_of_common_edges_stay_on_them)
 // Of a torus with sides 3, 4 and 6, the diagonal of length 6 is flipped; both cross in the middle.
 TEST(Point_location, the_diagonals_of_a_parallelogram_meet_in_the_middle)
 {
-  const IT::Glued_triangles torus = IT::one_vertex_torus(3, 4, 6);
+  const samples::Glued_triangles torus = samples::one_vertex_torus(3, 4, 6);
   const Overlaid s(test_surfaces::triangulation<IT::Filtered_edge_length_traits>(
     test_surfaces::from_gluing("torus", torus)));
   ASSERT_EQ(s.overlay().number_of_crossings(), 1u);
@@ -159,7 +159,7 @@ TEST(Point_location, the_diagonals_of_a_parallelogram_meet_in_the_middle)
 
 TEST(Point_location, coordinates_of_any_magnitude)
 {
-  const Overlaid s(IT::bumpy_sphere(8, 6));
+  const Overlaid s(samples::bumpy_sphere(8, 6));
   const IT::Point_location location(s.subdivision);
   std::mt19937_64 random(1);
   for (int i = 0; i < 1000; ++i) {
@@ -182,7 +182,7 @@ TEST(Point_location, coordinates_of_any_magnitude)
 
 TEST(Point_location, says_what_is_wrong_with_a_point)
 {
-  const Overlaid s(IT::sheared_grid(3, 3));
+  const Overlaid s(samples::sheared_grid(3, 3));
   const IT::Point_location location(s.subdivision);
   IT::Halfedge_index inner, border;
   for (IT::Halfedge_index h : s.input().halfedges())

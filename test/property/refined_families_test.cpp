@@ -32,7 +32,7 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = Refined_triangulation;
 
-Triangulation triangulation_of(const IT::Indexed_triangles& surface)
+Triangulation triangulation_of(const samples::Indexed_triangles& surface)
 {
   return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
 }
@@ -87,9 +87,9 @@ std::size_t count(const IT::Refinement_report& report, IT::Refinement_obstacle r
 }
 
 // A closed box; the circumcenters of its faces are the midpoints of edges.
-IT::Indexed_triangles box(double x, double y, double z)
+samples::Indexed_triangles box(double x, double y, double z)
 {
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   for (int i = 0; i < 8; ++i)
     result.points.push_back({i & 1 ? x : 0, i & 2 ? y : 0, i & 4 ? z : 0});
   for (const std::array<std::uint32_t, 4>& side : {std::array<std::uint32_t, 4>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
@@ -109,13 +109,13 @@ TEST(Refined_families, caps_down_to_the_precision_of_double)
     EXPECT_GE(report.segment_splits, std::size_t(k));
   }
   for (double bulge : {1e-1, 1e-3, 1e-10, 0.})
-    refine(triangulation_of(IT::cap(bulge)));
+    refine(triangulation_of(samples::cap(bulge)));
 }
 
 // Vertices 2 and 4 lie on the edge from 0 to 1, in two faces without area that stay at the border, or if that edge is constrained.
 TEST(Refined_families, faces_without_area)
 {
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   surface.points = {{{0, 0, 0}}, {{4, 0, 0}}, {{1, 0, 0}}, {{2, 3, 0}}, {{2, 0, 0}}};
   surface.triangles = {{0, 2, 3}, {2, 4, 3}, {4, 1, 3}, {0, 4, 2}, {0, 1, 4}};
   const IT::Refinement_report report = refine(triangulation_of(surface));
@@ -134,7 +134,7 @@ TEST(Refined_families, faces_without_area)
 
 TEST(Refined_families, boxes_and_prisms)
 {
-  for (const IT::Indexed_triangles& surface : {box(1, 1, 1), box(1, 2, 3), box(1, 7, 0.1), IT::prism(4), IT::prism(6), IT::prism(24), IT::prism(24, 3)}) {
+  for (const samples::Indexed_triangles& surface : {box(1, 1, 1), box(1, 2, 3), box(1, 7, 0.1), samples::prism(4), samples::prism(6), samples::prism(24), samples::prism(24, 3)}) {
     const IT::Refinement_report report = refine(triangulation_of(surface));
     EXPECT_TRUE(report.unrefined.empty()); // the sums of the angles at their vertices are large
   }
@@ -142,14 +142,14 @@ TEST(Refined_families, boxes_and_prisms)
 
 TEST(Refined_families, lantern_and_needles)
 {
-  EXPECT_TRUE(refine(triangulation_of(IT::Schwarz_lantern(8, 24))).unrefined.empty());
-  refine(triangulation_of(IT::pillow(30)));
-  EXPECT_TRUE(refine(triangulation_of(IT::bad_torus(20, 20))).unrefined.empty());
+  EXPECT_TRUE(refine(triangulation_of(samples::Schwarz_lantern(8, 24))).unrefined.empty());
+  refine(triangulation_of(samples::pillow(30)));
+  EXPECT_TRUE(refine(triangulation_of(samples::bad_torus(20, 20))).unrefined.empty());
 }
 
 TEST(Refined_families, a_surface_of_one_vertex)
 {
-  for (const IT::Glued_triangles& torus : {IT::one_vertex_torus(), IT::sheared_one_vertex_torus(50)}) {
+  for (const samples::Glued_triangles& torus : {samples::one_vertex_torus(), samples::sheared_one_vertex_torus(50)}) {
     const IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(torus.number_of_faces, torus.glued_sides);
     std::vector<double> lengths(complex.number_of_edges());
     for (std::size_t f = 0; f < torus.number_of_faces; ++f) {
@@ -163,15 +163,15 @@ TEST(Refined_families, a_surface_of_one_vertex)
 
 TEST(Refined_families, mirror_symmetric_surfaces)
 {
-  for (const IT::Indexed_triangles& surface : {IT::torus(16, 8), IT::latitude_longitude_sphere(18, 10), IT::random_diagonal_grid(8, 8)})
+  for (const samples::Indexed_triangles& surface : {samples::torus(16, 8), samples::latitude_longitude_sphere(18, 10), samples::random_diagonal_grid(8, 8)})
     EXPECT_TRUE(refine(triangulation_of(surface)).unrefined.empty());
 }
 
 // Flips put the same face on both sides of one of the constrained edges.
 TEST(Refined_families, constrained_edges_that_end_in_spikes)
 {
-  const IT::Indexed_triangles spikes{{{-2.1, 3.4, 0}, {0.5, 0.9, 0}, {-0.5, -0.9, 0}, {9.8, -15.8, 0}, {0, -0.5, 0.9}, {0, 5.3, 8.5}, {0, -0.5, -0.9}, {0, 0.5, -0.9}, {0.9, 0, -0.5}, {4.2, 0, 2.6}, {-0.9, 0, -0.5}, {-0.9, 0, 0.5}},
-                                     {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+  const samples::Indexed_triangles spikes{{{-2.1, 3.4, 0}, {0.5, 0.9, 0}, {-0.5, -0.9, 0}, {9.8, -15.8, 0}, {0, -0.5, 0.9}, {0, 5.3, 8.5}, {0, -0.5, -0.9}, {0, 0.5, -0.9}, {0.9, 0, -0.5}, {4.2, 0, 2.6}, {-0.9, 0, -0.5}, {-0.9, 0, 0.5}},
+                                          {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
   const Triangulation t = triangulation_of(spikes);
   const IT::Delta_complex& complex = t.connectivity();
   std::vector<bool> is_constrained(complex.number_of_edges());
@@ -197,7 +197,7 @@ TEST(Refined_families, a_vertex_next_to_a_side_at_a_small_corner)
 TEST(Refined_families, many_small_corners_at_one_vertex_of_the_border)
 {
   for (double degrees : {1., 8., 20.}) {
-    IT::Indexed_triangles fan;
+    samples::Indexed_triangles fan;
     fan.points.push_back({0, 0, 0});
     for (int i = 0; i < 4; ++i) { // four separate triangles, which touch in the vertex at most
       const double angle = i * CGAL_PI / 2, turn = degrees * CGAL_PI / 180;
@@ -219,7 +219,7 @@ TEST(Refined_families, a_disk_with_41_constrained_edges)
   std::mt19937 random(3);
   for (double shear : {0., 0.7, 3.}) {
     SCOPED_TRACE(shear);
-    const Triangulation t = triangulation_of(IT::sheared_grid(9, 9, shear));
+    const Triangulation t = triangulation_of(samples::sheared_grid(9, 9, shear));
     const IT::Delta_complex& complex = t.connectivity();
     std::vector<IT::Edge_index> inner;
     for (IT::Edge_index e : complex.edges())

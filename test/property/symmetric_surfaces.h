@@ -31,7 +31,7 @@ using Point = std::array<double, 3>;
 // All surfaces are disks without a vertex inside, so that each has one layout in the plane.
 struct Surface
 {
-  IT::Indexed_triangles mesh;
+  samples::Indexed_triangles mesh;
   // Vertices on a circle, counterclockwise; no other vertex is inside of it.
   std::array<std::uint32_t, 4> corners{};
 };
@@ -138,7 +138,7 @@ private:
     add_triangle(apex, b.between, b.top);
   }
 
-  IT::Indexed_triangles mesh_;
+  samples::Indexed_triangles mesh_;
 };
 
 inline Sheet::Diagonal diagonal(bool is_falling)

@@ -138,7 +138,7 @@ Counts follow(Exact exact, const Multiprecision& start)
   return counts;
 }
 
-Counts follow(const IT::Indexed_triangles& surface)
+Counts follow(const samples::Indexed_triangles& surface)
 {
   const IT::Mpfr_precision precision(256);
   const IT::Delta_complex complex =
@@ -149,7 +149,7 @@ Counts follow(const IT::Indexed_triangles& surface)
   return follow(Exact(complex, surface.points), Multiprecision(complex, points));
 }
 
-Counts follow(const IT::Glued_triangles& surface)
+Counts follow(const samples::Glued_triangles& surface)
 {
   const IT::Mpfr_precision precision(256);
   const IT::Delta_complex complex =
@@ -165,9 +165,9 @@ Counts follow(const IT::Glued_triangles& surface)
 }
 
 // A fan over points of the first axis, in this order.
-IT::Indexed_triangles collinear_fan(const std::vector<double>& positions)
+samples::Indexed_triangles collinear_fan(const std::vector<double>& positions)
 {
-  IT::Indexed_triangles fan;
+  samples::Indexed_triangles fan;
   for (double x : positions)
     fan.points.push_back({x, 0, 0});
   for (std::uint32_t k = 1; k + 1 < positions.size(); ++k)
@@ -177,10 +177,10 @@ IT::Indexed_triangles collinear_fan(const std::vector<double>& positions)
 
 TEST(Termination, PotentialFallsOnSurfacesInSpace)
 {
-  for (const IT::Indexed_triangles& surface :
-       {IT::bumpy_sphere(30, 15), IT::bad_torus(20, 10), IT::sheared_grid(8, 8), IT::pillow(30),
-        IT::strip(60, 8), IT::prism(16, 1), IT::cap(1e-10), IT::cap(1e-17, 1), IT::sliver_sheet(10),
-        IT::disk_with_spike(12, 6), IT::latitude_longitude_sphere(16, 9)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::bumpy_sphere(30, 15), samples::bad_torus(20, 10), samples::sheared_grid(8, 8), samples::pillow(30),
+        samples::strip(60, 8), samples::prism(16, 1), samples::cap(1e-10), samples::cap(1e-17, 1), samples::sliver_sheet(10),
+        samples::disk_with_spike(12, 6), samples::latitude_longitude_sphere(16, 9)}) {
     const Counts counts = follow(surface);
     EXPECT_GT(counts.between_positive, 0u);
     EXPECT_EQ(counts.between_degenerate, 0u);
@@ -189,17 +189,17 @@ TEST(Termination, PotentialFallsOnSurfacesInSpace)
 
 TEST(Termination, PotentialFallsOnGluings)
 {
-  EXPECT_GT(follow(IT::sheared_one_vertex_torus(50)).between_positive, 40u);
+  EXPECT_GT(follow(samples::sheared_one_vertex_torus(50)).between_positive, 40u);
   std::size_t flips = 0;
   for (std::uint64_t seed = 1; seed <= 50; ++seed)
-    flips += follow(IT::random_gluing(8, seed)).between_positive +
-             follow(IT::random_gluing(7, seed, true)).between_positive;
+    flips += follow(samples::random_gluing(8, seed)).between_positive +
+             follow(samples::random_gluing(7, seed, true)).between_positive;
   EXPECT_GT(flips, 20u);
 }
 
 TEST(Termination, PotentialFallsWhereOneFaceHasNoArea)
 {
-  const Counts counts = follow(IT::cap(0));
+  const Counts counts = follow(samples::cap(0));
   EXPECT_EQ(counts.with_one_degenerate, 19u); // each flip takes one of the 19 such faces away
   EXPECT_EQ(counts.between_degenerate, 0u);
 }

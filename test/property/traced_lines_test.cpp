@@ -32,7 +32,7 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-Triangulation triangulation_of(const IT::Indexed_triangles& surface)
+Triangulation triangulation_of(const samples::Indexed_triangles& surface)
 {
   return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
 }
@@ -162,9 +162,9 @@ IT::Surface_direction random_start(const Triangulation& t, const IT::Point_locat
 }
 
 // Squares of side 1, each with a rising diagonal.
-IT::Indexed_triangles squares(std::uint32_t columns, std::uint32_t rows)
+samples::Indexed_triangles squares(std::uint32_t columns, std::uint32_t rows)
 {
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   for (std::uint32_t y = 0; y <= rows; ++y)
     for (std::uint32_t x = 0; x <= columns; ++x)
       result.points.push_back({double(x), double(y), 0});
@@ -224,7 +224,7 @@ TEST(Traced_line, runs_along_edges)
 // All diagonals are flipped, so that the middle of each input diagonal lies on an edge.
 TEST(Traced_line, begins_on_edges)
 {
-  const IT::Indexed_triangles surface = squares(4, 3);
+  const samples::Indexed_triangles surface = squares(4, 3);
   Triangulation t = triangulation_of(surface);
   const IT::Delta_complex input = t.connectivity();
   std::vector<IT::Halfedge_index> diagonals;
@@ -246,7 +246,7 @@ TEST(Traced_line, begins_on_edges)
 
 TEST(Traced_line, runs_along_the_border_past_inserted_vertices)
 {
-  const IT::Indexed_triangles surface = squares(3, 2);
+  const samples::Indexed_triangles surface = squares(3, 2);
   Triangulation t = triangulation_of(surface);
   const IT::Delta_complex input = t.connectivity();
   for (IT::Halfedge_index h : input.halfedges())
@@ -272,9 +272,9 @@ class Traced_lines : public testing::TestWithParam<int>
 TEST_P(Traced_lines, are_the_same_over_input_and_triangulation)
 {
   std::mt19937 random{std::uint32_t(GetParam())};
-  for (const IT::Indexed_triangles& surface :
-       {IT::bumpy_sphere(), IT::torus(12, 8), IT::bumpy_dome(12, 8), IT::random_diagonal_grid(6, 6), IT::sheared_grid(5, 5, 2), IT::prism(8, 3),
-        IT::bad_torus(10, 8)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::bumpy_sphere(), samples::torus(12, 8), samples::bumpy_dome(12, 8), samples::random_diagonal_grid(6, 6), samples::sheared_grid(5, 5, 2), samples::prism(8, 3),
+        samples::bad_torus(10, 8)}) {
     Triangulation t = triangulation_of(surface);
     if (GetParam() > 0)
       IT::flip_to_Delaunay(t);

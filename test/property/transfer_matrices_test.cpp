@@ -189,8 +189,8 @@ TEST(Transfer_matrices, the_projection_is_optimal)
 // where nothing was flipped.
 TEST(Transfer_matrices, the_projection_leaves_functions_of_the_target_as_they_are)
 {
-  const IT::Indexed_triangles grid = IT::sheared_grid(12, 12, 3.3);
-  const Overlaid sheared(grid), unflipped(IT::random_diagonal_grid(8, 8, 1, 0));
+  const samples::Indexed_triangles grid = samples::sheared_grid(12, 12, 3.3);
+  const Overlaid sheared(grid), unflipped(samples::random_diagonal_grid(8, 8, 1, 0));
   ASSERT_GT(sheared.overlay().number_of_crossings(), 100u);
   ASSERT_EQ(unflipped.overlay().number_of_crossings(), 0u);
   Eigen::MatrixXd places(grid.points.size(), 2);
@@ -208,7 +208,7 @@ TEST(Transfer_matrices, the_projection_leaves_functions_of_the_target_as_they_ar
 
 TEST(Transfer_matrices, isolated_vertices_keep_their_values)
 {
-  IT::Indexed_triangles surface = IT::sheared_grid(3, 3);
+  samples::Indexed_triangles surface = samples::sheared_grid(3, 3);
   surface.points.push_back({7, 7, 7});
   const Overlaid s(surface);
   const auto project =
@@ -223,7 +223,7 @@ TEST(Transfer_matrices, isolated_vertices_keep_their_values)
 TEST(Transfer_matrices, areas_out_of_range_are_errors)
 {
   const auto projected = [](double scale) {
-    IT::Indexed_triangles surface = IT::bumpy_sphere(6, 7);
+    samples::Indexed_triangles surface = samples::bumpy_sphere(6, 7);
     for (auto& p : surface.points)
       for (double& x : p)
         x *= scale;

@@ -157,8 +157,8 @@ struct Vector_2
 // In the plane the coordinates are linear functions on either triangulation.
 TEST(Transfer, linear_functions_stay_linear_in_the_plane)
 {
-  for (const IT::Indexed_triangles& surface :
-       {IT::sheared_grid(12, 12, 3.3), IT::strip(100, 20), IT::random_diagonal_grid(8, 8, 1, 0), IT::cap(0)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::sheared_grid(12, 12, 3.3), samples::strip(100, 20), samples::random_diagonal_grid(8, 8, 1, 0), samples::cap(0)}) {
     const Overlaid s(surface);
     std::vector<Vector_2> places;
     for (const std::array<double, 3>& p : surface.points)
@@ -179,7 +179,7 @@ TEST(Transfer, linear_functions_stay_linear_in_the_plane)
 
 TEST(Transfer, along_a_loop_vertex_data_are_constant)
 {
-  const Overlaid s(IT::helical_tube());
+  const Overlaid s(samples::helical_tube());
   std::vector<double> numbers;
   for (IT::Vertex_index v : s.intrinsic().vertices())
     numbers.push_back(v.idx());
@@ -256,9 +256,9 @@ TEST(Transfer, a_textured_surface_looks_the_same)
 {
   for (bool all_seams : {false, true})
     for (const Overlaid& s :
-         {Overlaid(IT::bumpy_sphere(20, 12)), Overlaid(IT::helical_tube()), Overlaid(IT::disk_with_spike(12, 8)),
+         {Overlaid(samples::bumpy_sphere(20, 12)), Overlaid(samples::helical_tube()), Overlaid(samples::disk_with_spike(12, 8)),
           Overlaid(test_surfaces::triangulation<IT::Filtered_edge_length_traits>(
-            test_surfaces::from_gluing("gluing", IT::random_gluing(41, 3, true, true))))}) {
+            test_surfaces::from_gluing("gluing", samples::random_gluing(41, 3, true, true))))}) {
       const std::vector<Vector_2> before = texture_coordinates(s, all_seams);
       const std::vector<Vector_2> after =
         IT::interpolate_input_corner_values(s.subdivision, before);
@@ -283,7 +283,7 @@ TEST(Transfer, a_textured_surface_looks_the_same)
 // No seam appears where there was none: along a part whose input edge is none, both sides agree.
 TEST(Transfer, seams_stay_where_they_were)
 {
-  const Overlaid s(IT::bumpy_sphere(20, 12));
+  const Overlaid s(samples::bumpy_sphere(20, 12));
   const std::vector<Vector_2> before = texture_coordinates(s, false);
   const std::vector<Vector_2> after =
     IT::interpolate_input_corner_values(s.subdivision, before);

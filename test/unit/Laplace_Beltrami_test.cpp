@@ -120,7 +120,7 @@ TEST(Laplace_Beltrami, finite_elements_before_and_after_flips)
 
 TEST(Laplace_Beltrami, one_vertex_leaves_nothing_of_the_stiffness)
 {
-  const auto t = triangulation<Filtered>(from_gluing("", IT::one_vertex_torus()));
+  const auto t = triangulation<Filtered>(from_gluing("", samples::one_vertex_torus()));
   const Matrix stiffness = IT::stiffness_matrix(t), mass = IT::Galerkin_mass_matrix(t);
   EXPECT_EQ(stiffness.nonZeros(), 1);
   EXPECT_EQ(stiffness.coeff(0, 0), 0);
@@ -164,9 +164,9 @@ TEST(Laplace_Beltrami, the_flipped_edge_is_in_the_intrinsic_operator_alone)
 TEST(Cotangent_weights, as_near_to_the_exact_ones_as_stated)
 {
   std::vector<Surface> surfaces = generic_surfaces(false);
-  for (Surface& surface : std::vector<Surface>{from_triangles("strip", IT::strip(300, 20)),
-                                               from_triangles("sliver sheet", IT::sliver_sheet(12)),
-                                               from_triangles("cap", IT::cap())})
+  for (Surface& surface : std::vector<Surface>{from_triangles("strip", samples::strip(300, 20)),
+                                               from_triangles("sliver sheet", samples::sliver_sheet(12)),
+                                               from_triangles("cap", samples::cap())})
     surfaces.push_back(std::move(surface));
   for (const Surface& surface : surfaces) {
     SCOPED_TRACE(surface.name);
@@ -192,8 +192,8 @@ TEST(Cotangent_weights, as_near_to_the_exact_ones_as_stated)
 TEST(Rounded_numbers, are_those_of_single_edges_and_faces)
 {
   std::vector<Surface> surfaces = generic_surfaces(false);
-  for (Surface& surface : std::vector<Surface>{from_triangles("sliver sheet", IT::sliver_sheet(12)),
-                                               from_triangles("cap", IT::cap())})
+  for (Surface& surface : std::vector<Surface>{from_triangles("sliver sheet", samples::sliver_sheet(12)),
+                                               from_triangles("cap", samples::cap())})
     surfaces.push_back(std::move(surface));
   std::size_t found = 0, numbers = 0;
   for (const Surface& surface : surfaces)
@@ -280,7 +280,7 @@ struct Traits_with_bounds : Base
 template <class Base, bool is_known>
 void expect_same_weights()
 {
-  const IT::Indexed_triangles sphere = IT::bumpy_sphere(12, 9);
+  const samples::Indexed_triangles sphere = samples::bumpy_sphere(12, 9);
   const auto complex = IT::make_Delta_complex_from_triangles(sphere.points.size(), sphere.triangles);
   const IT::Intrinsic_triangulation<Base> expected(complex, sphere.points);
   const IT::Intrinsic_triangulation<Traits_with_bounds<Base, is_known>> t(complex, sphere.points);
@@ -302,8 +302,8 @@ TEST(Cotangent_weights, any_traits_may_bound_cotangents)
 TEST(Cotangent_weights, from_one_corner_of_each_face)
 {
   using Traits = Traits_with_bounds<Filtered, false>;
-  for (const IT::Indexed_triangles& surface :
-       {IT::bad_torus(20, 16), IT::bumpy_sphere(12, 9), IT::random_diagonal_grid(12, 9, 1, 0), IT::random_diagonal_grid(12, 9, 1, 1)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::bad_torus(20, 16), samples::bumpy_sphere(12, 9), samples::random_diagonal_grid(12, 9, 1, 0), samples::random_diagonal_grid(12, 9, 1, 1)}) {
     const auto complex = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
     IT::Intrinsic_triangulation<Traits> t(complex, surface.points);
     IT::flip_to_Delaunay(t);
@@ -325,7 +325,7 @@ TEST(Cotangent_weights, a_tie_is_exactly_zero_and_nothing_is_negative)
 {
   for (std::uint64_t rotation : {0, 1}) {
     auto t = triangulation<Filtered>(
-      from_triangles("", IT::random_diagonal_grid(12, 9, 1, rotation)));
+      from_triangles("", samples::random_diagonal_grid(12, 9, 1, rotation)));
     IT::flip_to_Delaunay(t);
     std::size_t zeros = 0;
     const std::vector<double> weights = IT::cotangent_weights(t);
@@ -343,7 +343,7 @@ TEST(Cotangent_weights, a_tie_is_exactly_zero_and_nothing_is_negative)
 
 TEST(Cotangent_weights, a_face_without_area_is_an_error_that_names_it)
 {
-  const auto flat = IT::cap(0);
+  const auto flat = samples::cap(0);
   const auto expect_error = [](const auto& t) {
     try {
       IT::stiffness_matrix(t);
@@ -362,7 +362,7 @@ TEST(Cotangent_weights, a_face_without_area_is_an_error_that_names_it)
 TEST(Cotangent_weights, large_and_small_units)
 {
   for (double scale : {1e-150, 1e-30, 1e60, 1e150}) {
-    const Surface surface = from_triangles("", IT::bumpy_sphere(5, 4));
+    const Surface surface = from_triangles("", samples::bumpy_sphere(5, 4));
     std::vector<std::array<double, 3>> points;
     for (const auto& p : surface.points)
       points.push_back({scale * p[0], scale * p[1], scale * p[2]});

@@ -63,7 +63,7 @@ private:
 };
 
 // All kinds of numbers and decisions of a surface, in one row.
-std::vector<double> results(const IT::Indexed_triangles& surface)
+std::vector<double> results(const samples::Indexed_triangles& surface)
 {
   auto [t, report] = IT::intrinsic_Delaunay_triangulation(surface.points, surface.triangles);
   std::vector<double> row{double(report.flips), double(IT::verify_Delaunay(t).ties)};
@@ -116,8 +116,8 @@ TEST(Standard_arithmetic, keeps_subnormal_numbers)
 
 TEST(Standard_arithmetic, results_do_not_depend_on_the_mode)
 {
-  const std::vector<IT::Indexed_triangles> surfaces{IT::prism(20, 7), IT::latitude_longitude_sphere(12, 6), IT::cap(1e-150)};
-  for (const IT::Indexed_triangles& surface : surfaces) {
+  const std::vector<samples::Indexed_triangles> surfaces{samples::prism(20, 7), samples::latitude_longitude_sphere(12, 6), samples::cap(1e-150)};
+  for (const samples::Indexed_triangles& surface : surfaces) {
     const std::vector<double> expected = results(surface);
     for (int rounding : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
       for (bool flushes : {false, true}) {

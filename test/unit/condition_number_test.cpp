@@ -55,13 +55,13 @@ void expect_dense(const Surface& surface)
 
 TEST(Condition_number, dense_eigenvalues_of_closed_and_open_surfaces)
 {
-  expect_dense(from_triangles("sphere", IT::bumpy_sphere(14, 9)));
-  expect_dense(from_triangles("torus", IT::bad_torus(12, 9)));
-  expect_dense(from_triangles("annulus", IT::Schwarz_lantern(9, 12)));
-  expect_dense(from_triangles("disk", IT::disk_with_spike(12, 9)));
-  expect_dense(from_triangles("small sphere", IT::bumpy_sphere(4, 4)));
-  expect_dense(from_triangles("small disk", IT::disk_with_spike(4, 3)));
-  IT::Indexed_triangles thin = IT::random_diagonal_grid(9, 9, 1);
+  expect_dense(from_triangles("sphere", samples::bumpy_sphere(14, 9)));
+  expect_dense(from_triangles("torus", samples::bad_torus(12, 9)));
+  expect_dense(from_triangles("annulus", samples::Schwarz_lantern(9, 12)));
+  expect_dense(from_triangles("disk", samples::disk_with_spike(12, 9)));
+  expect_dense(from_triangles("small sphere", samples::bumpy_sphere(4, 4)));
+  expect_dense(from_triangles("small disk", samples::disk_with_spike(4, 3)));
+  samples::Indexed_triangles thin = samples::random_diagonal_grid(9, 9, 1);
   for (auto& p : thin.points) // so that all eigenvalues are about 1e17
     p[1] *= 1e-17;
   expect_dense(from_triangles("thin sheet", thin));
@@ -70,9 +70,9 @@ TEST(Condition_number, dense_eigenvalues_of_closed_and_open_surfaces)
 TEST(Condition_number, each_closed_component_has_a_zero_that_does_not_count)
 {
   for (std::size_t columns : {4, 12}) { // dense, and by iteration
-    IT::Indexed_triangles both = IT::bumpy_sphere(columns, columns);
-    for (const IT::Indexed_triangles& more :
-         {IT::disk_with_spike(columns, 4), IT::bad_torus(columns, 4)}) {
+    samples::Indexed_triangles both = samples::bumpy_sphere(columns, columns);
+    for (const samples::Indexed_triangles& more :
+         {samples::disk_with_spike(columns, 4), samples::bad_torus(columns, 4)}) {
       const auto n = std::uint32_t(both.points.size());
       both.points.insert(both.points.end(), more.points.begin(), more.points.end());
       for (const std::array<std::uint32_t, 3>& t : more.triangles)
@@ -85,10 +85,10 @@ TEST(Condition_number, each_closed_component_has_a_zero_that_does_not_count)
 
 TEST(Condition_number, of_nothing_is_an_error)
 {
-  const auto t = triangulation<Traits>(from_triangles("", IT::sheared_grid(1, 1, 0)));
+  const auto t = triangulation<Traits>(from_triangles("", samples::sheared_grid(1, 1, 0)));
   EXPECT_THROW(IT::extreme_eigenvalues(t.connectivity(), IT::stiffness_matrix(t)),
                IT::Invalid_surface_error);
-  const auto one = triangulation<Traits>(from_gluing("", IT::one_vertex_torus()));
+  const auto one = triangulation<Traits>(from_gluing("", samples::one_vertex_torus()));
   EXPECT_THROW(IT::extreme_eigenvalues(one.connectivity(), IT::stiffness_matrix(one)),
                IT::Invalid_surface_error);
 }

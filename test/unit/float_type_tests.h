@@ -55,20 +55,20 @@ constexpr int precision<__float128> = 113; // the standard library does not alwa
 #endif
 
 // Have flips and no tie, all numbers in them are near one, and exact numbers get on with the smaller one.
-inline const IT::Indexed_triangles& surface()
+inline const samples::Indexed_triangles& surface()
 {
-  static const IT::Indexed_triangles triangles = IT::bad_torus(9, 8);
+  static const samples::Indexed_triangles triangles = samples::bad_torus(9, 8);
   return triangles;
 }
-inline const IT::Indexed_triangles& small_surface()
+inline const samples::Indexed_triangles& small_surface()
 {
-  static const IT::Indexed_triangles triangles = IT::bad_torus(4, 4);
+  static const samples::Indexed_triangles triangles = samples::bad_torus(4, 4);
   return triangles;
 }
 
 // The surface with all coordinates multiplied by a number of the kernel.
 template <class Mesh, class Point, class FT>
-Mesh mesh_of(const IT::Indexed_triangles& triangles, const FT& factor)
+Mesh mesh_of(const samples::Indexed_triangles& triangles, const FT& factor)
 {
   Mesh mesh;
   std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor> vertices;

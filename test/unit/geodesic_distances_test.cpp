@@ -35,7 +35,7 @@ using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Vertex = Mesh::Vertex_index;
 
-Mesh mesh_of(const CGAL::Intrinsic_triangulations::Indexed_triangles& sample)
+Mesh mesh_of(const samples::Indexed_triangles& sample)
 {
   Mesh mesh;
   for (const auto& p : sample.points)
@@ -45,7 +45,7 @@ Mesh mesh_of(const CGAL::Intrinsic_triangulations::Indexed_triangles& sample)
   return mesh;
 }
 
-Mesh sphere() { return mesh_of(CGAL::Intrinsic_triangulations::latitude_longitude_sphere(24, 14)); }
+Mesh sphere() { return mesh_of(samples::latitude_longitude_sphere(24, 14)); }
 
 // The distance on the sphere.
 double arc(const Mesh& mesh, Vertex v, std::size_t w)
@@ -127,7 +127,7 @@ TEST(Surface_mesh_geodesic_distances_3, tells_its_mesh_and_its_sources)
 
 TEST(Surface_mesh_geodesic_distances_3, modes_differ)
 {
-  const Mesh mesh = mesh_of(CGAL::Intrinsic_triangulations::sheared_grid(20, 20, 5));
+  const Mesh mesh = mesh_of(samples::sheared_grid(20, 20, 5));
   std::unordered_map<Vertex, double> direct, Delaunay, by_default;
   Ours::estimate_geodesic_distances(mesh, boost::make_assoc_property_map(direct), Vertex(0), Ours::Direct());
   Ours::estimate_geodesic_distances(mesh, boost::make_assoc_property_map(Delaunay), Vertex(0), Ours::Intrinsic_Delaunay());
@@ -253,7 +253,7 @@ TEST(Surface_mesh_geodesic_distances_3, edges_of_length_zero)
 // Where CGAL 5.5 returns not a number, or does not return.
 TEST(Surface_mesh_geodesic_distances_3, what_CGAL_cannot_do)
 {
-  Mesh mesh = mesh_of(CGAL::Intrinsic_triangulations::prism(80));
+  Mesh mesh = mesh_of(samples::prism(80));
   const Vertex isolated = mesh.add_vertex({7, 7, 7});
   std::unordered_map<Vertex, double> result;
   Ours::estimate_geodesic_distances(mesh, boost::make_assoc_property_map(result), Vertex(0));

@@ -42,17 +42,17 @@ namespace {
 
 const double pi = std::acos(-1.);
 
-Triangulation triangulation_of(const IT::Indexed_triangles& surface)
+Triangulation triangulation_of(const samples::Indexed_triangles& surface)
 {
   return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
 }
 
 // Squares of side 1 with a diagonal each; the third coordinate by a function of the other two.
-IT::Indexed_triangles grid(
+samples::Indexed_triangles grid(
   std::uint32_t columns, std::uint32_t rows,
   const std::function<double(double, double)>& height = [](double, double) { return 0.; })
 {
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   for (std::uint32_t y = 0; y <= rows; ++y)
     for (std::uint32_t x = 0; x <= columns; ++x)
       result.points.push_back({double(x), double(y), height(x, y)});
@@ -66,9 +66,9 @@ IT::Indexed_triangles grid(
 }
 
 // A disk of concentric rings round an apex.
-IT::Indexed_triangles cone(std::uint32_t columns, std::uint32_t rings, double height)
+samples::Indexed_triangles cone(std::uint32_t columns, std::uint32_t rings, double height)
 {
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   result.points.push_back({0, 0, height});
   for (std::uint32_t r = 1; r <= rings; ++r)
     for (std::uint32_t c = 0; c < columns; ++c) {
@@ -90,14 +90,14 @@ IT::Indexed_triangles cone(std::uint32_t columns, std::uint32_t rings, double he
 }
 
 // The surface of a plate of unit cubes, three deep, with holes in a row: of genus `holes`. All its angles are right or straight ones.
-IT::Indexed_triangles plate(int holes)
+samples::Indexed_triangles plate(int holes)
 {
   using Point = std::array<int, 3>;
   const auto is_full = [&](const Point& p) {
     const auto& [x, y, z] = p;
     return x >= 0 && x < 2 * holes + 1 && y >= 0 && y < 3 && z == 0 && !(y == 1 && x % 2 == 1);
   };
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   std::map<Point, std::uint32_t> numbers;
   const auto vertex = [&](const Point& p) {
     const auto [it, is_new] = numbers.insert({p, std::uint32_t(numbers.size())});
@@ -172,7 +172,7 @@ TEST(Undone_flips, leave_each_face_with_a_side_of_its_own)
 
 TEST(Convexity, TheFilterAgreesWithTheUnfolding)
 {
-  Triangulation t = triangulation_of(IT::random_diagonal_grid(12, 12));
+  Triangulation t = triangulation_of(samples::random_diagonal_grid(12, 12));
   std::mt19937 random(5);
   int flipped = 0, refused = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -229,7 +229,7 @@ TEST(GeodesicPath, HalfAUlpIsNotStraight)
 {
   // The inner vertex is 2^-60 off the line: no double and no double-double tolerance would see a bend of this size in
   // coordinates of size 1, but exact arithmetic does.
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   surface.points = {{-1, 0, 0}, {1, 0, 0}, {0, std::ldexp(1, -60), 0}, {0, 1, 0}, {0, -1, 0}};
   surface.triangles = {{0, 2, 3}, {2, 1, 3}, {0, 4, 2}, {2, 4, 1}};
   Triangulation t = triangulation_of(surface);
@@ -244,7 +244,7 @@ TEST(GeodesicPath, HalfAUlpIsNotStraight)
 
 TEST(GeodesicPath, AllPairsOfASphereAreProvenGeodesic)
 {
-  const Triangulation t = triangulation_of(IT::bumpy_sphere(12, 9));
+  const Triangulation t = triangulation_of(samples::bumpy_sphere(12, 9));
   const std::uint32_t n = t.connectivity().number_of_vertices();
   for (std::uint32_t s = 0; s < n; s += 7)
     for (std::uint32_t target = 0; target < n; target += 5) {
@@ -260,7 +260,7 @@ TEST(GeodesicPath, AllPairsOfASphereAreProvenGeodesic)
       double sum = 0;
       std::array<double, 3> last{};
       for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto x = IT::point_in_space(copy.input(), IT::bumpy_sphere(12, 9).points, points[i]);
+        const auto x = IT::point_in_space(copy.input(), samples::bumpy_sphere(12, 9).points, points[i]);
         if (i > 0)
           sum += std::hypot(x[0] - last[0], x[1] - last[1], x[2] - last[2]);
         last = x;
@@ -271,8 +271,8 @@ TEST(GeodesicPath, AllPairsOfASphereAreProvenGeodesic)
 
 TEST(GeodesicPath, AllPairsWhereAnglesAreStraightOrRight)
 {
-  const std::vector<IT::Indexed_triangles> surfaces{plate(1), plate(2), IT::prism()};
-  for (const IT::Indexed_triangles& surface : surfaces) {
+  const std::vector<samples::Indexed_triangles> surfaces{plate(1), plate(2), samples::prism()};
+  for (const samples::Indexed_triangles& surface : surfaces) {
     const Triangulation t = triangulation_of(surface);
     const std::uint32_t n = std::min<std::uint32_t>(t.connectivity().number_of_vertices(), 48);
     for (std::uint32_t s = 0; s < n; ++s)
@@ -291,7 +291,7 @@ TEST(GeodesicPath, AllPairsWhereAnglesAreStraightOrRight)
 TEST(GeodesicPath, OneCallOnAMesh)
 {
   Mesh mesh;
-  const IT::Indexed_triangles surface = grid(4, 4);
+  const samples::Indexed_triangles surface = grid(4, 4);
   for (const auto& [x, y, z] : surface.points)
     mesh.add_vertex({x, y, z});
   for (const auto& [i, j, k] : surface.triangles)
@@ -310,7 +310,7 @@ TEST(GeodesicPath, OneCallBetweenAnyPoints)
 {
   // Every kind of point with every other: on a folded sheet, a path is as long as the straight line of the unfolding.
   Mesh mesh;
-  const IT::Indexed_triangles surface = grid(4, 3, [](double, double y) { return y > 2 ? 0.75 * (y - 2) : 0; });
+  const samples::Indexed_triangles surface = grid(4, 3, [](double, double y) { return y > 2 ? 0.75 * (y - 2) : 0; });
   for (const auto& [x, y, z] : surface.points)
     mesh.add_vertex({x, y, z});
   for (const auto& [i, j, k] : surface.triangles)
@@ -375,7 +375,7 @@ TEST(GeodesicLoop, RoundAnApexIsContractible)
 TEST(GeodesicLoop, RoundATorus)
 {
   const std::uint32_t columns = 24, rows = 12;
-  const Triangulation torus = triangulation_of(IT::torus(columns, rows));
+  const Triangulation torus = triangulation_of(samples::torus(columns, rows));
   // Round the axis and round the tube, from each tenth vertex on, and both at once.
   int closed = 0;
   for (std::uint32_t start = 0; start < columns * rows; start += 10)
@@ -406,7 +406,7 @@ TEST(GeodesicLoop, RoundATorus)
 TEST(GeodesicLoop, RoundATubeOneIsNeverLonger)
 {
   // In its Delaunay triangulation, edges go round the tube from a vertex to itself.
-  Triangulation tube = triangulation_of(IT::helical_tube(30));
+  Triangulation tube = triangulation_of(samples::helical_tube(30));
   IT::flip_to_Delaunay(tube);
   int loops = 0;
   for (IT::Edge_index e : tube.connectivity().edges()) {
@@ -431,7 +431,7 @@ TEST(GeodesicLoop, RoundATubeOneIsNeverLonger)
 TEST(GeodesicLoop, RoundHolesAndArms)
 {
   for (int holes : {1, 2, 3}) {
-    const IT::Indexed_triangles surface = plate(holes);
+    const samples::Indexed_triangles surface = plate(holes);
     const Triangulation t = triangulation_of(surface);
     ASSERT_EQ(int(t.connectivity().number_of_vertices()) - int(t.connectivity().number_of_edges()) +
                 int(t.connectivity().number_of_faces()),
@@ -475,7 +475,7 @@ TEST(GeodesicLoop, StaysWhereAnotherPathIsInTheWay)
 {
   // Loops round the tube of a torus that bend at their vertex, all of whose other edges are used.
   const std::uint32_t columns = 24, rows = 12;
-  const Triangulation torus = triangulation_of(IT::torus(columns, rows));
+  const Triangulation torus = triangulation_of(samples::torus(columns, rows));
   int rejected = 0;
   for (std::uint32_t start = 0; start < columns * rows; ++start) {
     Triangulation t = torus;
@@ -557,7 +557,7 @@ TEST(GeodesicLoop, IsPutBackIfTheWayRoundIsLonger)
 
 TEST(GeodesicNetwork, PathsShareEdges)
 {
-  const Triangulation sphere = triangulation_of(IT::bumpy_sphere(14, 11));
+  const Triangulation sphere = triangulation_of(samples::bumpy_sphere(14, 11));
   Triangulation t = sphere;
   Network network(t);
   std::vector<double> alone;
@@ -651,7 +651,7 @@ TEST(GeodesicNetwork, PathsThatCrossInAVertexStayThere)
 
 TEST(GeodesicPath, IsMarkedInTheOverlay)
 {
-  Triangulation t = triangulation_of(IT::bumpy_sphere(12, 9));
+  Triangulation t = triangulation_of(samples::bumpy_sphere(12, 9));
   Network network(t);
   network.add_path(IT::shortest_edge_path(t, IT::Vertex_index(3), IT::Vertex_index(70)));
   network.shorten();
@@ -662,7 +662,7 @@ TEST(GeodesicPath, IsMarkedInTheOverlay)
   const std::vector<IT::Overlay::Segment> segments = IT::geodesic_segments(overlay, t.connectivity(), path);
   ASSERT_EQ(segments.size() + 1, points.size());
   const auto& input = subdivision.input();
-  const auto surface = IT::bumpy_sphere(12, 9);
+  const auto surface = samples::bumpy_sphere(12, 9);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     // Both ends, in either order, are those of the path.
     const auto h = overlay.halfedge(segments[i]);
@@ -732,7 +732,7 @@ TEST(GeodesicNetwork, WrongPathsAreNamed)
 
 TEST(TracedLine, OnAPlane)
 {
-  const IT::Indexed_triangles surface = grid(40, 30);
+  const samples::Indexed_triangles surface = grid(40, 30);
   const Triangulation t = triangulation_of(surface);
   const auto& input = t.input();
   std::mt19937 random(3);
@@ -779,7 +779,7 @@ TEST(TracedLine, ExactlyThroughAVertex)
 TEST(TracedLine, ClosesOnATetrahedron)
 {
   // All four faces of a disphenoid are congruent: each line that is parallel to a lattice vector closes up.
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   surface.points = {{1, 2, 3}, {1, -2, -3}, {-1, 2, -3}, {-1, -2, 3}};
   surface.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
   const Triangulation t = triangulation_of(surface);
@@ -820,7 +820,7 @@ TEST(TracedLine, ClosesOnATetrahedron)
 TEST(TracedLine, FollowsAGreatCircle)
 {
   const auto largest_distance = [](std::size_t columns) {
-    const IT::Indexed_triangles sphere = IT::latitude_longitude_sphere(columns, columns / 2);
+    const samples::Indexed_triangles sphere = samples::latitude_longitude_sphere(columns, columns / 2);
     const Triangulation t = triangulation_of(sphere);
     const IT::Delta_complex& input = t.connectivity();
     double result = 0;

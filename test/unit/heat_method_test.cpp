@@ -148,7 +148,7 @@ TEST(Heat_method, scale_does_not_matter)
 // The same surface, alone and beside another that is a thousand times as large.
 TEST(Heat_method, other_components_do_not_matter)
 {
-  const IT::Indexed_triangles one = IT::torus(24, 16), other = IT::disk_with_spike();
+  const samples::Indexed_triangles one = samples::torus(24, 16), other = samples::disk_with_spike();
   Points points = one.points;
   Triangles triangles = one.triangles;
   for (const Point& p : other.points)
@@ -358,7 +358,7 @@ TEST(Heat_method, thin_faces)
 
 TEST(Heat_method, prism_and_cap_with_all_ties)
 {
-  for (const IT::Indexed_triangles& sample : {IT::prism(80), IT::cap(1e-10)}) {
+  for (const samples::Indexed_triangles& sample : {samples::prism(80), samples::cap(1e-10)}) {
     IT::Heat_method<> heat(Delaunay(sample.points, sample.triangles));
     heat.add_source(Vertex_index(0));
     expect_numbers(heat.distances(), "a sample");
@@ -450,7 +450,7 @@ TEST(Heat_method, boundary_conditions)
 
 TEST(Heat_method, sphere)
 {
-  const IT::Indexed_triangles sphere = IT::latitude_longitude_sphere(60, 30);
+  const samples::Indexed_triangles sphere = samples::latitude_longitude_sphere(60, 30);
   IT::Heat_method<> heat(Delaunay(sphere.points, sphere.triangles));
   std::size_t source = 500;
   heat.add_source(Vertex_index(500));
@@ -538,7 +538,7 @@ TEST(Heat_method, on_the_cover_of_any_triangles)
   EXPECT_NEAR(heat.distances()[5], 2, 0.4);
 
   // What is closed is its own cover.
-  const IT::Indexed_triangles torus = IT::torus(20, 12);
+  const samples::Indexed_triangles torus = samples::torus(20, 12);
   IT::Tufted_cover closed = IT::make_tufted_cover(torus.points, torus.triangles);
   IT::flip_to_Delaunay(closed.triangulation);
   IT::Heat_method<> one(closed), other(Delaunay(torus.points, torus.triangles));

@@ -34,7 +34,7 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 class Inserted_vertices
 {
 public:
-  explicit Inserted_vertices(IT::Indexed_triangles surface)
+  explicit Inserted_vertices(samples::Indexed_triangles surface)
     : surface_(std::move(surface)), input_(IT::make_Delta_complex_from_triangles(surface_.points.size(), surface_.triangles)),
       triangulation(input_, surface_.points)
   {
@@ -83,7 +83,7 @@ public:
   }
 
 private:
-  IT::Indexed_triangles surface_;
+  samples::Indexed_triangles surface_;
   IT::Delta_complex input_;
   double area_ = 0;
 
@@ -94,7 +94,7 @@ public:
 TEST(Insert_vertex, lengths_in_a_plane_are_distances)
 {
   std::mt19937 random(1);
-  for (const IT::Indexed_triangles& surface : {IT::sheared_grid(), IT::random_diagonal_grid(), IT::strip(200, 30)}) {
+  for (const samples::Indexed_triangles& surface : {samples::sheared_grid(), samples::random_diagonal_grid(), samples::strip(200, 30)}) {
     Inserted_vertices test(surface);
     EXPECT_GT(IT::insert_random_vertices(test.triangulation, 700, 6, random), 300u);
     test.expect_consistent();
@@ -110,9 +110,9 @@ TEST(Insert_vertex, lengths_in_a_plane_are_distances)
 TEST(Insert_vertex, of_curved_surfaces)
 {
   std::mt19937 random(2);
-  for (const IT::Indexed_triangles& surface :
-       {IT::torus(), IT::bad_torus(30, 30), IT::bumpy_dome(), IT::disk_with_spike(), IT::Schwarz_lantern(), IT::cap(), IT::cap(0), IT::prism(),
-        IT::pillow(60), IT::sliver_sheet(), IT::helical_tube()})
+  for (const samples::Indexed_triangles& surface :
+       {samples::torus(), samples::bad_torus(30, 30), samples::bumpy_dome(), samples::disk_with_spike(), samples::Schwarz_lantern(), samples::cap(), samples::cap(0), samples::prism(),
+        samples::pillow(60), samples::sliver_sheet(), samples::helical_tube()})
     for (unsigned largest_coordinate : {3u, 1000u}) {
       Inserted_vertices test(surface);
       EXPECT_GT(IT::insert_random_vertices(test.triangulation, 200, largest_coordinate, random), 50u);
@@ -124,7 +124,7 @@ TEST(Insert_vertex, of_curved_surfaces)
 TEST(Insert_vertex, does_not_change_the_metric)
 {
   std::mt19937 random(3);
-  Inserted_vertices test(IT::bumpy_dome());
+  Inserted_vertices test(samples::bumpy_dome());
   IT::insert_random_vertices(test.triangulation, 300, 20, random);
   const IT::Delta_complex& complex = test.triangulation.connectivity();
   const IT::internal::Correspondence& correspondence = IT::internal::engine(test.triangulation).correspondence();
@@ -136,9 +136,9 @@ TEST(Insert_vertex, does_not_change_the_metric)
 }
 
 // Vertices 2 and 4 lie on the edge from 0 to 1, in faces 3 and 4, which have no area and stay where that edge is on the border.
-IT::Indexed_triangles triangle_over_flat_faces(bool is_closed_below)
+samples::Indexed_triangles triangle_over_flat_faces(bool is_closed_below)
 {
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   result.points = {{{0, 0, 0}}, {{4, 0, 0}}, {{1, 0, 0}}, {{2, 3, 0}}, {{2, 0, 0}}, {{2, -3, 0}}};
   result.triangles = {{0, 2, 3}, {2, 4, 3}, {4, 1, 3}, {0, 4, 2}, {0, 1, 4}};
   if (is_closed_below)
@@ -185,7 +185,7 @@ TEST(Insert_vertex, faces_without_area)
 
 TEST(Insert_vertex, refuses_what_is_no_new_point)
 {
-  Inserted_vertices test(IT::torus(8, 6));
+  Inserted_vertices test(samples::torus(8, 6));
   const IT::Halfedge_index h(0);
   const auto refuses = [&](const std::array<double, 3>& coordinates) {
     EXPECT_THROW(IT::insert_vertex(test.triangulation, {h, coordinates}), IT::Invalid_point_error);

@@ -49,7 +49,7 @@ struct Case
 
 Case sample(const std::string& name)
 {
-  const auto surface = std::get<IT::Indexed_triangles>(IT::make_sample(name));
+  const auto surface = std::get<samples::Indexed_triangles>(samples::make_sample(name));
   Case result;
   result.complex =
     IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
@@ -129,7 +129,7 @@ TEST(Mollify, reaches_the_margin_on_every_gluing)
 {
   std::mt19937_64 random(5);
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    const auto surface = IT::random_gluing(2 + 2 * (seed % 4), seed, seed % 2 == 0);
+    const auto surface = samples::random_gluing(2 + 2 * (seed % 4), seed, seed % 2 == 0);
     const IT::Delta_complex complex =
       IT::make_Delta_complex_from_gluing(surface.number_of_faces, surface.glued_sides);
     for (const double delta : {0., 1e-9, 0.01, 0.7, 3.})

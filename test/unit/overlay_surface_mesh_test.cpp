@@ -38,7 +38,7 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 
 namespace {
 
-Mesh mesh_of(const IT::Indexed_triangles& triangles)
+Mesh mesh_of(const samples::Indexed_triangles& triangles)
 {
   Mesh mesh;
   for (const auto& [x, y, z] : triangles.points)
@@ -168,8 +168,8 @@ TEST(Overlay_to_surface_mesh, kite)
 
 TEST(Overlay_to_surface_mesh, sample_surfaces)
 {
-  for (const IT::Indexed_triangles& sample :
-       {IT::prism(12, 1), IT::helical_tube(), IT::bad_torus(12, 12), IT::latitude_longitude_sphere(10, 8)}) {
+  for (const samples::Indexed_triangles& sample :
+       {samples::prism(12, 1), samples::helical_tube(), samples::bad_torus(12, 12), samples::latitude_longitude_sphere(10, 8)}) {
     const Mesh input = mesh_of(sample);
     const auto t = IT::intrinsic_Delaunay_triangulation(input).triangulation;
     Mesh mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input);
@@ -217,8 +217,8 @@ TEST(Overlay_to_surface_mesh, exact_kernel_and_point_map)
 TEST(Overlay_to_surface_mesh, keeps_loops_and_multiple_edges_apart)
 {
   // A tetrahedron whose vertex 3 ends up inside of a loop.
-  const IT::Indexed_triangles sample{{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, 1, 8}},
-                                     {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+  const samples::Indexed_triangles sample{{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, 1, 8}},
+                                          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
   const Mesh input = mesh_of(sample);
   Triangulation t = IT::intrinsic_triangulation(input);
   for (int flips = 0; flips < 2; ++flips) {
@@ -247,7 +247,7 @@ TEST(Overlay_to_surface_mesh, refuses_a_wrong_number_of_points)
 // A chart for each input face, with its own coordinates at each corner: on the diagonals, too, the corners are those of the face.
 TEST(Triangulate_overlay_faces, keeps_the_properties_of_corners_and_faces)
 {
-  const IT::Indexed_triangles sample = IT::helical_tube();
+  const samples::Indexed_triangles sample = samples::helical_tube();
   const Mesh input = mesh_of(sample);
   const auto t = IT::intrinsic_Delaunay_triangulation(input).triangulation;
   Mesh mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input);

@@ -25,7 +25,7 @@ using namespace test_surfaces;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 using IT::Planar_points;
 
-Triangulation triangulation_of(const IT::Indexed_triangles& triangles, bool is_Delaunay)
+Triangulation triangulation_of(const samples::Indexed_triangles& triangles, bool is_Delaunay)
 {
   Triangulation t(
     IT::make_Delta_complex_from_triangles(triangles.points.size(), triangles.triangles),
@@ -36,9 +36,9 @@ Triangulation triangulation_of(const IT::Indexed_triangles& triangles, bool is_D
 }
 
 // A flat sheet of badly shaped triangles.
-IT::Indexed_triangles flat_sheet()
+samples::Indexed_triangles flat_sheet()
 {
-  IT::Indexed_triangles sheet = IT::sheared_grid(9, 7, 1.7);
+  samples::Indexed_triangles sheet = samples::sheared_grid(9, 7, 1.7);
   std::mt19937 random(3);
   for (std::array<double, 3>& p : sheet.points)
     for (int i = 0; i < 2; ++i)
@@ -46,7 +46,7 @@ IT::Indexed_triangles flat_sheet()
   return sheet;
 }
 
-Planar_points plane_points(const IT::Indexed_triangles& triangles)
+Planar_points plane_points(const samples::Indexed_triangles& triangles)
 {
   Planar_points points;
   for (const std::array<double, 3>& p : triangles.points)
@@ -112,7 +112,7 @@ const Planar_points square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
 TEST(Disk_boundary, runs_counterclockwise_around_a_sheet)
 {
-  const IT::Indexed_triangles sheet = IT::sheared_grid(5, 4, 0);
+  const samples::Indexed_triangles sheet = samples::sheared_grid(5, 4, 0);
   const Triangulation t = triangulation_of(sheet, false);
   const Planar_points around = boundary_values(t, plane_points(sheet));
   EXPECT_EQ(around.size(), 18u);
@@ -126,15 +126,15 @@ TEST(Disk_boundary, runs_counterclockwise_around_a_sheet)
 
 TEST(Disk_boundary, says_what_the_surface_is_instead)
 {
-  const auto boundary = [](const IT::Indexed_triangles& s) {
+  const auto boundary = [](const samples::Indexed_triangles& s) {
     return [s] { IT::disk_boundary(triangulation_of(s, false).connectivity()); };
   };
-  expect_topology_error(boundary(IT::bumpy_sphere(5, 4)), "is closed");
-  expect_topology_error(boundary(IT::Schwarz_lantern(5, 4)), "2 boundaries");
-  IT::Indexed_triangles torus = IT::torus(6, 5);
+  expect_topology_error(boundary(samples::bumpy_sphere(5, 4)), "is closed");
+  expect_topology_error(boundary(samples::Schwarz_lantern(5, 4)), "2 boundaries");
+  samples::Indexed_triangles torus = samples::torus(6, 5);
   torus.triangles.pop_back();
   expect_topology_error(boundary(torus), "1 handle");
-  IT::Indexed_triangles two = IT::sheared_grid(1, 1, 0);
+  samples::Indexed_triangles two = samples::sheared_grid(1, 1, 0);
   const auto n = std::uint32_t(two.points.size());
   two.points.insert(two.points.end(), {{9, 0, 0}, {10, 0, 0}, {9, 1, 0}});
   two.triangles.push_back({n, n + 1, n + 2});
@@ -186,7 +186,7 @@ TEST(Boundary_positions, whatever_the_lengths)
 // Linear functions are harmonic on any flat triangulation.
 TEST(Harmonic_parameterization, a_flat_sheet_with_its_own_boundary_stays_as_it_is)
 {
-  const IT::Indexed_triangles sheet = flat_sheet();
+  const samples::Indexed_triangles sheet = flat_sheet();
   const Planar_points points = plane_points(sheet);
   for (bool is_Delaunay : {false, true}) {
     const Triangulation t = triangulation_of(sheet, is_Delaunay);
@@ -198,7 +198,7 @@ TEST(Harmonic_parameterization, a_flat_sheet_with_its_own_boundary_stays_as_it_i
 
 TEST(Harmonic_parameterization, each_inner_vertex_is_the_weighted_mean_of_its_neighbours)
 {
-  const Triangulation t = triangulation_of(IT::disk_with_spike(12, 8), true);
+  const Triangulation t = triangulation_of(samples::disk_with_spike(12, 8), true);
   const Planar_points uv = IT::harmonic_parameterization(t);
   const IT::Delta_complex& c = t.connectivity();
   std::vector<std::complex<double>> sums(c.number_of_vertices());
@@ -222,7 +222,7 @@ TEST(Harmonic_parameterization, each_inner_vertex_is_the_weighted_mean_of_its_ne
 // The surface is twisted, so that the extrinsic operator has large negative weights.
 TEST(Harmonic_parameterization, folds_with_the_extrinsic_operator_and_not_with_the_intrinsic)
 {
-  IT::Indexed_triangles sheet = IT::sheared_grid(16, 12, 0);
+  samples::Indexed_triangles sheet = samples::sheared_grid(16, 12, 0);
   std::mt19937 random(1);
   for (std::array<double, 3>& p : sheet.points) {
     p[0] += 3 * std::sin(p[1] * p[1]) + 0.3 * (double(random()) / 0x1p31 - 1);
@@ -241,7 +241,7 @@ TEST(Harmonic_parameterization, folds_with_the_extrinsic_operator_and_not_with_t
 
 TEST(Natural_parameterization, a_flat_sheet_comes_out_similar)
 {
-  const IT::Indexed_triangles sheet = flat_sheet();
+  const samples::Indexed_triangles sheet = flat_sheet();
   const Planar_points points = plane_points(sheet);
   for (bool is_Delaunay : {false, true}) {
     const Triangulation t = triangulation_of(sheet, is_Delaunay);
@@ -258,7 +258,7 @@ TEST(Natural_parameterization, a_flat_sheet_comes_out_similar)
 // Each area is in the range of double, their sum is not.
 TEST(Natural_parameterization, of_a_sheet_as_large_as_can_be)
 {
-  IT::Indexed_triangles sheet = flat_sheet();
+  samples::Indexed_triangles sheet = flat_sheet();
   const Planar_points unit = IT::natural_parameterization(triangulation_of(sheet, true));
   for (auto& p : sheet.points)
     for (double& x : p)
@@ -276,7 +276,7 @@ TEST(Natural_parameterization, of_a_sheet_as_large_as_can_be)
 TEST(Natural_parameterization, is_stationary)
 {
   for (bool is_Delaunay : {false, true}) {
-    const Triangulation t = triangulation_of(IT::disk_with_spike(16, 10, 1, 0.4), is_Delaunay);
+    const Triangulation t = triangulation_of(samples::disk_with_spike(16, 10, 1, 0.4), is_Delaunay);
     const IT::Delta_complex& c = t.connectivity();
     const Planar_points uv = IT::natural_parameterization(t);
     const auto at = [&](IT::Vertex_index v) {
@@ -319,7 +319,7 @@ TEST(Parameterization_quality, orientation_is_decided_exactly)
 
 TEST(Parameterization_quality, distortion_of_known_maps)
 {
-  const IT::Indexed_triangles sheet = flat_sheet();
+  const samples::Indexed_triangles sheet = flat_sheet();
   const Triangulation t = triangulation_of(sheet, false);
   const auto mapped = [&](double a, double b, double c, double d) {
     Planar_points uv;
@@ -348,7 +348,7 @@ TEST(Parameterization_quality, mean_and_percentile_are_weighted_with_area)
 
 TEST(Circle_pattern, a_flat_Delaunay_sheet_comes_out_similar)
 {
-  const IT::Indexed_triangles sheet = flat_sheet();
+  const samples::Indexed_triangles sheet = flat_sheet();
   const Planar_points points = plane_points(sheet);
   const Triangulation t = triangulation_of(sheet, true);
   const IT::Circle_pattern pattern = IT::circle_pattern_parameterization(t);
@@ -362,7 +362,7 @@ TEST(Circle_pattern, a_flat_Delaunay_sheet_comes_out_similar)
 TEST(Circle_pattern, circles_meet_at_the_given_angles)
 {
   for (bool is_Delaunay : {false, true}) {
-    const Triangulation t = triangulation_of(IT::disk_with_spike(16, 10, 1, 0.3), is_Delaunay);
+    const Triangulation t = triangulation_of(samples::disk_with_spike(16, 10, 1, 0.3), is_Delaunay);
     const IT::Delta_complex& c = t.connectivity();
     const IT::Circle_pattern pattern = IT::circle_pattern_parameterization(t);
     EXPECT_LE(pattern.gradient, 1e-10);
@@ -405,7 +405,7 @@ TEST(Circle_pattern, an_inner_vertex_with_two_corners_cannot_be_flat)
 
 TEST(Circle_pattern, its_angles_are_all_that_is_asked_of_them_and_as_near_as_can_be)
 {
-  const Triangulation t = triangulation_of(IT::disk_with_spike(12, 6, 1, 0.3), false);
+  const Triangulation t = triangulation_of(samples::disk_with_spike(12, 6, 1, 0.3), false);
   const IT::Delta_complex& c = t.connectivity();
   const std::vector<double> given = IT::opposite_angles(t);
   const IT::Circle_pattern found = IT::circle_pattern_parameterization(t);

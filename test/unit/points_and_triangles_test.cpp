@@ -46,7 +46,7 @@ std::vector<std::array<double, 3>> edges(const Triangulation& triangulation)
 
 TEST_F(Points_and_triangles, give_what_a_mesh_gives)
 {
-  const IT::Indexed_triangles sample = IT::bumpy_dome();
+  const samples::Indexed_triangles sample = samples::bumpy_dome();
   CGAL::Surface_mesh<Point> mesh;
   std::list<Point> points; // no random access
   std::vector<std::vector<int>> triangles;

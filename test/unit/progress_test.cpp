@@ -24,7 +24,7 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-Triangulation Delaunay_triangulation(const IT::Indexed_triangles& surface)
+Triangulation Delaunay_triangulation(const samples::Indexed_triangles& surface)
 {
   Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
                   surface.points, IT::Filtered_edge_length_traits());
@@ -55,7 +55,7 @@ void expect_progress(const Compute& compute, std::size_t number)
 
 TEST(Progress, overlay)
 {
-  const Triangulation t = Delaunay_triangulation(IT::bad_torus(60, 60));
+  const Triangulation t = Delaunay_triangulation(samples::bad_torus(60, 60));
   ASSERT_GT(t.connectivity().number_of_edges(), 10000u);
   const IT::Overlay overlay(t);
   expect_progress([&](const IT::Progress_function& progress) { IT::Overlay(t, progress); }, 8);
@@ -68,7 +68,7 @@ TEST(Progress, overlay)
 
 TEST(Progress, circle_pattern)
 {
-  const Triangulation t = Delaunay_triangulation(IT::disk_with_spike(16, 10, 1, 0.3));
+  const Triangulation t = Delaunay_triangulation(samples::disk_with_spike(16, 10, 1, 0.3));
   expect_progress([&](const IT::Progress_function& progress) { IT::circle_pattern_parameterization(t, progress); }, 5);
 }
 

@@ -31,7 +31,7 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-Triangulation triangulation_of(const IT::Indexed_triangles& surface)
+Triangulation triangulation_of(const samples::Indexed_triangles& surface)
 {
   return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
 }
@@ -64,9 +64,9 @@ void expect_refined(const Triangulation& triangulation, const IT::Refinement_rep
 
 TEST(Refine_Delaunay, leaves_no_thin_triangle)
 {
-  for (const IT::Indexed_triangles& surface :
-       {IT::torus(), IT::bad_torus(30, 30), IT::bumpy_dome(), IT::disk_with_spike(), IT::Schwarz_lantern(), IT::cap(1e-17), IT::cap(0.1),
-        IT::prism(), IT::pillow(60), IT::strip(200, 30)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::torus(), samples::bad_torus(30, 30), samples::bumpy_dome(), samples::disk_with_spike(), samples::Schwarz_lantern(), samples::cap(1e-17), samples::cap(0.1),
+        samples::prism(), samples::pillow(60), samples::strip(200, 30)}) {
     Triangulation triangulation = triangulation_of(surface);
     const IT::Refinement_report report = IT::refine_Delaunay(triangulation);
     expect_refined(triangulation, report, {});
@@ -89,7 +89,7 @@ TEST(Refine_Delaunay, makes_large_triangles_small)
 TEST(Refine_Delaunay, protects_small_cones)
 {
   for (double degrees : {5., 20., 59.}) {
-    IT::Indexed_triangles cone;
+    samples::Indexed_triangles cone;
     const double radius = degrees / 360, height = std::sqrt(1 - radius * radius);
     const std::uint32_t n = 12;
     cone.points.push_back({0, 0, height});
@@ -120,7 +120,7 @@ TEST(Refine_Delaunay, leaves_small_corners_of_the_border)
 // Two sides of a box, far closer to each other than what matters.
 TEST(Refine_Delaunay, leaves_what_is_too_small)
 {
-  IT::Indexed_triangles plate;
+  samples::Indexed_triangles plate;
   for (double z : {0., 1e-5})
     for (const auto& [x, y] : {std::pair(0., 0.), std::pair(1., 0.), std::pair(1., 1.), std::pair(0., 1.)})
       plate.points.push_back({x, y, z});
@@ -164,7 +164,7 @@ struct Limited_visitor : IT::Default_refinement_visitor
 
 TEST(Refine_Delaunay, ends_early_where_told_to)
 {
-  Triangulation triangulation = triangulation_of(IT::bad_torus(30, 30));
+  Triangulation triangulation = triangulation_of(samples::bad_torus(30, 30));
   Limited_visitor visitor;
   const IT::Refinement_report cancelled = IT::refine_Delaunay(triangulation, {}, CGAL::parameters::visitor(std::ref(visitor)));
   EXPECT_EQ(cancelled.status, IT::Refinement_status::CANCELLED);
@@ -194,10 +194,10 @@ struct Progress_visitor : IT::Default_refinement_visitor
 
 TEST(Refine_Delaunay, estimates_how_many_vertices_are_needed)
 {
-  const IT::Indexed_triangles square = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const samples::Indexed_triangles square = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   // A tube around which triangles cannot be longer than it is wide.
-  const IT::Indexed_triangles tube = {{{0, 0, 0}, {1, 0, 0}, {0, 1e-4, 0}, {1, 1e-4, 0}, {0, 0, 1e-4}, {1, 0, 1e-4}},
-                                      {{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}, {4, 5, 1}, {4, 1, 0}}};
+  const samples::Indexed_triangles tube = {{{0, 0, 0}, {1, 0, 0}, {0, 1e-4, 0}, {1, 1e-4, 0}, {0, 0, 1e-4}, {1, 0, 1e-4}},
+                                           {{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}, {4, 5, 1}, {4, 1, 0}}};
   IT::Refinement_criteria by_edge, by_circumradius;
   by_edge.maximum_edge_length = 0.02;
   by_circumradius.maximum_circumradius = 0.012;
@@ -216,7 +216,7 @@ TEST(Refine_Delaunay, estimates_how_many_vertices_are_needed)
 // A smallest size ends the splits of edges for their own sake as well.
 TEST(Refine_Delaunay, splits_no_edge_below_the_smallest_size)
 {
-  const IT::Indexed_triangles needle = {{{0, 0, 0}, {1, 0, 0}, {0.6, 1e-5, 0}, {0.3, 1e-5, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const samples::Indexed_triangles needle = {{{0, 0, 0}, {1, 0, 0}, {0.6, 1e-5, 0}, {0.3, 1e-5, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   IT::Refinement_criteria criteria;
   criteria.minimum_size = 1e-3;
   criteria.splits_encroached_edges = true;
@@ -242,7 +242,7 @@ struct Counting_visitor : IT::Default_refinement_visitor
 TEST(Refine_Delaunay, asks_while_edges_are_flipped_at_first)
 {
   for (int number : {0, 100}) {
-    Triangulation triangulation = triangulation_of(IT::bad_torus(30, 30));
+    Triangulation triangulation = triangulation_of(samples::bad_torus(30, 30));
     const IT::Refinement_report report = IT::refine_Delaunay(triangulation, {}, CGAL::parameters::visitor(Counting_visitor{{}, number}));
     EXPECT_EQ(report.status, IT::Refinement_status::CANCELLED);
     EXPECT_EQ(report.insertions + report.segment_splits, 0u);
@@ -255,7 +255,7 @@ TEST(Refine_Delaunay, asks_while_edges_are_flipped_at_first)
 // doubles then goes round and round.
 TEST(Refine_Delaunay, ends_at_the_tips_of_needles)
 {
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 4; ++x)
       surface.points.push_back({double(x), double(y), 0});

@@ -37,7 +37,7 @@ struct Surface
   std::vector<Point> points;
 };
 
-Surface surface_of(const IT::Indexed_triangles& sample)
+Surface surface_of(const samples::Indexed_triangles& sample)
 {
   return {IT::make_Delta_complex_from_triangles(sample.points.size(), sample.triangles), sample.points};
 }
@@ -46,7 +46,7 @@ Surface surface_of(const IT::Indexed_triangles& sample)
 Surface cubes(const std::vector<std::array<int, 3>>& cells)
 {
   std::map<std::array<int, 3>, std::uint32_t> number;
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   const auto vertex = [&](std::array<int, 3> p) {
     const auto [position, is_new] = number.emplace(p, std::uint32_t(result.points.size()));
     if (is_new)
@@ -223,7 +223,7 @@ TEST(Remove_flat_vertices, of_any_star)
     for (const auto& item : corner_by_direction)
       corners.push_back(item.second);
     std::sort(corners.begin(), corners.end(), [](auto a, auto b) { return std::atan2(a.second, a.first) < std::atan2(b.second, b.first); });
-    IT::Indexed_triangles star;
+    samples::Indexed_triangles star;
     star.points.push_back({7, 7, 7});
     bool is_star = corners.size() > 2;
     const auto number_of_corners = std::uint32_t(corners.size());
@@ -246,7 +246,7 @@ TEST(Remove_flat_vertices, of_any_star)
 // The faces around vertex 0, between points that are given in order.
 Surface fan(const std::vector<Point>& points)
 {
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   result.points.push_back({0, 0, 0});
   const auto number = std::uint32_t(points.size());
   for (std::uint32_t i = 0; i < number; ++i) {
@@ -312,13 +312,13 @@ TEST(Remove_flat_vertices, keeps_what_only_looks_flat)
 
 TEST(Remove_flat_vertices, keeps_borders_and_curved_surfaces)
 {
-  for (const IT::Indexed_triangles& sample : {IT::bumpy_dome(), IT::torus(8, 6), IT::bumpy_sphere()}) {
+  for (const samples::Indexed_triangles& sample : {samples::bumpy_dome(), samples::torus(8, 6), samples::bumpy_sphere()}) {
     Surface s = surface_of(sample);
     const IT::Delta_complex before = s.complex;
     EXPECT_EQ(IT::remove_flat_vertices(s.complex, s.points).size(), sample.points.size());
     EXPECT_TRUE(s.complex == before);
   }
-  IT::Indexed_triangles grid;
+  samples::Indexed_triangles grid;
   for (std::uint32_t y = 0; y < 4; ++y)
     for (std::uint32_t x = 0; x < 4; ++x) {
       const std::uint32_t v = 4 * y + x;

@@ -38,7 +38,7 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-Triangulation Delaunay_triangulation_of(const IT::Indexed_triangles& surface)
+Triangulation Delaunay_triangulation_of(const samples::Indexed_triangles& surface)
 {
   Triangulation result(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   IT::flip_to_Delaunay(result);
@@ -104,9 +104,9 @@ IT::Vertex_index random_inserted_vertex(const Triangulation& triangulation, std:
 TEST(Remove_vertex, undoes_insertions_in_any_order)
 {
   std::mt19937 random(1);
-  for (const IT::Indexed_triangles& surface :
-       {IT::sheared_grid(), IT::random_diagonal_grid(), IT::torus(), IT::bad_torus(30, 30), IT::bumpy_dome(), IT::disk_with_spike(),
-        IT::Schwarz_lantern(), IT::cap(), IT::cap(0), IT::prism(16), IT::pillow(60), IT::sliver_sheet(12), IT::helical_tube()})
+  for (const samples::Indexed_triangles& surface :
+       {samples::sheared_grid(), samples::random_diagonal_grid(), samples::torus(), samples::bad_torus(30, 30), samples::bumpy_dome(), samples::disk_with_spike(),
+        samples::Schwarz_lantern(), samples::cap(), samples::cap(0), samples::prism(16), samples::pillow(60), samples::sliver_sheet(12), samples::helical_tube()})
     for (unsigned largest_coordinate : {1u, 1000u}) {
       Triangulation triangulation = Delaunay_triangulation_of(surface);
       const Edge_set before = edges_without_ties(triangulation);
@@ -122,7 +122,7 @@ TEST(Remove_vertex, undoes_insertions_in_any_order)
 // The straight line runs from one side of a fold to the other, so the faces that are left are bent.
 TEST(Remove_vertex, on_a_line_across_a_fold)
 {
-  IT::Indexed_triangles kite;
+  samples::Indexed_triangles kite;
   kite.points = {{{-1, 0, 1}}, {{1, 0, 1}}, {{0, 1, 0}}, {{0, -1, 0}}};
   kite.triangles = {{0, 3, 2}, {1, 2, 3}};
   Triangulation triangulation = Delaunay_triangulation_of(kite);
@@ -147,7 +147,7 @@ TEST(Remove_vertex, flat_parts_are_decided_as_by_unfolding)
   std::mt19937 random(7);
   std::uint64_t in_planes = 0;
   std::size_t ties = 0;
-  for (const IT::Indexed_triangles& surface : {IT::prism(8), IT::prism(12, 1), IT::sheared_grid(6, 6), IT::random_diagonal_grid(6), IT::cap(), IT::cap(0)})
+  for (const samples::Indexed_triangles& surface : {samples::prism(8), samples::prism(12, 1), samples::sheared_grid(6, 6), samples::random_diagonal_grid(6), samples::cap(), samples::cap(0)})
     for (unsigned largest_coordinate : {1u, 3u, 1000000u}) {
       Triangulation triangulation = Delaunay_triangulation_of(surface);
       const IT::Delta_complex& complex = triangulation.connectivity();
@@ -172,7 +172,7 @@ TEST(Remove_vertex, flat_parts_are_decided_as_by_unfolding)
 TEST(Remove_vertex, between_insertions)
 {
   std::mt19937 random(2);
-  for (const IT::Indexed_triangles& surface : {IT::torus(8, 6), IT::bumpy_dome(), IT::pillow(20), IT::helical_tube()}) {
+  for (const samples::Indexed_triangles& surface : {samples::torus(8, 6), samples::bumpy_dome(), samples::pillow(20), samples::helical_tube()}) {
     Triangulation triangulation = Delaunay_triangulation_of(surface);
     const Edge_set before = edges_without_ties(triangulation);
     for (int i = 0; i < 30; ++i) {
@@ -210,7 +210,7 @@ std::size_t number_of_constrained(const Triangulation& triangulation)
 TEST(Remove_vertex, joins_the_parts_of_border_and_constrained_edges)
 {
   std::mt19937 random(3);
-  for (const IT::Indexed_triangles& surface : {IT::bumpy_dome(), IT::torus(8, 6), IT::cap()}) {
+  for (const samples::Indexed_triangles& surface : {samples::bumpy_dome(), samples::torus(8, 6), samples::cap()}) {
     Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
     const IT::Delta_complex input = triangulation.connectivity();
     const auto fixed = CGAL::parameters::edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>(
@@ -255,7 +255,7 @@ TEST(Remove_vertex, in_the_middle_of_a_square)
   std::mt19937 random(6);
   std::size_t crossed = 0;
   for (int i = 0; i < 100; ++i) {
-    const IT::Indexed_triangles square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+    const samples::Indexed_triangles square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
     Triangulation triangulation = Delaunay_triangulation_of(square);
     const IT::Delta_complex input = triangulation.connectivity();
     for (IT::Edge_index e : input.edges())
@@ -279,7 +279,7 @@ TEST(Remove_vertex, in_the_middle_of_a_square)
 TEST(Remove_vertex, of_a_torus_with_one_vertex)
 {
   std::mt19937 random(4);
-  for (const IT::Glued_triangles& gluing : {IT::one_vertex_torus(), IT::sheared_one_vertex_torus(20), IT::one_vertex_torus(1, 10, 10)}) {
+  for (const samples::Glued_triangles& gluing : {samples::one_vertex_torus(), samples::sheared_one_vertex_torus(20), samples::one_vertex_torus(1, 10, 10)}) {
     IT::Delta_complex input = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
     const std::vector<double> lengths(gluing.side_lengths.begin(), gluing.side_lengths.begin() + 3);
     Triangulation triangulation = Triangulation::from_lengths(std::move(input), lengths);
@@ -304,7 +304,7 @@ TEST(Remove_vertex, of_a_torus_with_one_vertex)
 TEST(Remove_vertex, then_points_are_located_there_and_back)
 {
   std::mt19937 random(5);
-  Triangulation triangulation = Delaunay_triangulation_of(IT::bumpy_dome());
+  Triangulation triangulation = Delaunay_triangulation_of(samples::bumpy_dome());
   IT::insert_random_vertices(triangulation, 60, 9, random);
   for (int i = 0; i < 30; ++i)
     IT::remove_vertex(triangulation, random_inserted_vertex(triangulation, random));
@@ -323,7 +323,7 @@ TEST(Remove_vertex, then_points_are_located_there_and_back)
 
 TEST(Remove_vertex, refuses_vertices_of_the_input)
 {
-  Triangulation triangulation = Delaunay_triangulation_of(IT::torus(8, 6));
+  Triangulation triangulation = Delaunay_triangulation_of(samples::torus(8, 6));
   const IT::Delta_complex before = triangulation.connectivity();
   EXPECT_THROW(IT::remove_vertex(triangulation, IT::Vertex_index(0)), IT::Invalid_removal_error);
   EXPECT_THROW(IT::remove_vertex(triangulation, IT::Vertex_index(before.number_of_vertices())), IT::Invalid_removal_error);

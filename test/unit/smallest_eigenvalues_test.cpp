@@ -27,7 +27,7 @@ constexpr double pi = 3.14159265358979;
 
 TEST(Smallest_eigenvalues, sphere)
 {
-  const IT::Indexed_triangles sphere = IT::latitude_longitude_sphere(80, 40);
+  const samples::Indexed_triangles sphere = samples::latitude_longitude_sphere(80, 40);
   for (IT::Mass_type mass_type : {IT::Mass_type::LUMPED, IT::Mass_type::GALERKIN}) {
     IT::Tufted_Laplacian_options options;
     options.mass_type = mass_type;

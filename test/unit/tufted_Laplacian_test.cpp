@@ -133,7 +133,7 @@ TEST(Tufted_Laplacian, an_obtuse_triangle_is_flipped_across_its_border)
 
 TEST(Tufted_Laplacian, closed_oriented_surfaces_have_the_same_bits_as_the_intrinsic_operator)
 {
-  for (const IT::Indexed_triangles& surface : {IT::bumpy_sphere(30, 15), IT::torus(20, 10), IT::bad_torus(12, 12)}) {
+  for (const samples::Indexed_triangles& surface : {samples::bumpy_sphere(30, 15), samples::torus(20, 10), samples::bad_torus(12, 12)}) {
     typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
     Mesh mesh;
     for (const auto& [x, y, z] : surface.points)
@@ -157,7 +157,7 @@ TEST(Tufted_Laplacian, closed_oriented_surfaces_have_the_same_bits_as_the_intrin
 // of each face there is a double of this face alone.
 TEST(Tufted_Laplacian, all_faces_twice)
 {
-  const IT::Indexed_triangles surface = IT::bumpy_sphere(10, 6);
+  const samples::Indexed_triangles surface = samples::bumpy_sphere(10, 6);
   Triangles twice = surface.triangles;
   Dense expected = Dense(IT::tufted_Laplacian(surface.points, surface.triangles).stiffness);
   for (const auto& [a, b, c] : surface.triangles) {
@@ -278,7 +278,7 @@ TEST(Tufted_Laplacian, the_order_of_everything_is_of_no_importance)
 
 TEST(Tufted_Laplacian, a_fixed_border_gives_the_operator_of_the_mesh)
 {
-  const IT::Indexed_triangles surface = IT::bumpy_dome(12, 8);
+  const samples::Indexed_triangles surface = samples::bumpy_dome(12, 8);
   IT::Tufted_Laplacian_options options;
   options.cover = IT::Surface_cover::NONE;
   IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> triangulation(
@@ -292,7 +292,7 @@ TEST(Tufted_Laplacian, a_fixed_border_gives_the_operator_of_the_mesh)
 // The same surface by points and by lengths; and a closed gluing, which is taken as it is.
 TEST(Tufted_Laplacian, surfaces_given_by_lengths)
 {
-  const IT::Indexed_triangles surface = IT::bumpy_dome(9, 7);
+  const samples::Indexed_triangles surface = samples::bumpy_dome(9, 7);
   const IT::Delta_complex complex =
     IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
   std::vector<double> lengths;
@@ -361,14 +361,14 @@ struct Impatient_visitor
 
 TEST(Tufted_Laplacian, flips_can_be_cancelled)
 {
-  const IT::Indexed_triangles surface = IT::bumpy_dome(9, 7);
+  const samples::Indexed_triangles surface = samples::bumpy_dome(9, 7);
   EXPECT_THROW(IT::tufted_Laplacian(surface.points, surface.triangles, {}, CGAL::parameters::visitor(Impatient_visitor())),
                IT::Cancelled_error);
 }
 
 TEST(Tufted_Laplacian, a_function_ends_it)
 {
-  const IT::Indexed_triangles surface = IT::bumpy_dome(9, 7);
+  const samples::Indexed_triangles surface = samples::bumpy_dome(9, 7);
   IT::Tufted_Laplacian_options options;
   bool goes_on = false;
   options.go_further = [&goes_on] { return goes_on; };

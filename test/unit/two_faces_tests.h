@@ -189,8 +189,8 @@ bool is_known(const Triangulation& t, IT::Edge_index e)
 
 TYPED_TEST(Two_faces, give_bounds_that_are_kept_through_flips)
 {
-  for (const IT::Indexed_triangles& surface :
-       {IT::bad_torus(20, 20), IT::sheared_grid(9, 7, 3.3), IT::bumpy_dome(12, 12)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::bad_torus(20, 20), samples::sheared_grid(9, 7, 3.3), samples::bumpy_dome(12, 12)}) {
     IT::Intrinsic_triangulation<TypeParam> t(
       IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
     const IT::internal::Whole_triangulation<TypeParam> whole(t);

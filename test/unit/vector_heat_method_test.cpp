@@ -47,11 +47,11 @@ const double pi = std::acos(-1.);
 
 Complex complex_number(const Vector& v) { return {v.x(), v.y()}; }
 
-Triangulation make_triangulation(const IT::Indexed_triangles& surface)
+Triangulation make_triangulation(const samples::Indexed_triangles& surface)
 {
   return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
 }
-Triangulation Delaunay(const IT::Indexed_triangles& surface)
+Triangulation Delaunay(const samples::Indexed_triangles& surface)
 {
   Triangulation result = make_triangulation(surface);
   IT::flip_to_Delaunay(result);
@@ -96,7 +96,7 @@ void project_to_unit_sphere(std::array<double, 3>& p)
 }
 
 // Triangles that are cut into four so many times, with their vertices on the unit sphere.
-IT::Indexed_triangles cut_on_sphere(IT::Indexed_triangles result, int cuts)
+samples::Indexed_triangles cut_on_sphere(samples::Indexed_triangles result, int cuts)
 {
   for (auto& p : result.points)
     project_to_unit_sphere(p);
@@ -122,10 +122,10 @@ IT::Indexed_triangles cut_on_sphere(IT::Indexed_triangles result, int cuts)
 }
 
 // An icosahedron that is cut.
-IT::Indexed_triangles sphere(int cuts)
+samples::Indexed_triangles sphere(int cuts)
 {
   const double g = (1 + std::sqrt(5.)) / 2;
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   for (double a : {-1., 1.})
     for (double b : {-g, g})
       result.points.insert(result.points.end(), {{a, b, 0}, {0, a, b}, {b, 0, a}});
@@ -141,9 +141,9 @@ IT::Indexed_triangles sphere(int cuts)
 }
 
 // An octahedron that is cut: nearly all of its edges run in four directions.
-IT::Indexed_triangles sphere_of_octahedron(int cuts)
+samples::Indexed_triangles sphere_of_octahedron(int cuts)
 {
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   result.points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   result.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   return cut_on_sphere(result, cuts);
@@ -192,7 +192,7 @@ TEST(Connection, turns_by_the_angle_defect_around_a_cone)
 
 TEST(Connection_Laplacian, is_that_of_numbers_where_the_surface_is_flat)
 {
-  const IT::Indexed_triangles surface = IT::random_diagonal_grid(8, 8);
+  const samples::Indexed_triangles surface = samples::random_diagonal_grid(8, 8);
   const Triangulation t = Delaunay(surface);
   const auto L = IT::connection_Laplacian(t);
   EXPECT_LT((Eigen::MatrixXcd(L) - Eigen::MatrixXcd(L).adjoint()).norm(), 1e-12);
@@ -218,9 +218,9 @@ double smallest_eigenvalue(const Triangulation& t)
 
 TEST(Connection_Laplacian, is_positive_semidefinite_on_closed_Delaunay_surfaces)
 {
-  for (const IT::Indexed_triangles& surface : {IT::bumpy_sphere(12, 8), IT::bad_torus(9, 9), IT::Schwarz_lantern(6, 12), IT::pillow(20)})
+  for (const samples::Indexed_triangles& surface : {samples::bumpy_sphere(12, 8), samples::bad_torus(9, 9), samples::Schwarz_lantern(6, 12), samples::pillow(20)})
     EXPECT_GT(smallest_eigenvalue(Delaunay(surface)), -1e-15);
-  EXPECT_LT(smallest_eigenvalue(make_triangulation(IT::pillow(20))), -1e-4);
+  EXPECT_LT(smallest_eigenvalue(make_triangulation(samples::pillow(20))), -1e-4);
 }
 
 // The frame of a vertex in a plane: what turns coordinates in the plane into those of the frame.
@@ -233,7 +233,7 @@ Complex turn_of_frame(const Triangulation& t, const Points& points, Vertex_index
   return complex_number(vectors[h.idx()]) / Complex(q[0] - p[0], q[1] - p[1]);
 }
 
-void expect_identity(const IT::Indexed_triangles& surface, Vertex_index source, double tolerance)
+void expect_identity(const samples::Indexed_triangles& surface, Vertex_index source, double tolerance)
 {
   const Triangulation t = Delaunay(surface);
   const IT::Vector_heat_method heat(t);
@@ -252,17 +252,17 @@ void expect_identity(const IT::Indexed_triangles& surface, Vertex_index source, 
 
 TEST(Log_map, of_a_flat_disk_is_the_identity)
 {
-  expect_identity(IT::random_diagonal_grid(20, 30), Vertex_index(100), 1e-12);
-  expect_identity(IT::random_diagonal_grid(20, 30), Vertex_index(0), 1e-12);
-  expect_identity(IT::sheared_grid(20, 20, 5), Vertex_index(100), 1e-10);
-  expect_identity(IT::strip(400, 60, 1), Vertex_index(7), 1e-10);
+  expect_identity(samples::random_diagonal_grid(20, 30), Vertex_index(100), 1e-12);
+  expect_identity(samples::random_diagonal_grid(20, 30), Vertex_index(0), 1e-12);
+  expect_identity(samples::sheared_grid(20, 20, 5), Vertex_index(100), 1e-10);
+  expect_identity(samples::strip(400, 60, 1), Vertex_index(7), 1e-10);
 }
 
 // Heat decreases below the range of double some 700 edges away.
 TEST(Log_map, reaches_the_end_of_a_long_strip)
 {
-  expect_identity(IT::strip(5000, 3, 1), Vertex_index(0), 1e-10);
-  const IT::Indexed_triangles surface = IT::strip(5000, 3, 1);
+  expect_identity(samples::strip(5000, 3, 1), Vertex_index(0), 1e-10);
+  const samples::Indexed_triangles surface = samples::strip(5000, 3, 1);
   const Triangulation t = Delaunay(surface);
   const auto field = IT::Vector_heat_method(t).transport_tangent_vectors({{Vertex_index(0), {0, 2}}});
   const Complex at_source = Complex(0, 2) / turn_of_frame(t, surface.points, Vertex_index(0));
@@ -276,7 +276,7 @@ struct Errors
 };
 
 // Of the logarithmic map on the unit sphere, up to a distance of 2.5.
-Errors errors_on_sphere(const IT::Indexed_triangles& surface, Vertex_index source)
+Errors errors_on_sphere(const samples::Indexed_triangles& surface, Vertex_index source)
 {
   const Triangulation t = Delaunay(surface);
   const Delta_complex& c = t.connectivity();
@@ -329,8 +329,8 @@ TEST(Log_map, gets_nearer_under_refinement_whatever_the_directions_of_edges)
 // The other component has another number of vertices, and a time of its own.
 TEST(Log_map, is_the_same_with_other_components)
 {
-  const IT::Indexed_triangles surface = sphere(2), other = sphere_of_octahedron(6);
-  IT::Indexed_triangles both = surface;
+  const samples::Indexed_triangles surface = sphere(2), other = sphere_of_octahedron(6);
+  samples::Indexed_triangles both = surface;
   both.points.insert(both.points.end(), other.points.begin(), other.points.end());
   for (auto [a, b, c] : other.triangles) {
     const std::uint32_t n = std::uint32_t(surface.points.size());
@@ -372,7 +372,7 @@ TEST(Transport, on_a_cone_depends_on_the_side_of_the_apex)
 
 TEST(Transport, averages_between_sources_and_keeps_their_vectors)
 {
-  const IT::Indexed_triangles surface = IT::random_diagonal_grid(60, 6);
+  const samples::Indexed_triangles surface = samples::random_diagonal_grid(60, 6);
   const Triangulation t = Delaunay(surface);
   const IT::Vector_heat_method heat(t);
   const auto nearest = [&](double x, double y) {
@@ -407,7 +407,7 @@ TEST(Transport, averages_between_sources_and_keeps_their_vectors)
 // A fan of needles over one long border edge: every angle opposite to the border is obtuse.
 TEST(Vector_heat_method, inserts_vertices_where_the_border_has_obtuse_angles)
 {
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   surface.points = {{0, 0, 0}, {40, 0, 0}, {20, 1, 0}, {20, 12, 0}};
   surface.triangles = {{0, 1, 2}, {0, 2, 3}, {2, 1, 3}};
   const Triangulation t = Delaunay(surface);
@@ -416,12 +416,12 @@ TEST(Vector_heat_method, inserts_vertices_where_the_border_has_obtuse_angles)
   EXPECT_EQ(heat.log_map(Vertex_index(0)).size(), 4u);
   expect_identity(surface, Vertex_index(2), 1e-10);
   expect_identity(surface, Vertex_index(0), 1e-10);
-  EXPECT_EQ(IT::Vector_heat_method(Delaunay(IT::random_diagonal_grid(5, 5))).number_of_border_vertices(), 0u);
+  EXPECT_EQ(IT::Vector_heat_method(Delaunay(samples::random_diagonal_grid(5, 5))).number_of_border_vertices(), 0u);
 }
 
 TEST(Vector_heat_method, can_be_cancelled)
 {
-  for (const Triangulation& t : {Delaunay(IT::random_diagonal_grid(5, 5)), cone(5, 6, 3)}) {
+  for (const Triangulation& t : {Delaunay(samples::random_diagonal_grid(5, 5)), cone(5, 6, 3)}) {
     bool goes_on = false;
     const auto go_further = [&] { return goes_on; };
     EXPECT_THROW(IT::Vector_heat_method(t, std::nullopt, go_further), IT::Cancelled_error);
@@ -451,7 +451,7 @@ TEST(Vector_heat_method, inserts_no_more_than_some_vertices_for_each)
 
 TEST(Vector_heat_method, gives_numbers_or_infinity_everywhere)
 {
-  IT::Indexed_triangles surface = IT::random_diagonal_grid(3, 3);
+  samples::Indexed_triangles surface = samples::random_diagonal_grid(3, 3);
   const std::uint32_t n = std::uint32_t(surface.points.size());
   surface.points.insert(surface.points.end(), {{9, 9, 9}, {20, 0, 0}, {21, 0, 0}, {20, 1, 0}, {30, 0, 0}, {31, 0, 0}, {30.25, 0, 0}});
   surface.triangles.push_back({n + 1, n + 2, n + 3});
@@ -484,10 +484,10 @@ TEST(Vector_heat_method, gives_numbers_or_infinity_everywhere)
 
 TEST(Vector_heat_method, does_not_depend_on_the_scale)
 {
-  const IT::Indexed_triangles surface = IT::bumpy_dome(12, 9);
+  const samples::Indexed_triangles surface = samples::bumpy_dome(12, 9);
   const auto before = IT::Vector_heat_method(Delaunay(surface)).log_map(Vertex_index(5));
   for (int exponent : {-330, 330}) {
-    IT::Indexed_triangles scaled = surface;
+    samples::Indexed_triangles scaled = surface;
     for (auto& p : scaled.points)
       for (double& x : p)
         x = std::ldexp(x, exponent);
@@ -499,7 +499,7 @@ TEST(Vector_heat_method, does_not_depend_on_the_scale)
 
 TEST(Vector_heat_method, extends_values_to_those_who_are_near)
 {
-  const IT::Indexed_triangles surface = IT::random_diagonal_grid(60, 4);
+  const samples::Indexed_triangles surface = samples::random_diagonal_grid(60, 4);
   const Triangulation t = Delaunay(surface);
   double width = 0;
   for (const auto& p : surface.points)
@@ -519,7 +519,7 @@ TEST(Vector_heat_method, extends_values_to_those_who_are_near)
 
 TEST(Vector_heat_method, refuses_what_it_cannot_use)
 {
-  const Triangulation t = Delaunay(IT::random_diagonal_grid(3, 3));
+  const Triangulation t = Delaunay(samples::random_diagonal_grid(3, 3));
   EXPECT_THROW(IT::Vector_heat_method(t, 0), IT::Invalid_argument_error);
   EXPECT_THROW(IT::Vector_heat_method(t, std::nan("")), IT::Invalid_argument_error);
   const IT::Vector_heat_method heat(t);

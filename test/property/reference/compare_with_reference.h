@@ -397,12 +397,12 @@ private:
 } // namespace detail
 
 // The package's copy of a surface, as yet unflipped.
-inline Exact_triangulation exact_triangulation(const IT::Indexed_triangles& surface)
+inline Exact_triangulation exact_triangulation(const samples::Indexed_triangles& surface)
 {
   return Exact_triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
                              surface.points);
 }
-inline Exact_triangulation exact_triangulation(const IT::Glued_triangles& gluing)
+inline Exact_triangulation exact_triangulation(const samples::Glued_triangles& gluing)
 {
   IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
   const Sides sides = sides_of_gluing(gluing.number_of_faces, gluing.glued_sides);
@@ -414,7 +414,7 @@ inline Exact_triangulation exact_triangulation(const IT::Glued_triangles& gluing
 
 // Compares the results for triangles in space. Errors of the package are passed on.
 template <unsigned digits = 510>
-Comparison compare(const IT::Indexed_triangles& surface, const Comparison_options& options = {})
+Comparison compare(const samples::Indexed_triangles& surface, const Comparison_options& options = {})
 {
   Exact_triangulation triangulation = exact_triangulation(surface);
   const Sides sides = sides_of_triangles(surface.triangles);
@@ -424,7 +424,7 @@ Comparison compare(const IT::Indexed_triangles& surface, const Comparison_option
 
 // Compares the results for a surface given by lengths.
 template <unsigned digits = 510>
-Comparison compare(const IT::Glued_triangles& gluing, const Comparison_options& options = {})
+Comparison compare(const samples::Glued_triangles& gluing, const Comparison_options& options = {})
 {
   Exact_triangulation triangulation = exact_triangulation(gluing);
   const Sides sides = sides_of_gluing(gluing.number_of_faces, gluing.glued_sides);
