@@ -45,7 +45,6 @@ Json stages(const Outcome& outcome)
           {"rational", counts[Stage::RATIONAL]},
           {"multiprecision", counts[Stage::MULTIPRECISION]},
           {"algebraic", counts[Stage::ALGEBRAIC]},
-          {"congruence", counts[Stage::CONGRUENCE]},
           {"modular", counts[Stage::MODULAR]}};
 }
 

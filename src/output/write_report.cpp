@@ -36,7 +36,6 @@ std::string stages_text(const CGAL::Intrinsic_triangulations::Stage_counts& coun
          with_separators(counts[Stage::RATIONAL]) + " rational, " +
          with_separators(counts[Stage::MULTIPRECISION]) + " in multiple precision, " +
          with_separators(counts[Stage::ALGEBRAIC]) + " algebraic, " +
-         with_separators(counts[Stage::CONGRUENCE]) + " by symmetry, " +
          with_separators(counts[Stage::MODULAR]) + " in finite fields";
 }
 

@@ -24,12 +24,11 @@ enum class Stage {
   RATIONAL,       ///< both faces are straight triangles in space: rational arithmetic
   MULTIPRECISION, ///< the unfolding in MPFR intervals
   ALGEBRAIC,      ///< the unfolding in exact numbers: most often a proof of zero
-  CONGRUENCE,     ///< a tie: both halves of the quadrilateral run over mirror images in the input
   MODULAR         ///< a tie, with an error below 2<sup>-128</sup>: zero in several finite fields
 };
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// \brief the number of stages.
-constexpr std::size_t number_of_stages = 8;
+constexpr std::size_t number_of_stages = 7;
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// \brief how many Delaunay tests each stage decided, and how many were ties.
