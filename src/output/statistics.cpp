@@ -42,7 +42,6 @@ Json stages(const Outcome& outcome)
   return {{"filter", counts[Stage::FILTER]},
           {"coplanar", counts[Stage::COPLANAR]},
           {"unfolding", counts[Stage::UNFOLDING]},
-          {"rational", counts[Stage::RATIONAL]},
           {"multiprecision", counts[Stage::MULTIPRECISION]},
           {"algebraic", counts[Stage::ALGEBRAIC]},
           {"modular", counts[Stage::MODULAR]}};

@@ -113,15 +113,11 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::optional<Exact_geometry::Test> Exact_geometry::test_by_corners(const Delta_complex& complex, Halfedge_index h,
                                                                     const Opposite_corners& corners) const
 {
-  const Halfedge_index g = complex.opposite(h);
   const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
   if (is_certain(sign))
     return Test{Stage::UNFOLDING, get_certain(sign)};
   if (const auto weight = weight_by_other_diagonal(complex, h, corners); weight && is_certain(weight->sign()))
     return Test{Stage::UNFOLDING, get_certain(weight->sign())};
-  if (is_straight(complex.face(h)) && is_straight(complex.face(g)))
-    return Test{Stage::RATIONAL, internal::sign_of_cotangents(internal::rational_corner(complex, positions(), h),
-                                                              internal::rational_corner(complex, positions(), g))};
   return std::nullopt;
 }
 
