@@ -42,10 +42,8 @@ Json stages(const Outcome& outcome)
   return {{"filter", counts[Stage::FILTER]},
           {"coplanar", counts[Stage::COPLANAR]},
           {"unfolding", counts[Stage::UNFOLDING]},
-          {"rational", counts[Stage::RATIONAL]},
           {"multiprecision", counts[Stage::MULTIPRECISION]},
           {"algebraic", counts[Stage::ALGEBRAIC]},
-          {"congruence", counts[Stage::CONGRUENCE]},
           {"modular", counts[Stage::MODULAR]}};
 }
 

@@ -33,10 +33,8 @@ std::string stages_text(const CGAL::Intrinsic_triangulations::Stage_counts& coun
   return with_separators(counts[Stage::FILTER]) + " by the filter, " +
          with_separators(counts[Stage::COPLANAR]) + " in a plane, " +
          with_separators(counts[Stage::UNFOLDING]) + " by unfolding, " +
-         with_separators(counts[Stage::RATIONAL]) + " rational, " +
          with_separators(counts[Stage::MULTIPRECISION]) + " in multiple precision, " +
          with_separators(counts[Stage::ALGEBRAIC]) + " algebraic, " +
-         with_separators(counts[Stage::CONGRUENCE]) + " by symmetry, " +
          with_separators(counts[Stage::MODULAR]) + " in finite fields";
 }
 

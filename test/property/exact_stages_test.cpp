@@ -109,11 +109,11 @@ TEST(Exact_stages, near_ties_of_bent_faces_are_decided_by_faces_carried_along)
 }
 
 // A fold, the angles opposite to it are α and π − α: the cotangents are 3/4 and -3/4.
-TEST(Exact_stages, rational_arithmetic_decides_ties_of_straight_faces)
+TEST(Exact_stages, rational_numbers_decide_ties_where_areas_are_rational)
 {
   const Triangulation t = make_Delaunay(
     {{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 0.25}}, {{0, 1, 2}, {1, 0, 3}}});
-  EXPECT_EQ(t.stage_counts()[IT::Stage::RATIONAL], 1u);
+  EXPECT_EQ(t.stage_counts()[IT::Stage::ALGEBRAIC], 1u);
   EXPECT_EQ(t.stage_counts().ties, 1u);
   expect_agreement(t);
 }

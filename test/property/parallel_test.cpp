@@ -231,7 +231,7 @@ TEST(Parallel, every_stage)
                                                  samples::random_diagonal_grid(50, 40, 1, 1)})
     parts.push_back(part);
   const IT::Stage_counts counts = expect_same_with_any_number_of_threads(together(parts));
-  EXPECT_EQ(counts[IT::Stage::RATIONAL], 5000u);
+  EXPECT_GE(counts[IT::Stage::ALGEBRAIC] + counts[IT::Stage::MODULAR], 5000u);
   EXPECT_GT(counts[IT::Stage::COPLANAR], 2000u);
   EXPECT_GT(counts[IT::Stage::UNFOLDING], 500u);
   EXPECT_GT(counts[IT::Stage::ALGEBRAIC], 0u);

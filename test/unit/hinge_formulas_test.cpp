@@ -4,7 +4,7 @@
 // The formulas of one hinge: against whole coordinates, where double is exact, and against
 // the laws of sines and cosines with 200 bits, slivers included.
 
-#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EDGE_LENGTH_TRAITS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EDGE_LENGTH_TRAITS_H
 
-#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Number_type_with_roots.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
@@ -40,7 +40,7 @@ namespace Intrinsic_triangulations {
 ///
 /// \cgalModels `IntrinsicTriangulationTraits`
 ///
-/// Source: the formulas of `hinge_formulas.h`; Delaunay criterion of Fisher, Springborn,
+/// Source: the formulas of `flip_hinge()`; Delaunay criterion of Fisher, Springborn,
 /// Schroeder, Bobenko (2006), section 2.1.
 template <class FT_>
 class Edge_length_traits

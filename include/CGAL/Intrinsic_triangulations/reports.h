@@ -138,15 +138,13 @@ enum class Stage {
   FILTER,         ///< the stored squared lengths and areas with their error bounds
   COPLANAR,       ///< both faces lie in one plane in space: the in-circle test of four points
   UNFOLDING,      ///< the unfolding over the input triangles, in double-doubles with error bounds
-  RATIONAL,       ///< both faces are straight triangles in space: rational arithmetic
   MULTIPRECISION, ///< the unfolding in MPFR intervals
   ALGEBRAIC,      ///< the unfolding in exact numbers: most often a proof of zero
-  CONGRUENCE,     ///< a tie: both halves of the quadrilateral run over mirror images in the input
   MODULAR         ///< a tie, with an error below 2<sup>-128</sup>: zero in several finite fields
 };
 /// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief the number of stages.
-constexpr std::size_t number_of_stages = 8;
+constexpr std::size_t number_of_stages = 6;
 
 /// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief how many Delaunay tests each stage decided, and how many were ties.

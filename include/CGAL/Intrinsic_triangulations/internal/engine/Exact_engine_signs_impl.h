@@ -115,15 +115,11 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::optional<Exact_engine::Test> Exact_engine::test_by_corners(Halfedge_index h,
                                                                     const Opposite_corners& corners) const
 {
-  const Halfedge_index g = connectivity_.opposite(h);
   const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
   if (is_certain(sign))
     return Test{Stage::UNFOLDING, get_certain(sign)};
   if (const auto weight = weight_by_other_diagonal(h, corners); weight && is_certain(weight->sign()))
     return Test{Stage::UNFOLDING, get_certain(weight->sign())};
-  if (is_straight(connectivity_.face(h)) && is_straight(connectivity_.face(g)))
-    return Test{Stage::RATIONAL, internal::sign_of_cotangents(rational_corner(connectivity_, positions(), h),
-                                                              rational_corner(connectivity_, positions(), g))};
   return std::nullopt;
 }
 

@@ -12,12 +12,11 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Level_line.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Mirror_symmetry.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/Level_line.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/corner_signs.h>
+#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -70,13 +69,8 @@ public:
       return c.k.p * c.l.four_areas + c.l.p * c.k.four_areas;
     };
     if (is_level(corners))
-      return decided({ZERO, Stage::CONGRUENCE}, corners);
-    const auto is_symmetric = [&] {
-      return is_edge(corners) &&
-             Mirror_symmetry(complex_, correspondence_, surface_)(complex_.edge(corners.opposite_to_k)) &&
-             has_positive_area(corners.opposite_to_k) && has_positive_area(corners.opposite_to_l);
-    };
-    return decided(exact_sign_of(sum, is_symmetric, [&] { return name(corners) + ": that the sum of their angles is pi"; }), corners);
+      return decided({ZERO, Stage::ALGEBRAIC}, corners);
+    return decided(exact_sign_of(sum, [&] { return name(corners) + ": that the sum of their angles is pi"; }), corners);
   }
 
   // The sign of the area of the face of h.
@@ -94,7 +88,7 @@ public:
   bool has_length_zero(Edge_index e)
   {
     const auto squared_length = [&](auto& metric) { return unfolding(metric).squared_length(e); };
-    return exact_sign_of(squared_length, has_no_other_proof, [&] {
+    return exact_sign_of(squared_length, [&] {
              return "edge " + std::to_string(e.idx()) + ": that its length is zero";
            }).sign == ZERO;
   }
@@ -234,10 +228,10 @@ private:
     return Unfolding<Metric>(complex_, correspondence_, metric);
   }
 
-  template <class Evaluate, class ProvesZero, class Describe>
-  Decision exact_sign_of(const Evaluate& evaluate, const ProvesZero& proves_zero, const Describe& what)
+  template <class Evaluate, class Describe>
+  Decision exact_sign_of(const Evaluate& evaluate, const Describe& what)
   {
-    return Exact_sign<Evaluate>(surface_, evaluate)(proves_zero, what);
+    return Exact_sign<Evaluate>(surface_, evaluate)(what);
   }
 
   template <class Evaluate>
@@ -250,11 +244,6 @@ private:
   }
 
   bool has_positive_area(Halfedge_index h) { return sign_of_area(h) == POSITIVE; }
-
-  bool is_edge(const Two_corners& corners) const
-  {
-    return complex_.opposite(corners.opposite_to_k) == corners.opposite_to_l;
-  }
 
   std::string name(const Two_corners& corners) const
   {

@@ -46,37 +46,6 @@ Uncertain<Sign> sign_of_cotangents(const Corner& k, const Corner& l)
   return sign_of_tie(get_certain(sign_k), get_certain(sign_l));
 }
 
-// Twice the scalar product and the square of four times the area, of a straight face.
-struct Rational_corner
-{
-  Exact_ring p;
-  Exact_ring q;
-};
-
-// Up to a common positive factor, which does not change the sign below.
-inline Rational_corner rational_corner(const Delta_complex& complex, const Vertex_positions& positions,
-                                       Halfedge_index ij)
-{
-  const Vertex_index i = complex.source(ij), j = complex.target(ij),
-                     k = complex.target(complex.next(ij));
-  const auto ki = positions.direction<Exact_ring>(k, i), kj = positions.direction<Exact_ring>(k, j);
-  const auto normal = cross_product(ki, kj);
-  return {Exact_ring(2) * scalar_product(ki, kj), Exact_ring(4) * scalar_product(normal, normal)};
-}
-
-// The sign of p_k √q_l + p_l √q_k.
-inline Sign sign_of_cotangents(const Rational_corner& k, const Rational_corner& l)
-{
-  const Sign p_k = CGAL::sign(k.p), p_l = CGAL::sign(l.p);
-  const Sign term_k = CGAL::is_zero(l.q) ? ZERO : p_k, term_l = CGAL::is_zero(k.q) ? ZERO : p_l;
-  if (term_k == ZERO || term_l == ZERO || term_k == term_l) {
-    const Sign sum = term_k == ZERO ? term_l : term_k;
-    return sum == ZERO ? sign_of_tie(p_k, p_l) : sum;
-  }
-  const Sign difference = CGAL::sign(Exact_ring(k.p * k.p * l.q - l.p * l.p * k.q));
-  return difference == ZERO ? ZERO : term_k * difference;
-}
-
 // On which side of h a point lies that lies in one plane with the face of h, which is straight. No answer if that has no area.
 inline std::optional<Sign> side_in_plane(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index h, const Surface_point& point)
 {
@@ -125,14 +94,10 @@ inline Unfolding<Residue_metric>::Corner image_of_straight_corner(const Delta_co
   const auto images = corners([&](double x) { return rings.number(x); });
   const Vector_3<Residues> ki = minus(images[0], images[2]), kj = minus(images[1], images[2]), side = minus(images[1], images[0]);
   const Residues p = scalar_product(ki, kj);
-  const auto squared_four_areas = [&]() -> Rational {
-    if (!positions.has_inserted_corner(complex, ij))
-      return rational(rational_corner(complex, positions, ij).q);
-    const auto exact = corners([](double x) { return Rational(x); });
-    const auto normal = cross_product(minus(exact[0], exact[2]), minus(exact[1], exact[2]));
-    return 4 * scalar_product(normal, normal);
-  };
-  return {p + p, rings.root(squared_four_areas()), scalar_product(ki, ki), scalar_product(kj, kj),
+  const auto exact = corners([](double x) { return Rational(x); });
+  const auto normal = cross_product(minus(exact[0], exact[2]), minus(exact[1], exact[2]));
+  const Rational squared_four_areas = 4 * scalar_product(normal, normal);
+  return {p + p, rings.root(squared_four_areas), scalar_product(ki, ki), scalar_product(kj, kj),
           scalar_product(side, side)};
 }
 

@@ -9,8 +9,8 @@
 // triangle ijk. A hinge is an edge ij with the triangle (i, j, k) to its left and
 // (j, i, l) to its right.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_HINGE_FORMULAS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_HINGE_FORMULAS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_HINGE_FORMULAS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_HINGE_FORMULAS_H
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
@@ -150,4 +150,4 @@ void flip_hinge(const FT& s_ij, const FT& s_jk, const FT& s_ki, const FT& s_il, 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_HINGE_FORMULAS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_HINGE_FORMULAS_H
