@@ -13,7 +13,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/files/conversion_advice.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
-#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <iostream>
 #include <utility>

@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesic_points.h>
 #include <CGAL/Intrinsic_triangulations/locate.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 

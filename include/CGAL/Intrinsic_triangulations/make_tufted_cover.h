@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/cover/Cover_builder.h>
 #include <CGAL/Intrinsic_triangulations/internal/cover/Cover_of_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/polygon_texts.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 
 #include <CGAL/number_utils.h>
 

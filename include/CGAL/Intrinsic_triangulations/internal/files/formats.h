@@ -8,9 +8,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FORMATS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FORMATS_H
 
-#include <CGAL/Intrinsic_triangulations/Polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <cstdint>
 #include <string>

@@ -8,8 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_RESERVE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_RESERVE_H
 
-#include <CGAL/Intrinsic_triangulations/Polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Huge_page_allocator.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <cstddef>
 #include <cstdint>

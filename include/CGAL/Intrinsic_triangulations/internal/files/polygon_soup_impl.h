@@ -5,8 +5,8 @@
 //
 // The reader that belongs to the name of a file.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_POLYGON_SOUP_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_POLYGON_SOUP_IMPL_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_POLYGON_SOUP_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_POLYGON_SOUP_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/internal/files/conversion_advice.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/formats.h>
@@ -16,7 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/files/read_stl_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/read_ts_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
-#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -126,4 +126,4 @@ Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_func
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_POLYGON_SOUP_IMPL_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_POLYGON_SOUP_IMPL_H
