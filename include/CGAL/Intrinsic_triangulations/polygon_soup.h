@@ -122,20 +122,18 @@ private:
 /// O(size of the file); in STL files, vertices are found by hashing.
 Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_function& progress = {});
 
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief returns the size of a regular file that can be opened, in bytes.
+/// \exception Invalid_surface_error if it is none, or is not there; the message begins with the name of the file
+std::uintmax_t readable_file_size(const std::string& file_name);
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief returns which program makes a file that can be read of one that cannot, judged by the extension of its name.
+/// \return for example "; Assimp reads it: assimp export a.glb a.obj", with a command for the shell; the empty string if no program is known
+std::string conversion_advice(const std::string& file_name);
+
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-
-enum class Soup_format {
-  OFF,
-  OBJ,
-  PLY,
-  STL,
-  TS,
-  UNKNOWN
-};
-
-// The format that the name of a file tells.
-Soup_format soup_format(const std::string& file_name);
 
 // \exception Invalid_surface_error that names the file and a face that is no triangle
 void require_triangles(const std::string& file_name, const Polygon_soup& soup);

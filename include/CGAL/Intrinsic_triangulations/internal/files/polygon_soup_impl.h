@@ -8,42 +8,31 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_POLYGON_SOUP_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_POLYGON_SOUP_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/internal/files/conversion_advice.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/formats.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/read_obj_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/read_off_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/read_ply_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/read_stl_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/read_ts_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/read_obj.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/read_off.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/read_ply.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/read_stl.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/read_ts.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 #include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <new>
+#include <string>
+#include <system_error>
+#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Soup_format soup_format(const std::string& file_name)
-{
-  const std::string name = file_name.substr(file_name.find_last_of('/') + 1);
-  const std::size_t dot = name.rfind('.');
-  std::string extension = dot == std::string::npos ? std::string() : name.substr(dot + 1);
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z')
-      c = static_cast<char>(c - 'A' + 'a');
-  return extension == "off"   ? Soup_format::OFF
-         : extension == "obj" ? Soup_format::OBJ
-         : extension == "ply" ? Soup_format::PLY
-         : extension == "stl" ? Soup_format::STL
-         : extension == "ts"  ? Soup_format::TS
-                              : Soup_format::UNKNOWN;
-}
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void require_triangles(const std::string& file_name, const Polygon_soup& soup)
@@ -82,35 +71,75 @@ inline void check_contents(const std::string& path)
 } // namespace internal
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::uintmax_t readable_file_size(const std::string& file_name)
+{
+  namespace fs = std::filesystem;
+  const auto refuse = [&file_name](const std::string& text) { internal::refuse_file(file_name, text); };
+  std::error_code error;
+  const fs::file_status status = fs::status(file_name, error);
+  if (status.type() == fs::file_type::not_found)
+    refuse("there is no such file");
+  if (fs::is_directory(status))
+    refuse("this is a directory, not a file");
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    refuse("this is not a regular file");
+  errno = 0;
+  if (!std::ifstream(file_name, std::ios::binary))
+    refuse(std::string("the file cannot be opened") + (errno == 0 ? "" : std::string(" (") + std::strerror(errno) + ")"));
+  const std::uintmax_t size = fs::file_size(file_name, error);
+  if (error)
+    refuse("the file cannot be read (" + error.message() + ")");
+  return size;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::string conversion_advice(const std::string& file_name)
+{
+  const std::size_t dot = file_name.rfind('.');
+  if (dot == std::string::npos || file_name.find('/', dot) != std::string::npos)
+    return std::string();
+  const std::string extension = internal::in_small_letters(file_name.substr(dot)) + ' ';
+  const auto is_one_of = [&extension](const std::string& list) { return list.find(extension) != std::string::npos; };
+
+  // As a word for the shell.
+  const auto word = [](const std::string& name) {
+    const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._/+,-";
+    if (name.find_first_not_of(plain) == std::string::npos && name[0] != '-')
+      return name;
+    std::string quoted = name[0] == '-' ? "'./" : "'";
+    for (char c : name)
+      quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return internal::shown_text(quoted + '\'');
+  };
+  const std::string stem = file_name.substr(0, dot), from = word(file_name);
+  if (is_one_of(".glb .gltf .dae .fbx .3mf .3ds .amf .blend .dxf .lwo .x .x3d .ac .ase .ms3d .zae "))
+    return "; Assimp reads it: assimp export " + from + ' ' + word(stem + ".obj");
+  if (is_one_of(".msh .mesh .meshb .vtk .vtu .inp .med .nas .bdf .xdmf .exo .e .cgns .su2 .ugrid .avs .vol "))
+    return "; meshio reads its triangles: meshio convert " + from + ' ' + word(stem + ".off");
+  if (is_one_of(".step .stp .iges .igs .brep "))
+    return "; Gmsh makes triangles of it: gmsh " + from + " -2 -o " + word(stem + ".stl");
+  if (is_one_of(".gz "))
+    return "; unpack it: gunzip " + from;
+  return std::string();
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_function& progress)
 {
-  using internal::Soup_format;
-  const std::uintmax_t size = internal::check_file(file_name);
-  const Soup_format format = internal::soup_format(file_name);
-  if (format == Soup_format::UNKNOWN)
-    internal::refuse_file(file_name, "the name does not end with .off, .obj, .ply, .stl or .ts, which tells the format" + internal::conversion_advice(file_name));
+  using Reader = void(const std::string&, std::uintmax_t, const Progress_function&, Polygon_soup&);
+  static constexpr std::pair<const char*, Reader*> readers[] = {
+    {".off", internal::read_off}, {".obj", internal::read_obj}, {".ply", internal::read_ply}, {".stl", internal::read_stl}, {".ts", internal::read_ts}};
+  const std::uintmax_t size = readable_file_size(file_name);
+  const std::string name = internal::in_small_letters(file_name.substr(file_name.find_last_of('/') + 1));
+  const std::string extension = name.substr((std::min)(name.rfind('.'), name.size()));
+  const auto reader = std::find_if(std::begin(readers), std::end(readers), [&](const auto& r) { return r.first == extension; });
+  if (reader == std::end(readers))
+    internal::refuse_file(file_name, "the name does not end with .off, .obj, .ply, .stl or .ts, which tells the format" + conversion_advice(file_name));
   if (size == 0)
     internal::refuse_file(file_name, "the file is empty");
   Polygon_soup soup;
   try {
-    switch (format) {
-    case Soup_format::OFF:
-      internal::read_off(file_name, size, progress, soup);
-      break;
-    case Soup_format::OBJ:
-      internal::read_obj(file_name, size, progress, soup);
-      break;
-    case Soup_format::PLY:
-      internal::read_ply(file_name, size, progress, soup);
-      break;
-    case Soup_format::STL:
-      internal::read_stl(file_name, size, progress, soup);
-      break;
-    case Soup_format::TS:
-    case Soup_format::UNKNOWN:
-      internal::read_ts(file_name, size, progress, soup);
-      break;
-    }
+    reader->second(file_name, size, progress, soup);
   } catch (const Invalid_surface_error&) {
     internal::check_contents(file_name); // has a better reason, perhaps
     throw;
