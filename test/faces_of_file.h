@@ -7,7 +7,7 @@
 #ifndef IDT_TEST_FACES_OF_FILE_H
 #define IDT_TEST_FACES_OF_FILE_H
 
-#include <CGAL/Intrinsic_triangulations/Polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <algorithm>
 #include <array>

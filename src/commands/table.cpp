@@ -55,7 +55,7 @@ struct Row
   std::optional<std::uint64_t> crossings;
   std::optional<double> minimum_angle; // of the result, in degrees
   std::optional<double> seconds;       // to build and to flip
-  std::optional<std::vector<IT::Repair>> repairs;
+  Repairs repairs;
   std::vector<std::string> warnings;
   const Paper_row* paper = nullptr;
   // Of the Laplace-Beltrami operators before and after the flips.

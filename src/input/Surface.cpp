@@ -50,8 +50,8 @@ void load_mesh(Surface& surface, bool is_repaired)
   surface.read_seconds = stopwatch.restart();
   if (is_repaired) {
     surface.repair = repair(input);
-    for (const IT::Repair& repair : surface.repair->repairs)
-      std::cerr << "idt: " << surface.path << ": repaired: " << repair_message(repair) << std::endl;
+    for (const std::string& message : messages(surface.repair->repairs))
+      std::cerr << "idt: " << surface.path << ": repaired: " << message << std::endl;
   }
 
   // What can be built was examined on the way, as far as the faces are concerned. The whole
@@ -72,9 +72,9 @@ void load_mesh(Surface& surface, bool is_repaired)
     const IT::Surface_report report = examine(input);
     if (report.first_fatal() != nullptr)
       refuse(report, surface.path, is_repaired);
-    for (IT::Finding_kind kind :
-         {IT::Finding_kind::ZERO_AREA_FACE, IT::Finding_kind::UNREFERENCED_VERTEX})
-      if (const IT::Finding* finding = report.find(kind))
+    using Defect = IT::Invalid_surface_error::Defect;
+    for (Defect defect : {Defect::DEGENERATE_FACE, Defect::UNREFERENCED_VERTEX})
+      if (const IT::Finding* finding = report.find(defect))
         surface.warnings.push_back(IT::message(*finding));
     if (!is_built)
       build();

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 
 namespace idt {
 namespace {
@@ -36,7 +35,8 @@ const Named_format formats[] = {
 
 std::optional<Mesh_format> find_mesh_format(const std::string& path)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
+  const std::string name = path.substr(path.find_last_of('/') + 1);
+  std::string extension = name.substr((std::min)(name.rfind('.'), name.size()));
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (const Named_format& format : formats)

@@ -7,8 +7,8 @@
 #ifndef IDT_READ_SURFACE_H
 #define IDT_READ_SURFACE_H
 
-#include <CGAL/Intrinsic_triangulations/Polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
 #include <string>

@@ -6,6 +6,8 @@
 #ifndef IDT_STANDARD_INPUT_H
 #define IDT_STANDARD_INPUT_H
 
+#include <CGAL/Intrinsic_triangulations/errors.h>
+
 #include <string>
 
 namespace idt {
@@ -18,6 +20,13 @@ std::string readable_file(const std::string& path);
 
 // A message with "-" in place of the name of that temporary file.
 std::string with_shown_names(std::string message);
+
+// \exception Invalid_surface_error that says why a file cannot be read
+[[noreturn]] inline void refuse_file(const std::string& path, const std::string& text)
+{
+  using CGAL::Intrinsic_triangulations::Invalid_surface_error;
+  throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, 0, 1, path + ": " + text);
+}
 
 } // namespace idt
 

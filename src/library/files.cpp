@@ -4,6 +4,4 @@
 // What is compiled once of reading files.
 
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_io_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/conversion_advice_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/read_polygon_soup_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/text_file_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/polygon_soup_impl.h>

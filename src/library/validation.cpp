@@ -5,7 +5,6 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/reports/Surface_report_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/polygon_texts_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/remove_flat_vertices_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/sharp_edges_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/validate_triangles_impl.h>

@@ -52,6 +52,10 @@ const char* name_of(IT::Invalid_surface_error::Defect defect)
     return "TRIANGLE_INEQUALITY";
   case Defect::DEGENERATE_FACE:
     return "DEGENERATE_FACE";
+  case Defect::UNREFERENCED_VERTEX:
+    return "UNREFERENCED_VERTEX";
+  case Defect::SEVERAL_COMPONENTS:
+    return "SEVERAL_COMPONENTS";
   case Defect::WRONG_TOPOLOGY:
     return "WRONG_TOPOLOGY";
   case Defect::UNREADABLE:

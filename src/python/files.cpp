@@ -8,7 +8,7 @@
 #include "python/bindings.h"
 
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
-#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <cstdint>
 #include <string>

@@ -34,6 +34,14 @@ std::string counted(std::uint64_t number, const char* singular, const char* plur
   return with_separators(number) + " " + (number == 1 ? singular : plural);
 }
 
+std::string quoted(const std::string& text)
+{
+  std::string shown = text.substr(0, 40);
+  std::replace_if(
+    shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return '"' + shown + (text.size() > 40 ? "...\"" : "\"");
+}
+
 std::string in_full(double number) { return formatted(number, 17); }
 
 std::string in_short(double number) { return formatted(number, 4); }

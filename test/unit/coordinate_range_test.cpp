@@ -82,7 +82,7 @@ std::optional<Defect> common_refusal(const Points& points, const Triangles& tria
   EXPECT_EQ(examination, refusal_of_constructor<IT::Edge_length_traits<double>>(points, triangles)) << text;
   std::size_t findings = 0;
   for (const IT::Finding& finding : report.findings)
-    findings += finding.kind != IT::Finding_kind::SEVERAL_COMPONENTS;
+    findings += finding.defect != IT::Invalid_surface_error::Defect::SEVERAL_COMPONENTS;
   const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(points.size(), triangles);
   EXPECT_EQ(IT::is_clean(complex, points), findings == 0) << text;
   return examination;
@@ -164,10 +164,11 @@ TEST(Coordinate_range, Names_the_vertex_whose_coordinate_is_lost)
 {
   const Points points = {{1e250, 0, 0}, {1e-320, 0, 0}, {0, 1e250, 0}};
   const IT::Surface_report report = IT::examine_polygons(points, Triangles{{0, 1, 2}});
-  const IT::Finding* const finding = report.find(IT::Finding_kind::COORDINATE_RANGE);
+  const IT::Finding* const finding = report.find(IT::Invalid_surface_error::Defect::OUT_OF_RANGE);
   ASSERT_NE(finding, nullptr);
   EXPECT_EQ(report.first_fatal(), finding);
   EXPECT_EQ(finding->elements, std::vector<std::size_t>{1});
+  EXPECT_TRUE(finding->edges.empty());
   EXPECT_NE(IT::message(report).find("vertex 1 at (9.99989e-321, 0, 0)"), std::string::npos) << IT::message(report);
 }
 

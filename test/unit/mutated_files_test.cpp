@@ -9,7 +9,7 @@
 #include "input/gluing_file.h"
 #include "valid_files.h"
 
-#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <gtest/gtest.h>
 

@@ -28,7 +28,7 @@
 
 namespace {
 
-typedef IT::Finding_kind Kind;
+typedef IT::Invalid_surface_error::Defect Kind;
 typedef Surface_file_test Read_surface;
 typedef std::vector<std::array<double, 3>> Points;
 typedef std::vector<std::array<std::uint32_t, 3>> Triangles;
@@ -668,7 +668,7 @@ TEST(Bad_files, are_refused_or_merely_ugly)
                                                     {"misoriented", Kind::INCONSISTENT_ORIENTATION},
                                                     {"nonmanifold_vertices", Kind::NON_MANIFOLD_VERTEX},
                                                     {"unreferenced", Kind::UNREFERENCED_VERTEX},
-                                                    {"zero_area", Kind::ZERO_AREA_FACE}};
+                                                    {"zero_area", Kind::DEGENERATE_FACE}};
   std::size_t files = 0;
   for (const Manifest_row& row : read_manifest(manifest)) {
     if (row.fields.at("folder") != "bad")
@@ -737,7 +737,7 @@ TEST(Bad_files, good_ones_are_taken)
     EXPECT_EQ(std::to_string(report.number_of_edges), row.fields.at("E"));
     EXPECT_EQ(std::to_string(report.number_of_border_edges), row.fields.at("boundary_edges"));
     EXPECT_EQ(std::to_string(report.number_of_components), row.fields.at("components"));
-    const IT::Finding* const flat = report.find(Kind::ZERO_AREA_FACE);
+    const IT::Finding* const flat = report.find(Kind::DEGENERATE_FACE);
     EXPECT_EQ(std::to_string(flat == nullptr ? 0 : flat->count), row.fields.at("zero_area_faces"));
   }
   EXPECT_GT(files, 0u);

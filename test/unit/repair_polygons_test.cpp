@@ -65,7 +65,7 @@ IT::Repaired_polygons expect_repaired(const Points& points, const Polygons& poly
   }
   const IT::Surface_report report = IT::examine_polygons(repaired.points, repaired.triangles);
   EXPECT_EQ(report.first_fatal(), nullptr) << IT::message(report);
-  EXPECT_EQ(report.find(IT::Finding_kind::UNREFERENCED_VERTEX), nullptr);
+  EXPECT_EQ(report.find(IT::Invalid_surface_error::Defect::UNREFERENCED_VERTEX), nullptr);
   expect_true_map(points, polygons, repaired);
   return repaired;
 }
@@ -365,8 +365,8 @@ TEST(Repair_polygons, refuses_what_is_damaged)
   Points points = tetrahedron_points;
   points[2][1] = std::numeric_limits<double>::quiet_NaN();
   refused(points, tetrahedron_faces, Defect::NOT_FINITE);
-  EXPECT_TRUE(IT::is_repairable(IT::Finding_kind::NOT_A_TRIANGLE));
-  EXPECT_FALSE(IT::is_repairable(IT::Finding_kind::BAD_INDEX));
+  EXPECT_TRUE(IT::is_repairable(IT::Invalid_surface_error::Defect::NOT_A_TRIANGLE));
+  EXPECT_FALSE(IT::is_repairable(IT::Invalid_surface_error::Defect::BAD_INDEX));
 }
 
 TEST(Repair_polygons, random_polygons_become_surfaces)

@@ -7,7 +7,7 @@
 #include "faces_of_file.h"
 #include "valid_files.h"
 
-#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <gtest/gtest.h>
 

@@ -31,22 +31,24 @@ public:
 class Invalid_surface_error : public Error
 {
 public:
-  /// what is wrong with the input.
+  /// what is wrong with the input: first what `examine_polygons()` finds, in the order in which it should be fixed.
   enum class Defect {
     EMPTY,                    ///< there is no face
     BAD_INDEX,                ///< a face names a vertex that does not exist
+    NOT_FINITE,               ///< a coordinate or a length is NaN or infinite
     NOT_A_TRIANGLE,           ///< a face has fewer or more than three corners
     REPEATED_CORNER,          ///< a face names a vertex twice
-    DUPLICATE_FACE,           ///< two faces have the same three corners
+    DUPLICATE_FACE,           ///< a face has the three corners of an earlier one
     NON_MANIFOLD_EDGE,        ///< an edge has more than two faces
-    INCONSISTENT_ORIENTATION, ///< two faces traverse an edge in the same direction
+    INCONSISTENT_ORIENTATION, ///< the two faces of an edge traverse it in the same direction
     NON_MANIFOLD_VERTEX,      ///< the faces around a vertex form more than one fan
+    ZERO_LENGTH_EDGE,         ///< the ends of an edge coincide
+    OUT_OF_RANGE,             ///< coordinates or squared lengths over- or underflow, however they are scaled, or there are too many elements
+    DEGENERATE_FACE,          ///< a face of zero area: no error unless the number type cannot handle it
+    UNREFERENCED_VERTEX,      ///< a vertex belongs to no face: never an error
+    SEVERAL_COMPONENTS,       ///< the surface is in several pieces: never an error
     INVALID_GLUING,           ///< a side is glued twice, to itself, or out of range
-    NOT_FINITE,               ///< a coordinate or a length is NaN or infinite
-    OUT_OF_RANGE,             ///< squared lengths over- or underflow, or there are too many elements
-    ZERO_LENGTH_EDGE,         ///< an edge joins coincident vertices
     TRIANGLE_INEQUALITY,      ///< three lengths that no triangle has
-    DEGENERATE_FACE,          ///< a face of zero area, where the number type cannot handle it
     WRONG_TOPOLOGY,           ///< a surface of another topological type than is asked for
     UNREADABLE                ///< the text or file is not of the expected form
   };

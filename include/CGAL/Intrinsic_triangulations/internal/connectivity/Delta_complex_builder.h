@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/for_each_halfedge_around.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -153,13 +154,10 @@ private:
     const std::string name = "face " + std::to_string(face);
     for (int i = 0; i < 3; ++i) {
       const std::size_t v = corners[i];
-      // What was -1 before it was converted is shown as -1.
-      const bool was_negative = v > (std::numeric_limits<std::size_t>::max)() / 2;
       if (v >= number_of_vertices_)
         throw Invalid_surface_error(Defect::BAD_INDEX, face, 1,
-                                    name + " names vertex " +
-                                      (was_negative ? "-" + std::to_string(std::size_t(0) - v) : std::to_string(v)) +
-                                      ", but there are only " + std::to_string(number_of_vertices_) + " vertices");
+                                    name + " names vertex " + index_text(v) + ", but there are only " +
+                                      std::to_string(number_of_vertices_) + " vertices");
       if (v == corners[(i + 1) % 3])
         throw Invalid_surface_error(Defect::REPEATED_CORNER, face, 1,
                                     name + " has vertex " + std::to_string(v) + " as two of its corners");

@@ -3,13 +3,14 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A file in large pieces. It is gone through once, never held as a whole, and asks before each piece whether to go on.
+// Room for what a file may hold; and the file in large pieces. It is gone through once, never held as a whole, and asks before each piece whether to go on.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FILE_BLOCKS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FILE_BLOCKS_H
 
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
-#include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Huge_page_allocator.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -23,6 +24,22 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+// Makes room for n more elements, in huge pages: what is not used of it costs address space alone, and page faults would take as
+// long as reading.
+template <class T>
+void reserve(std::vector<T>& elements, const std::uintmax_t n)
+{
+  elements.reserve(elements.size() + static_cast<std::size_t>(n));
+  wish_for_huge_pages(elements.data() + elements.size(), (elements.capacity() - elements.size()) * sizeof(T));
+}
+
+// The same for points and triangles.
+inline void reserve(Polygon_soup& soup, const std::uintmax_t points, const std::uintmax_t triangles)
+{
+  reserve(soup.points, points);
+  reserve(soup.triangles, triangles);
+}
 
 class File_blocks
 {

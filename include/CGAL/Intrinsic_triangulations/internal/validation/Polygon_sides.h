@@ -9,6 +9,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_SIDES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_SIDES_H
 
+#include <CGAL/Intrinsic_triangulations/internal/validation/Element_collector.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -38,34 +40,52 @@ public:
     Index other, source, target;
   };
 
-  // To be called first.
-  void reserve(const std::size_t number_of_faces)
+  Polygon_sides(const std::size_t number_of_vertices, const std::size_t number_of_faces)
+    : number_of_vertices_(number_of_vertices), number_of_faces_(number_of_faces)
   {
-    expected_faces_ = number_of_faces;
-    corners_.reserve(3 * number_of_faces);
   }
-  void add_corner(const std::size_t vertex) { corners_.push_back(static_cast<Index>(vertex)); }
-  // Ends the face whose corners were added last. The corners of a face that is not good all
-  // become `none`, so that nothing later looks at that face.
-  void end_face(const bool is_good)
+
+  // Copies the corners; false if there are no faces, or too many elements. The corners of a face with a bad index
+  // all become `none`, so that nothing later looks at that face.
+  template <class PolygonRange>
+  bool add_polygons(const PolygonRange& polygons)
   {
-    const std::size_t begin = all_triangles_ ? 3 * number_of_faces_ : first_corner_.back(), end = corners_.size();
-    if (!is_good)
-      std::fill(corners_.begin() + static_cast<std::ptrdiff_t>(begin), corners_.end(), none);
-    if (all_triangles_ && end - begin != 3) {
-      all_triangles_ = false;
-      first_corner_.reserve(expected_faces_ + 1);
-      for (std::size_t f = 0; f <= number_of_faces_; ++f)
-        first_corner_.push_back(static_cast<Index>(3 * f));
+    if (number_of_faces_ == 0 || !can_be_numbered())
+      return false;
+    is_used_.assign(number_of_vertices_, 0);
+    corners_.reserve(3 * number_of_faces_);
+    std::size_t face = 0;
+    for (const auto& polygon : polygons) {
+      const std::size_t begin = corners_.size();
+      bool is_good = true;
+      for (const auto index : polygon) {
+        const std::size_t value = static_cast<std::size_t>(index);
+        if (value < number_of_vertices_)
+          is_used_[value] = 1;
+        else if (is_good) {
+          is_good = false;
+          first_bad_index_ = bad_faces_.count() == 0 ? value : first_bad_index_;
+        }
+        corners_.push_back(static_cast<Index>(value));
+      }
+      if (!is_good) {
+        bad_faces_.add(face);
+        std::fill(corners_.begin() + static_cast<std::ptrdiff_t>(begin), corners_.end(), none);
+      }
+      if (!can_be_numbered())
+        return false;
+      end_face(face++, corners_.size() - begin);
     }
-    if (!all_triangles_)
-      first_corner_.push_back(static_cast<Index>(end));
-    ++number_of_faces_;
+    return true;
   }
-  // \pre all faces were added, with vertices below `number_of_vertices`
-  void sort_sides(const std::size_t number_of_vertices)
+  bool can_be_numbered() const
   {
-    bucket_begin_.assign(number_of_vertices + 2, 0);
+    return number_of_vertices_ < none && number_of_faces_ < none / 3 && corners_.size() < none;
+  }
+
+  void sort_sides()
+  {
+    bucket_begin_.assign(number_of_vertices_ + 2, 0);
     for_each_side(
       [this](const Index s, const Index t) { ++bucket_begin_[(std::min)(corners_[s], corners_[t]) + 2]; });
     std::partial_sum(bucket_begin_.begin(), bucket_begin_.end(), bucket_begin_.begin());
@@ -77,6 +97,11 @@ public:
     bucket_begin_.pop_back(); // now the beginning of each bucket, and the end of the last
   }
 
+  std::size_t number_of_vertices() const { return number_of_vertices_; }
+  bool is_used(const std::size_t vertex) const { return is_used_[vertex] != 0; }
+  const Element_collector& faces_with_bad_index() const { return bad_faces_; }
+  // Of the first of these faces.
+  std::size_t first_bad_index() const { return first_bad_index_; }
   std::size_t number_of_faces() const { return number_of_faces_; }
   std::size_t number_of_corners() const { return corners_.size(); }
   bool are_triangles() const { return all_triangles_; }
@@ -146,10 +171,24 @@ public:
   }
 
 private:
+  void end_face(const std::size_t face, const std::size_t degree)
+  {
+    if (all_triangles_ && degree != 3) {
+      all_triangles_ = false;
+      first_corner_.reserve(number_of_faces_ + 1);
+      for (std::size_t f = 0; f <= face; ++f)
+        first_corner_.push_back(static_cast<Index>(3 * f));
+    }
+    if (!all_triangles_)
+      first_corner_.push_back(static_cast<Index>(corners_.size()));
+  }
+
+  std::size_t number_of_vertices_, number_of_faces_;
+  std::vector<unsigned char> is_used_;
+  Element_collector bad_faces_;
+  std::size_t first_bad_index_ = 0;
   std::vector<Index> corners_;
   std::vector<Index> first_corner_; // only if not all faces are triangles
-  std::size_t number_of_faces_ = 0;
-  std::size_t expected_faces_ = 0;
   bool all_triangles_ = true;
   std::vector<Index> bucket_begin_;
   std::vector<Side> sides_;

@@ -11,8 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
-#include <CGAL/Intrinsic_triangulations/Tie_proof.h>
-#include <CGAL/Intrinsic_triangulations/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Disk.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Mpfr_disk.h>
@@ -25,7 +25,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/relaxed_atomic.h>
-#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 

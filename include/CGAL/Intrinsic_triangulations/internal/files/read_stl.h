@@ -5,13 +5,11 @@
 //
 // STL, text or binary: facets whose corners do not know each other.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_IMPL_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_H
 
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/File_blocks.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/formats.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/reserve.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 
 #include <algorithm>
@@ -211,9 +209,7 @@ private:
       return begin_rest(false);
     const std::string whole = std::string(prefix_) + std::string(word);
     prefix_ = {};
-    std::string lower = whole;
-    for (char& c : lower)
-      c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    const std::string lower = in_small_letters(whole);
     if (!take_usual_word(lower))
       take_unusual_word(lower, whole);
   }
@@ -447,8 +443,7 @@ inline void read_binary_stl(const std::string& path, const std::string& head, co
   }
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void read_stl(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
+inline void read_stl(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
 {
   const std::string head = load_file(path, 4096);
   if (is_text_stl(head))
@@ -461,4 +456,4 @@ void read_stl(const std::string& path, const std::uintmax_t size, const Progress
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_IMPL_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_H

@@ -5,13 +5,10 @@
 //
 // OFF: a header, then vertices and faces.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OFF_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OFF_IMPL_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OFF_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OFF_H
 
 #include <CGAL/Intrinsic_triangulations/internal/files/Text_lines.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/formats.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/reserve.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 
 #include <algorithm>
 #include <array>
@@ -28,11 +25,11 @@ namespace internal {
 
 // A vertex is a line. A face may go on over several lines if nothing follows it on the last of them. Up to four numbers behind an
 // element are its color.
-class Off_reader
+class Off_reader : Text_reader
 {
 public:
   Off_reader(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
-    : path_(path), size_(size), soup_(soup), lines_(path, size, progress)
+    : Text_reader(path, soup, size, progress), size_(size)
   {
   }
 
@@ -47,8 +44,7 @@ public:
     if (bad_faces_ > 0)
       refuse_bad_index();
     if (lines_.find_word())
-      refuse_file(path_, place(lines_.number(), "face", faces_) + ": " + quote(lines_.rest()) + " is behind the last face; " + announced() + hint(),
-                  Defect::UNREADABLE, faces_);
+      refuse("face", faces_, ": " + quote(lines_.rest()) + " is behind the last face; " + announced() + hint());
   }
 
 private:
@@ -56,7 +52,7 @@ private:
   void read_header()
   {
     if (!lines_.find_word())
-      refuse_file(path_, "there is nothing but white space and comments in the file");
+      refuse("there is nothing but white space and comments in the file");
     const std::string first(lines_.take_word());
     std::string_view keyword = first;
     const auto take = [&keyword](const std::string_view prefix) {
@@ -70,30 +66,24 @@ private:
     is_homogeneous_ = take("4");
     const bool has_dimension = keyword.substr(0, 4) == "nOFF" && take("n");
     if (!take("off") || !(keyword.empty() || is_digit(keyword[0])))
-      refuse_file(path_, "line " + std::to_string(lines_.number()) + ": the file begins with " + quote(first) +
-                           " where OFF is expected");
+      refuse(line() + ": the file begins with " + quote(first) + " where OFF is expected");
     numbers_per_vertex_ = 3 + is_homogeneous_ + has_normals * (3 + is_homogeneous_) + has_textures * (2 + is_homogeneous_);
     std::string word(keyword);
     if (has_dimension) {
       take_count_word(word, "coordinates");
       if (word != "3")
-        refuse_file(path_, "line " + std::to_string(lines_.number()) + ": points of " + quote(word) +
-                             " coordinates are not read, only of 3");
+        refuse(line() + ": points of " + quote(word) + " coordinates are not read, only of 3");
       word.clear();
     }
     const std::uintmax_t vertices = take_count_word(word, "vertices");
-    word.clear();
-    const std::uintmax_t faces = take_count_word(word, "faces");
+    const std::uintmax_t faces = take_count_word(word = "", "faces");
     header_line_ = lines_.number();
-    word.clear();
-    take_count_word(word, "edges");
+    take_count_word(word = "", "edges");
     if (lines_.number() > header_line_ && lines_.find_word_on_line())
-      refuse_file(path_, "line " + std::to_string(header_line_) + ": the number of edges is missing behind those of " +
-                           counted(vertices, "vertex", "vertices") + " and " + counted(faces, "face", "faces") + ": write 0");
+      refuse("line " + std::to_string(header_line_) + ": the number of edges is missing behind those of " + elements(vertices, faces) + ": write 0");
     // A vertex takes at least "0 0 0" and a line end, a face at least "0" and one.
     if (vertices > size_ / 6 + 1 || faces > size_ / 2 + 1)
-      refuse_file(path_, "the header announces " + counted(vertices, "vertex", "vertices") + " and " +
-                           counted(faces, "face", "faces") + ", more than fit into the " + counted(size_, "byte", "bytes") + " of the file");
+      refuse("the header announces " + elements(vertices, faces) + ", more than fit into the " + counted(size_, "byte", "bytes") + " of the file");
     vertices_ = static_cast<std::size_t>(vertices);
     faces_ = static_cast<std::size_t>(faces);
   }
@@ -102,37 +92,30 @@ private:
   std::uintmax_t take_count_word(std::string& word, const std::string& name)
   {
     if (word.empty() && !lines_.find_word())
-      refuse_file(path_, "the file ends before the number of " + name);
+      refuse("the file ends before the number of " + name);
     if (word.empty())
       word = lines_.take_word();
     if (is_keyword(word, "binary"))
-      refuse_file(path_, "binary OFF is not read: write the file as text, or as PLY");
+      refuse("binary OFF is not read: write the file as text, or as PLY");
     long long number = 0;
     if (!read_integer(word, number) || number < 0)
-      refuse_file(path_, "line " + std::to_string(lines_.number()) + ": " + quote(word) + " is not a number of " + name +
-                           " (the header is OFF, then the numbers of vertices, faces and edges; 0 stands for any number of edges)");
+      refuse(line() + ": " + quote(word) + " is not a number of " + name +
+             " (the header is OFF, then the numbers of vertices, faces and edges; 0 stands for any number of edges)");
     return static_cast<std::uintmax_t>(number);
   }
 
   void take_vertex(const std::size_t v)
   {
     if (!lines_.find_word())
-      refuse_file(path_, "the file ends after " + std::to_string(v) + " of " + counted(vertices_, "vertex", "vertices"),
-                  Defect::UNREADABLE, v);
-    const auto where = [&] { return place(lines_.number(), "vertex", v); };
+      refuse("the file ends after " + std::to_string(v) + " of " + counted(vertices_, "vertex", "vertices"), Defect::UNREADABLE, v);
     std::array<double, 3> point;
     for (std::size_t i = 0; i < numbers_per_vertex_; ++i) {
-      if (!lines_.find_word_on_line())
-        refuse_file(path_, where() + ": there " + are_counted(i, "number", "numbers") + " where " + std::to_string(numbers_per_vertex_) + " are needed",
-                    Defect::UNREADABLE, v);
-      double number;
-      if (!take_real(lines_.p, lines_.last, number))
-        number = check_coordinate(path_, std::string(lines_.take_word()), where(), v);
+      const double number = take_coordinate(v, i, numbers_per_vertex_);
       if (i < 3)
         point[i] = number;
       else if (i == 3 && is_homogeneous_) {
         if (number == 0)
-          refuse_file(path_, where() + ": the fourth coordinate is zero", Defect::NOT_FINITE, v);
+          refuse("vertex", v, ": the fourth coordinate is zero", Defect::NOT_FINITE);
         for (double& coordinate : point)
           coordinate /= number;
       }
@@ -142,19 +125,14 @@ private:
     if (v == 0)
       colors_ = colors;
     else if (colors != colors_ && !has_colors_)
-      refuse_file(path_, where() + ": there " + are_counted(numbers_per_vertex_ + colors, "number", "numbers") + " where the vertices before have " + std::to_string(numbers_per_vertex_ + colors_) + "; " + announced(),
-                  Defect::UNREADABLE, v);
+      refuse("vertex", v, ": there " + are_counted(numbers_per_vertex_ + colors, "number", "numbers") + " where the vertices before have " + std::to_string(numbers_per_vertex_ + colors_) + "; " + announced());
   }
 
   // How many numbers there are on the rest of the line.
   std::size_t take_colors(const char* const kind, const std::size_t element)
   {
-    std::size_t count = 0;
-    for (; lines_.find_word_on_line(); ++count)
-      if (const std::string word(lines_.take_word()); count == 4 || !is_number(word))
-        refuse_file(path_, place(lines_.number(), kind, element) + ": " + quote(word) + " is behind the numbers of the " + kind + ", where only a color may be" + hint(),
-                    Defect::UNREADABLE, element);
-    return count;
+    return take_others(
+      kind, element, 4, [&] { return std::string("numbers of the ") + kind + ", where only a color may be" + hint(); }, is_number);
   }
 
   void take_face(const std::size_t f)
@@ -166,9 +144,10 @@ private:
     std::uint32_t size = 0;
     if (std::string word; !take_index(size, word)) {
       long long number = 0;
-      if (is_beyond_integers(word) || (read_integer(word, number) && number > (std::numeric_limits<std::uint32_t>::max)()))
+      const Integer_state state = integer_state(word, number);
+      if (state == Integer_state::TOO_LARGE || (state == Integer_state::GOOD && number > (std::numeric_limits<std::uint32_t>::max)()))
         refuse_face(f, where() + ": no face has " + quote(word) + " corners");
-      if (!read_integer(word, number) || number < 0)
+      if (state != Integer_state::GOOD || number < 0)
         refuse_face(f, where() + ": " + quote(word) + " is not a number of corners" + (f == 0 ? "; " + announced() : ""));
       size = static_cast<std::uint32_t>(number);
     }
@@ -188,9 +167,10 @@ private:
       }
       if (std::string word; !take_index(index, word)) {
         long long number = 0;
-        if (!is_beyond_integers(word) && !read_integer(word, number))
+        const Integer_state state = integer_state(word, number);
+        if (state == Integer_state::NOT_AN_INTEGER)
           refuse_face(f, where() + ": " + quote(word) + " is not the index of a vertex");
-        index = number < 0 || number >= none || is_beyond_integers(word) ? none : static_cast<std::uint32_t>(number);
+        index = number < 0 || number >= none || state == Integer_state::TOO_LARGE ? none : static_cast<std::uint32_t>(number);
         if (index >= vertices_ && bad_word.empty())
           bad_word = word.size() > 30 ? quote(word) : word;
       } else if (index >= vertices_ && bad_word.empty())
@@ -230,14 +210,12 @@ private:
   {
     if (bad_faces_ > 0)
       refuse_bad_index();
-    refuse_file(path_, text, Defect::UNREADABLE, face);
+    refuse(text, Defect::UNREADABLE, face);
   }
 
   [[noreturn]] void refuse_bad_index() const
   {
-    std::string text = first_bad_index_;
-    if (bad_faces_ > 1)
-      text += ", and " + std::to_string(bad_faces_ - 1) + (bad_faces_ == 2 ? " more face like it" : " more faces like it");
+    std::string text = first_bad_index_ + and_more_faces(bad_faces_);
     std::uint32_t least = none, greatest = 0;
     for (std::size_t f = 0; f < soup_.number_of_faces(); ++f)
       for (const std::uint32_t v : soup_.polygon(f)) {
@@ -246,13 +224,16 @@ private:
       }
     if (least == 1 && greatest == vertices_)
       text += ". No face names vertex 0: the indices seem to count from 1, subtract 1 from each";
-    refuse_file(path_, text, Defect::BAD_INDEX, first_bad_face_, bad_faces_);
+    refuse(text, Defect::BAD_INDEX, first_bad_face_, bad_faces_);
   }
 
+  static std::string elements(const std::uintmax_t vertices, const std::uintmax_t faces)
+  {
+    return counted(vertices, "vertex", "vertices") + " and " + counted(faces, "face", "faces");
+  }
   std::string announced() const
   {
-    return "the header announces " + counted(vertices_, "vertex", "vertices") + " and " + counted(faces_, "face", "faces") + " on line " +
-           std::to_string(header_line_);
+    return "the header announces " + elements(vertices_, faces_) + " on line " + std::to_string(header_line_);
   }
   // Where the mistake may be if the numbers of elements are wrong.
   std::string hint() const
@@ -264,10 +245,7 @@ private:
 
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 
-  std::string path_;
-  std::uintmax_t size_;
-  Polygon_soup& soup_;
-  Text_lines lines_;
+  const std::uintmax_t size_;
   bool has_colors_ = false, is_homogeneous_ = false;
   std::size_t numbers_per_vertex_ = 3, vertices_ = 0, faces_ = 0, header_line_ = 0, colors_ = 0;
   std::vector<std::uint32_t> corners_; // of a face
@@ -275,8 +253,7 @@ private:
   std::string first_bad_index_, first_small_face_, first_long_face_;
 };
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void read_off(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
+inline void read_off(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
 {
   Off_reader(path, size, progress, soup).read();
 }
@@ -285,4 +262,4 @@ void read_off(const std::string& path, const std::uintmax_t size, const Progress
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OFF_IMPL_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OFF_H

@@ -3,28 +3,19 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The passes over a list of polygons that find what is wrong with it.
+// The passes over a list of polygons that find what is wrong with it, and how it is said.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_SURFACE_EXAMINER_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_SURFACE_EXAMINER_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VALIDATE_TRIANGLES_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VALIDATE_TRIANGLES_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/Surface_report.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/Length_range.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Element_collector.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/polygon_texts.h>
-
-#include <CGAL/number_utils.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
+#include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -34,32 +25,61 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+using Defect = Invalid_surface_error::Defect;
+
+inline std::string face_text(const Polygon_sides& polygons, const std::size_t face)
+{
+  std::ostringstream text;
+  text << face << " (corners ";
+  const std::size_t begin = polygons.begin_of_face(face), end = polygons.begin_of_face(face + 1);
+  for (std::size_t c = begin; c < end && c < begin + 8; ++c)
+    text << (c == begin ? "" : ", ") << polygons.vertex(c);
+  text << (end > begin + 8 ? ", ...)" : ")");
+  return text.str();
+}
+
+inline std::string edge_text(const Polygon_sides& polygons, const std::size_t side)
+{
+  const std::array<std::size_t, 2> v = polygons.ends(side);
+  return "edge " + std::to_string(v[0]) + "-" + std::to_string(v[1]);
+}
+
+inline std::string faces_text(const Polygon_sides& polygons, const std::size_t side)
+{
+  std::string text;
+  std::size_t written = 0;
+  bool is_complete = true;
+  polygons.for_each_face_of_edge(side, [&](const std::size_t face) {
+    if (written == 8)
+      return is_complete = false;
+    text += (written++ == 0 ? "" : ", ") + std::to_string(face);
+    return true;
+  });
+  return (written == 1 ? "face " : "faces ") + text + (is_complete ? "" : ", ...");
+}
+
 // Examines one list of polygons, in passes over the flat arrays of Polygon_sides.
-template <class PointRange>
 class Surface_examiner
 {
+  using Coordinates = std::array<double, 3>;
+
 public:
-  typedef std::array<double, 3> Coordinates;
+  Surface_examiner(const std::vector<Coordinates>& points, Polygon_sides& polygons) : points_(points), polygons_(polygons) {}
 
-  explicit Surface_examiner(const PointRange& points)
-    : points_(std::begin(points)),
-      number_of_vertices_(static_cast<std::size_t>(std::distance(std::begin(points), std::end(points))))
-  {}
-
-  template <class PolygonRange>
-  Surface_report examine(const PolygonRange& polygons)
+  Surface_report examine()
   {
     report_.number_of_vertices = number_of_vertices_;
-    if (flatten(polygons)) {
+    report_.number_of_faces = polygons_.number_of_faces();
+    if (examine_numbers()) {
       examine_coordinates();
       examine_faces();
-      polygons_.sort_sides(number_of_vertices_);
+      polygons_.sort_sides();
       examine_edges();
       examine_lengths();
       examine_use();
     }
     std::stable_sort(report_.findings.begin(), report_.findings.end(),
-                     [](const Finding& a, const Finding& b) { return a.kind < b.kind; });
+                     [](const Finding& a, const Finding& b) { return a.defect < b.defect; });
     return std::move(report_);
   }
 
@@ -75,77 +95,40 @@ private:
     bool same_direction, same_third;
   };
 
-  Coordinates coordinates(const std::size_t vertex) const
-  {
-    const auto& point = points_[static_cast<std::ptrdiff_t>(vertex)];
-    return Coordinates{{CGAL::to_double(point[0]), CGAL::to_double(point[1]), CGAL::to_double(point[2])}};
-  }
-  Finding& add(const Finding_kind kind, const std::size_t count, std::vector<std::size_t> elements,
+  const Coordinates& point(const std::size_t vertex) const { return points_[vertex]; }
+  Finding& add(const Defect defect, const std::size_t count, std::vector<std::size_t> elements,
                std::string description)
   {
-    const Finding_properties& properties = finding_properties(kind);
-    report_.findings.push_back(Finding{
-      kind, properties.defect, std::move(elements), {}, count, properties.is_fatal, std::move(description)});
+    report_.findings.push_back(Finding{defect, std::move(elements), {}, count, defect <= Defect::OUT_OF_RANGE, std::move(description)});
     return report_.findings.back();
   }
   // The elements of `edges` are positions in sides_ of the first sides of edges.
-  void add_edges(const Finding_kind kind, const Element_collector& edges, std::string description)
+  void add_edges(const Defect defect, const Element_collector& edges, std::string description)
   {
-    Finding& finding = add(kind, edges.count(), {}, std::move(description));
+    Finding& finding = add(defect, edges.count(), {}, std::move(description));
     for (const std::size_t s : edges.elements()) {
       finding.elements.push_back(polygons_.face_of_side(s));
       finding.edges.push_back(polygons_.ends(s));
     }
   }
-  // Copies the corners, and returns whether there is something to examine.
-  template <class PolygonRange>
-  bool flatten(const PolygonRange& polygons)
+  // Says what was seen while the polygons were copied; whether there is more to examine.
+  bool examine_numbers()
   {
-    const std::size_t n = number_of_vertices_;
-    const std::size_t number_of_faces =
-      static_cast<std::size_t>(std::distance(std::begin(polygons), std::end(polygons)));
-    report_.number_of_faces = number_of_faces;
-    if (number_of_faces == 0) {
-      add(Finding_kind::EMPTY, 1, {},
-          n == 0 ? "there is no vertex and no face"
-                 : "there " + are_counted(n, "vertex", "vertices") + " but no face");
+    const std::size_t n = number_of_vertices_, number_of_faces = report_.number_of_faces;
+    if (number_of_faces == 0)
+      add(Defect::EMPTY, 1, {},
+          n == 0 ? "there is no vertex and no face" : "there " + are_counted(n, "vertex", "vertices") + " but no face");
+    else if (!polygons_.can_be_numbered())
+      add(Defect::OUT_OF_RANGE, 1, {},
+          n >= none_ || number_of_faces >= none_ / 3
+            ? std::to_string(n) + " vertices and " + std::to_string(number_of_faces) + " faces are more than 32-bit indices can number"
+            : "the faces have more corners than 32-bit indices can number");
+    if (!report_.findings.empty())
       return false;
-    }
-    if (n >= none_ || number_of_faces >= none_ / 3) {
-      add(Finding_kind::TOO_MANY_ELEMENTS, 1, {},
-          std::to_string(n) + " vertices and " + std::to_string(number_of_faces) +
-            " faces are more than 32-bit indices can number");
-      return false;
-    }
-    is_used_.assign(n, 0);
-    polygons_.reserve(number_of_faces);
-    std::size_t face = 0, bad_value = 0;
-    for (const auto& polygon : polygons) {
-      bool is_good = true;
-      for (const auto index : polygon) {
-        const std::size_t value = static_cast<std::size_t>(index);
-        if (value < n)
-          is_used_[value] = 1;
-        else if (is_good) {
-          is_good = false;
-          if (bad_index_.count() == 0)
-            bad_value = value;
-        }
-        polygons_.add_corner(value);
-      }
-      if (!is_good)
-        bad_index_.add(face);
-      polygons_.end_face(is_good);
-      if (polygons_.number_of_corners() >= none_) {
-        add(Finding_kind::TOO_MANY_ELEMENTS, 1, {}, "the faces have more corners than 32-bit indices can number");
-        return false;
-      }
-      ++face;
-    }
-    if (bad_index_.count() != 0)
-      add(Finding_kind::BAD_INDEX, bad_index_.count(), bad_index_.elements(),
-          "face " + std::to_string(bad_index_.first()) + " names vertex " + index_text(bad_value) +
-            ", but there " + are_counted(n, "vertex", "vertices"));
+    if (const Element_collector& bad = polygons_.faces_with_bad_index(); bad.count() != 0)
+      add(Defect::BAD_INDEX, bad.count(), bad.elements(),
+          "face " + std::to_string(bad.first()) + " names vertex " + index_text(polygons_.first_bad_index()) + ", but there " +
+            are_counted(n, "vertex", "vertices"));
     return true;
   }
 
@@ -153,10 +136,10 @@ private:
   {
     Element_collector bad;
     for (std::size_t v = 0; v < number_of_vertices_; ++v) {
-      const Coordinates p = coordinates(v);
+      const Coordinates p = point(v);
       if (!(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
         bad.add(v);
-      else if (is_used_[v])
+      else if (polygons_.is_used(v))
         for (int i = 0; i < 3; ++i)
           box_.add(i, p[i]);
     }
@@ -165,11 +148,11 @@ private:
       examine_scaled_coordinates();
       return;
     }
-    const Coordinates p = coordinates(bad.first());
+    const Coordinates p = point(bad.first());
     std::ostringstream text;
     text.precision(17);
     text << "vertex " << bad.first() << " has the coordinates (" << p[0] << ", " << p[1] << ", " << p[2] << ")";
-    add(Finding_kind::NOT_FINITE, bad.count(), bad.elements(), text.str());
+    add(Defect::NOT_FINITE, bad.count(), bad.elements(), text.str());
   }
 
   // What the constructors refuse to scale.
@@ -180,15 +163,15 @@ private:
       return;
     Element_collector vanishing;
     for (std::size_t v = 0; v < number_of_vertices_; ++v)
-      if (Coordinates p = coordinates(v); is_used_[v] && !scale_point(p, box_, exponent_))
+      if (Coordinates p = point(v); polygons_.is_used(v) && !scale_point(p, box_, exponent_))
         vanishing.add(v);
     if (vanishing.count() == 0)
       return;
-    const Coordinates p = coordinates(vanishing.first());
+    const Coordinates p = point(vanishing.first());
     std::ostringstream text;
     text << "vertex " << vanishing.first() << " at (" << p[0] << ", " << p[1] << ", " << p[2]
          << ") has a coordinate that is lost beside the size of the surface, about " << 2 * box_.half_extent();
-    add(Finding_kind::COORDINATE_RANGE, vanishing.count(), vanishing.elements(), text.str());
+    add(Defect::OUT_OF_RANGE, vanishing.count(), vanishing.elements(), text.str());
   }
 
   // Number of corners, repeated corners and zero areas.
@@ -206,7 +189,7 @@ private:
         const Index a = polygons_.vertex(begin), b = polygons_.vertex(begin + 1), c = polygons_.vertex(begin + 2);
         if (a == b || b == c || c == a)
           repeated.add(f);
-        else if (all_finite_ && are_collinear(coordinates(a), coordinates(b), coordinates(c)))
+        else if (all_finite_ && are_collinear(point(a), point(b), point(c)))
           flat.add(f);
         continue;
       }
@@ -221,15 +204,15 @@ private:
     if (not_triangles.count() != 0) {
       const std::size_t f = not_triangles.first(), corners = polygons_.degree(f);
       const bool has_text = corners != 0 && polygons_.vertex(polygons_.begin_of_face(f)) != none_;
-      add(Finding_kind::NOT_A_TRIANGLE, not_triangles.count(), not_triangles.elements(),
+      add(Defect::NOT_A_TRIANGLE, not_triangles.count(), not_triangles.elements(),
           "face " + (has_text ? face_text(polygons_, f) : std::to_string(f)) + " has " + std::to_string(corners) +
             (corners == 1 ? " corner" : " corners") + " instead of 3");
     }
     if (repeated.count() != 0)
-      add(Finding_kind::REPEATED_CORNER, repeated.count(), repeated.elements(),
+      add(Defect::REPEATED_CORNER, repeated.count(), repeated.elements(),
           "face " + face_text(polygons_, repeated.first()) + " names a vertex twice");
     if (flat.count() != 0)
-      add(Finding_kind::ZERO_AREA_FACE, flat.count(), flat.elements(),
+      add(Defect::DEGENERATE_FACE, flat.count(), flat.elements(),
           "face " + face_text(polygons_, flat.first()) + " has zero area");
   }
 
@@ -266,7 +249,7 @@ private:
         if (mark.first_side == s) {
           ++report_.number_of_edges;
           report_.number_of_border_edges += mark.count == 1;
-          if (!lengths.add(coordinates(a), coordinates(side.other), s))
+          if (!lengths.add(point(a), point(side.other), s))
             coincident.add(s);
           if (mark.count > 2) {
             crowded.add(s);
@@ -281,22 +264,22 @@ private:
     }
     report_.is_orientable = turned.count() == 0 || (crowded.count() == 0 && is_orientable(marks));
     if (duplicates.count() != 0)
-      add(Finding_kind::DUPLICATE_FACE, duplicates.count(), duplicates.elements(),
+      add(Defect::DUPLICATE_FACE, duplicates.count(), duplicates.elements(),
           "face " + face_text(polygons_, duplicates.first()) + " has the same corners as face " +
             std::to_string(first_face_like(duplicates.first())));
     if (crowded.count() != 0)
-      add_edges(Finding_kind::NON_MANIFOLD_EDGE, crowded,
+      add_edges(Defect::NON_MANIFOLD_EDGE, crowded,
                 edge_text(polygons_, crowded.first()) + " has " + std::to_string(number_of_faces_at(crowded.first())) +
                   " faces (" + faces_text(polygons_, crowded.first()) + ")");
     if (turned.count() != 0)
-      add_edges(Finding_kind::INCONSISTENT_ORIENTATION, turned,
+      add_edges(Defect::INCONSISTENT_ORIENTATION, turned,
                 edge_text(polygons_, turned.first()) + " is traversed in the same direction by both its faces (" +
                   faces_text(polygons_, turned.first()) +
                   (report_.is_orientable || crowded.count() != 0
                      ? ")"
                      : ") and the surface is one-sided, so that no choice of directions fits"));
     if (coincident.count() != 0)
-      add_edges(Finding_kind::ZERO_LENGTH_EDGE, coincident,
+      add_edges(Defect::ZERO_LENGTH_EDGE, coincident,
                 edge_text(polygons_, coincident.first()) + " of " + faces_text(polygons_, coincident.first()) +
                   " has zero length, its ends coincide");
     count_fans(fans);
@@ -391,7 +374,7 @@ private:
       text << lengths_.longest();
     text << ") differ by a factor of about 2^"
          << report_.exponent_of_longest_edge - report_.exponent_of_shortest_edge;
-    add_edges(Finding_kind::LENGTH_RANGE, shortest, text.str());
+    add_edges(Defect::OUT_OF_RANGE, shortest, text.str());
   }
 
   // The corners at a vertex that are connected through sides are one fan.
@@ -418,7 +401,7 @@ private:
       if (polygons_.vertex(c) == pinched.first() && fans.find(static_cast<Index>(c)) == c)
         faces += (written++ == 0 ? "one with face " : ", another with face ") +
                  std::to_string(polygons_.face_of_corner(c));
-    add(Finding_kind::NON_MANIFOLD_VERTEX, pinched.count(), pinched.elements(),
+    add(Defect::NON_MANIFOLD_VERTEX, pinched.count(), pinched.elements(),
         "the faces around vertex " + std::to_string(pinched.first()) + " form " +
           std::to_string(number_of_fans_[pinched.first()]) + " fans that touch only there (" + faces + ")");
   }
@@ -428,26 +411,24 @@ private:
     polygons_.for_each_side([&](const Index s, const Index t) { pieces.unite(polygons_.vertex(s), polygons_.vertex(t)); });
     Element_collector unused, roots;
     for (std::size_t v = 0; v < number_of_vertices_; ++v) {
-      if (!is_used_[v])
+      if (!polygons_.is_used(v))
         unused.add(v);
       else if (pieces.find(static_cast<Index>(v)) == v)
         roots.add(v);
     }
     report_.number_of_components = roots.count();
     if (unused.count() != 0)
-      add(Finding_kind::UNREFERENCED_VERTEX, unused.count(), unused.elements(),
+      add(Defect::UNREFERENCED_VERTEX, unused.count(), unused.elements(),
           "vertex " + std::to_string(unused.first()) + " is not referenced by any face");
     if (roots.count() > 1)
-      add(Finding_kind::SEVERAL_COMPONENTS, roots.count(), roots.elements(),
+      add(Defect::SEVERAL_COMPONENTS, roots.count(), roots.elements(),
           "the surface has " + std::to_string(roots.count()) + " components");
   }
 
-  decltype(std::begin(std::declval<const PointRange&>())) points_;
-  std::size_t number_of_vertices_;
-  Polygon_sides polygons_;
+  const std::vector<Coordinates>& points_;
+  Polygon_sides& polygons_;
+  const std::size_t number_of_vertices_ = polygons_.number_of_vertices();
   bool all_finite_ = true;
-  std::vector<unsigned char> is_used_;
-  Element_collector bad_index_;
   std::vector<Index> number_of_fans_;
   Box box_; // of the vertices that are used
   int exponent_ = 0;
@@ -455,8 +436,110 @@ private:
   Surface_report report_;
 };
 
+// How what is found is called, in what number, and what to do about it.
+struct Finding_words
+{
+  const char* singular; // the element that `count` counts
+  const char* plural;
+  const char* summary; // completes "3 ..."
+  const char* advice;
+};
+
+inline Finding_words words_of(const Finding& finding)
+{
+  switch (finding.defect) {
+  case Defect::EMPTY:
+    return {"file", "files", "without a face", "at least one triangle is needed"};
+  case Defect::BAD_INDEX:
+    return {"face", "faces", "with a bad index",
+            "vertices are counted from 0 here: remove the face, or add the missing vertices"};
+  case Defect::NOT_FINITE:
+    return {"vertex", "vertices", "not finite", "give every vertex finite coordinates"};
+  case Defect::NOT_A_TRIANGLE:
+    return {"face", "faces", "not a triangle", "triangulate the faces, as repair_polygons() does"};
+  case Defect::REPEATED_CORNER:
+    return {"face", "faces", "with a repeated corner", "remove the face, or cut it into loops, as repair_polygons() does"};
+  case Defect::DUPLICATE_FACE:
+    return {"face", "faces", "repeating another", "remove all but one, as repair_polygons() does"};
+  case Defect::NON_MANIFOLD_EDGE:
+    return {"edge", "edges", "not manifold",
+            "remove the faces that do not belong there, or separate those that do, as repair_polygons() does"};
+  case Defect::INCONSISTENT_ORIENTATION:
+    return {"edge", "edges", "with faces of opposite orientation", "orient the faces, as repair_polygons() does"};
+  case Defect::NON_MANIFOLD_VERTEX:
+    return {"vertex", "vertices", "not manifold", "give each fan a vertex of its own, as repair_polygons() does"};
+  case Defect::ZERO_LENGTH_EDGE:
+    return {"edge", "edges", "of zero length",
+            "merge the two vertices and remove the faces that vanish, as repair_polygons() does, or move one of them"};
+  case Defect::OUT_OF_RANGE:
+    if (finding.elements.empty())
+      return {"element", "elements", "too many", "split the surface"};
+    if (finding.edges.empty())
+      return {"vertex", "vertices", "out of range",
+              "no scaling brings both into the range of double: round it to zero, or remove the outliers"};
+    return {"edge", "edges", "out of range",
+            "no scaling brings both squared lengths, and their products, into the range of double: remove the outliers"};
+  case Defect::DEGENERATE_FACE:
+    return {"face", "faces", "of zero area", ""};
+  case Defect::UNREFERENCED_VERTEX:
+    return {"vertex", "vertices", "not referenced by any face", ""};
+  default:
+    return {"component", "components", "in all", ""};
+  }
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon_sides& polygons)
+{
+  return Surface_examiner(points, polygons).examine();
+}
+
 } // namespace internal
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::string message(const Finding& finding, const std::optional<std::string>& advice)
+{
+  const internal::Finding_words words = internal::words_of(finding);
+  std::string text = finding.description;
+  if (finding.count > 1 && finding.defect != Invalid_surface_error::Defect::SEVERAL_COMPONENTS)
+    text += ", and " + std::to_string(finding.count - 1) + " more " +
+            (finding.count == 2 ? words.singular : words.plural) + " like it";
+  const std::string what_to_do = advice.value_or(words.advice);
+  if (!what_to_do.empty())
+    text += "; " + what_to_do;
+  return text;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::string message(const Surface_report& report, const std::string& name,
+                                                         const std::optional<std::string>& advice)
+{
+  std::string text;
+  const Finding* const fatal = report.first_fatal();
+  if (fatal != nullptr) {
+    text = message(*fatal, advice);
+    std::string others;
+    for (const Finding& finding : report.findings) {
+      if (!finding.is_fatal || &finding == fatal)
+        continue;
+      const internal::Finding_words words = internal::words_of(finding);
+      others += (others.empty() ? " (also: " : ", ") + std::to_string(finding.count) + " " +
+                (finding.count == 1 ? words.singular : words.plural) + " " + words.summary;
+    }
+    text += others.empty() ? others : others + ")";
+  } else
+    for (const Finding& finding : report.findings)
+      text += (text.empty() ? "" : "; ") + message(finding);
+  return name.empty() || text.empty() ? text : name + ": " + text;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void throw_if_fatal(const Surface_report& report, const std::string& name)
+{
+  const Finding* const fatal = report.first_fatal();
+  if (fatal != nullptr)
+    throw Invalid_surface_error(fatal->defect, fatal->elements.empty() ? 0 : fatal->elements.front(),
+                                fatal->count, message(report, name));
+}
+
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_SURFACE_EXAMINER_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VALIDATE_TRIANGLES_IMPL_H

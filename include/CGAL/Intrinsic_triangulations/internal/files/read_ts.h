@@ -5,16 +5,15 @@
 //
 // TS, the triangulated surfaces of GOCAD.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_TS_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_TS_IMPL_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_TS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_TS_H
 
 #include <CGAL/Intrinsic_triangulations/internal/files/Text_lines.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/formats.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -26,11 +25,11 @@ namespace internal {
 
 // Parts from a line GOCAD to a line END: a header, which is skipped, then vertices and triangles. Vertices have numbers as names, which
 // count within their part.
-class Ts_reader
+class Ts_reader : Text_reader
 {
 public:
   Ts_reader(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
-    : path_(path), soup_(soup), lines_(path, size, progress)
+    : Text_reader(path, soup, size, progress)
   {
   }
 
@@ -41,16 +40,13 @@ public:
         take_line();
     end_part();
     if (brace_line_ != 0)
-      refuse_file(path_, "the brace on line " + std::to_string(brace_line_) + " is not closed");
+      refuse("the brace on line " + std::to_string(brace_line_) + " is not closed");
     if (vertices_ == 0 && !soup_.warnings.empty())
-      refuse_file(path_, soup_.warnings.front() + "; there is no other part", Defect::EMPTY);
+      refuse(soup_.warnings.front() + "; there is no other part", Defect::EMPTY);
     if (vertices_ == 0 || triangles_ == 0)
-      refuse_file(path_,
-                  "there is no " + std::string(vertices_ == 0 ? "vertex" : "face") + " in the file (" +
-                    counted(vertices_, "vertex", "vertices") + " and " + counted(triangles_, "face", "faces") + ")",
-                  Defect::EMPTY);
+      refuse_empty(vertices_, triangles_);
     if (!is_ended_)
-      refuse_file(path_, "the file has no line END, or not as many as it has parts");
+      refuse("the file has no line END, or not as many as it has parts");
   }
 
 private:
@@ -100,7 +96,7 @@ private:
   {
     end_part();
     if (!is_ended_ && (is_begun_ || is_other_))
-      refuse_file(path_, "line " + std::to_string(lines_.number()) + ": a part begins where the one before has no line END");
+      refuse(line() + ": a part begins where the one before has no line END");
     is_ended_ = is_begun_ = false;
     vertex_of_number_.clear();
     properties_ = 0;
@@ -109,35 +105,23 @@ private:
       kind = lines_.take_word();
     is_other_ = !kind.empty() && !is_keyword(kind, "tsurf");
     if (is_other_)
-      soup_.warnings.push_back("line " + std::to_string(lines_.number()) + ": the part of the kind " + quote(kind) +
-                               " is no surface of triangles (TSurf), and is left out");
+      soup_.warnings.push_back(line() + ": the part of the kind " + quote(kind) + " is no surface of triangles (TSurf), and is left out");
   }
 
   void vertex()
   {
     define(integer("vertex", vertices_), static_cast<std::uint32_t>(vertices_));
-    std::array<double, 3> point;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!lines_.find_word_on_line())
-        refuse_file(path_, where("vertex", vertices_) + ": there " + are_counted(i, "number", "numbers") + " where 3 are needed",
-                    Defect::UNREADABLE, vertices_);
-      if (!take_real(lines_.p, lines_.last, point[i]))
-        point[i] = check_coordinate(path_, std::string(lines_.take_word()), where("vertex", vertices_), vertices_);
-    }
+    soup_.points.push_back(take_point(vertices_));
     take_properties("vertex", vertices_);
-    soup_.points.push_back(point);
     ++vertices_;
   }
 
   // Numbers, and the word that makes a vertex a control node: CN, with the coordinates that it fixes. How many there are.
   std::size_t take_properties(const char* const kind, const std::size_t element)
   {
-    std::size_t count = 0;
-    for (; lines_.find_word_on_line(); ++count)
-      if (const std::string word(lines_.take_word()); !is_number(word) && !is_keyword(word.substr(0, 2), "cn"))
-        refuse_file(path_, where(kind, element) + ": " + quote(word) + " is behind the numbers of the " + kind + ", where only properties may be",
-                    Defect::UNREADABLE, element);
-    return count;
+    return take_others(
+      kind, element, (std::numeric_limits<std::size_t>::max)(), [kind] { return std::string("numbers of the ") + kind + ", where only properties may be"; },
+      [](const std::string_view word) { return is_number(word) || is_keyword(word.substr(0, 2), "cn"); });
   }
 
   // Another number for a vertex that is there.
@@ -146,8 +130,7 @@ private:
     const long long name = integer("vertex", vertices_), other = integer("vertex", vertices_);
     const auto it = vertex_of_number_.find(other);
     if (it == vertex_of_number_.end())
-      refuse_file(path_, where("vertex", vertices_) + ": the part has no vertex " + std::to_string(other) + " before this line",
-                  Defect::BAD_INDEX, vertices_);
+      refuse("vertex", vertices_, ": the part has no vertex " + std::to_string(other) + " before this line", Defect::BAD_INDEX);
     define(name, it->second);
     take_properties("vertex", vertices_);
   }
@@ -158,10 +141,10 @@ private:
     for (long long& corner : triangle.corners)
       corner = integer("face", triangles_);
     if (properties_ == 0 ? lines_.find_word_on_line() : take_properties("face", triangles_) != properties_)
-      refuse_file(path_,
-                  where("face", triangles_) + (properties_ == 0 ? ": there is more in the line than three vertices"
-                                                                : ": three vertices are not followed by " + counted(properties_, "property", "properties") + ", as TRGL_PROPERTIES announces"),
-                  Defect::NOT_A_TRIANGLE, triangles_);
+      refuse("face", triangles_,
+             properties_ == 0 ? ": there is more in the line than three vertices"
+                              : ": three vertices are not followed by " + counted(properties_, "property", "properties") + ", as TRGL_PROPERTIES announces",
+             Defect::NOT_A_TRIANGLE);
     triangles_of_part_.push_back(triangle);
     ++triangles_;
   }
@@ -189,9 +172,8 @@ private:
         const long long corner = triangle.corners[i];
         const auto it = vertex_of_number_.find(corner);
         if (it == vertex_of_number_.end())
-          refuse_file(path_,
-                      place(triangle.line, "face", face) + ": the face names vertex " + std::to_string(corner) + ", but its part has no vertex of this number",
-                      Defect::BAD_INDEX, face);
+          refuse(place(triangle.line, "face", face) + ": the face names vertex " + std::to_string(corner) + ", but its part has no vertex of this number",
+                 Defect::BAD_INDEX, face);
         corners[i] = it->second;
       }
       soup_.triangles.push_back(corners);
@@ -203,28 +185,23 @@ private:
   void define(const long long name, const std::uint32_t vertex)
   {
     if (!vertex_of_number_.emplace(name, vertex).second)
-      refuse_file(path_, where("vertex", vertices_) + ": there is a vertex " + std::to_string(name) + " before it in the same part",
-                  Defect::UNREADABLE, vertices_);
+      refuse("vertex", vertices_, ": there is a vertex " + std::to_string(name) + " before it in the same part");
   }
 
   long long integer(const char* const kind, const std::size_t element)
   {
     const bool is_there = lines_.find_word_on_line();
-    const std::string word(lines_.take_word());
+    const std::string_view word = lines_.take_word();
     long long number = 0;
     if (!read_integer(word, number))
-      refuse_file(path_,
-                  where(kind, element) + ": " + (is_there ? quote(word) + " is not the number of a vertex" : "the number of a vertex is missing"),
-                  Defect::UNREADABLE, element);
+      refuse(kind, element, is_there ? ": " + quote(word) + " is not the number of a vertex" : ": the number of a vertex is missing");
     return number;
   }
 
   [[noreturn]] void refuse_line(const std::string_view word, const std::string& text) const
   {
-    refuse_file(path_, "line " + std::to_string(lines_.number()) + ", " + quote(std::string(word)) + ": " + text);
+    refuse(line() + ", " + quote(word) + ": " + text);
   }
-
-  std::string where(const char* const kind, const std::size_t element) const { return place(lines_.number(), kind, element); }
 
   struct Triangle
   {
@@ -232,9 +209,6 @@ private:
     std::size_t line;
   };
 
-  std::string path_;
-  Polygon_soup& soup_;
-  Text_lines lines_;
   std::unordered_map<long long, std::uint32_t> vertex_of_number_; // in this part
   std::vector<Triangle> triangles_of_part_;
   std::size_t vertices_ = 0, triangles_ = 0, properties_ = 0; // properties of a triangle of this part
@@ -244,8 +218,7 @@ private:
   bool is_ended_ = false;                                     // the part has its line END
 };
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void read_ts(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
+inline void read_ts(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
 {
   Ts_reader(path, size, progress, soup).read();
 }
@@ -254,4 +227,4 @@ void read_ts(const std::string& path, const std::uintmax_t size, const Progress_
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_TS_IMPL_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_TS_H

@@ -5,14 +5,10 @@
 //
 // PLY, text or binary: elements with properties, of which coordinates and corners are read and the others skipped.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_PLY_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_PLY_IMPL_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_PLY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_PLY_H
 
-#include <CGAL/Intrinsic_triangulations/internal/files/File_blocks.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/Ply_header.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/formats.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/reserve.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/Text_lines.h>
 
 #include <algorithm>
 #include <array>
@@ -20,13 +16,191 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <limits>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+struct Ply_property
+{
+  std::string name, type, size_type;
+}; // size_type: lists only
+struct Ply_element
+{
+  std::string name;
+  std::size_t count;
+  std::vector<Ply_property> properties;
+
+  bool is_vertex() const { return name == "vertex" || name == "vertices"; }
+  bool is_face() const { return name == "face" || name == "faces"; }
+  bool is_strips() const { return name == "tristrips"; }
+  // The first property of that name, null if there is none.
+  const Ply_property* find(const std::string& property_name) const
+  {
+    for (const Ply_property& property : properties)
+      if (property.name == property_name)
+        return &property;
+    return nullptr;
+  }
+  // The corners of a face, or of strips.
+  const Ply_property* find_corners() const
+  {
+    const Ply_property* const property = find("vertex_indices");
+    return property != nullptr ? property : find("vertex_index");
+  }
+};
+
+// The number of bytes of a type, 0 if there is no such type.
+inline std::size_t ply_type_size(const std::string& type)
+{
+  // clang-format off
+  static const struct
+  {
+    const char* name;
+    std::size_t size;
+  } table[] = {
+    {"char", 1}, {"int8", 1}, {"uchar", 1}, {"uint8", 1},
+    {"short", 2}, {"int16", 2}, {"ushort", 2}, {"uint16", 2},
+    {"int", 4}, {"int32", 4}, {"uint", 4}, {"uint32", 4},
+    {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
+  // clang-format on
+  for (const auto& row : table)
+    if (type == row.name)
+      return row.size;
+  return 0;
+}
+inline bool is_real(const std::string& type) { return type.compare(0, 5, "float") == 0 || type == "double"; }
+
+struct Ply_header
+{
+  std::string format;
+  std::vector<Ply_element> elements;
+  std::size_t bytes = 0, lines = 0;
+};
+
+inline Ply_header read_ply_header(const std::string& path, const Text_encoding& encoding)
+{
+  std::ifstream in(path, std::ios::binary);
+  in.seekg(static_cast<std::streamoff>(encoding.begin));
+  Ply_header header;
+  std::string line, &format = header.format;
+  std::vector<Ply_element>& elements = header.elements;
+  bool is_ended = false;
+  for (std::size_t& number = header.lines = 1; !is_ended && std::getline(in, line, encoding.line_end); ++number) {
+    const std::string where = "line " + std::to_string(number) + " of the header: ";
+    const auto refuse_unless = [&](const bool is_good, const char* const text) {
+      if (!is_good)
+        refuse_file(path, where + quote(line) + text);
+    };
+    std::istringstream words(line.substr(0, 1000));
+    // Keywords and names in small letters, whatever they are in.
+    const auto word = [&words] {
+      std::string result;
+      words >> result;
+      return in_small_letters(result);
+    };
+    const std::string keyword = word();
+    if (number == 1) {
+      if (keyword != "ply")
+        refuse_file(path, "the file begins with " + quote(line) + " where ply is expected");
+    } else if (keyword == "comment" || keyword == "obj_info" || keyword.empty())
+      continue;
+    else if (keyword == "format" || format.empty()) {
+      const bool is_first = format.empty();
+      format = word();
+      refuse_unless(is_first && keyword == "format" && (format == "ascii" || format == "binary_little_endian" || format == "binary_big_endian"),
+                    " is not a format (ascii, binary_little_endian or binary_big_endian)");
+      word(); // the version, of which there is one
+    } else if (keyword == "element") {
+      Ply_element element;
+      element.name = word();
+      long long value = 0;
+      refuse_unless(read_integer(word(), value) && value >= 0, " has no number of elements");
+      element.count = static_cast<std::size_t>(value);
+      for (const Ply_element& other : elements)
+        refuse_unless(other.name != element.name, " names an element for the second time");
+      elements.push_back(element);
+    } else if (keyword == "property") {
+      Ply_property property;
+      property.type = word();
+      if (property.type == "list") {
+        property.size_type = word();
+        property.type = word();
+      }
+      property.name = word();
+      if (elements.empty())
+        refuse_file(path, where + "a property comes before any element");
+      refuse_unless(!property.name.empty() && ply_type_size(property.type) != 0 &&
+                      (property.size_type.empty() || (ply_type_size(property.size_type) != 0 && !is_real(property.size_type))),
+                    " has a type that is not known");
+      refuse_unless(elements.back().find(property.name) == nullptr, " names a property for the second time");
+      elements.back().properties.push_back(property);
+    } else {
+      refuse_unless(keyword == "end_header", " is not understood");
+      is_ended = true;
+    }
+    refuse_unless(word().empty(), " has a word too many");
+  }
+  if (!is_ended)
+    refuse_file(path, "the header has no end (no line end_header)");
+  const std::streamoff told = in.tellg(); // -1 if nothing follows
+  header.bytes = static_cast<std::size_t>(told < 0 ? std::streamoff(std::filesystem::file_size(path)) : told);
+  return header;
+}
+
+// That properties have types that are known, and that there are x, y and z.
+inline void check_types(const std::string& path, const std::vector<Ply_element>& elements)
+{
+  bool has_vertices = false, has_faces = false;
+  for (const Ply_element& element : elements) {
+    has_vertices = has_vertices || element.is_vertex();
+    has_faces = has_faces || element.is_face() || element.is_strips();
+    if (element.is_vertex())
+      for (const char* const name : {"x", "y", "z"}) {
+        const Ply_property* const property = element.find(name);
+        if (property == nullptr || !property->size_type.empty())
+          refuse_file(path, std::string("by the header the vertices have no coordinate ") + name);
+      }
+    if (element.is_face() || element.is_strips()) {
+      const Ply_property* const property = element.find_corners();
+      if (property == nullptr || property->size_type.empty())
+        refuse_file(path, "by the header the elements " + element.name + " have no list vertex_indices or vertex_index");
+      if (is_real(property->type))
+        refuse_file(path, "by the header the list " + property->name + " of the elements " + element.name + " has the type " + property->type +
+                            ", which is none of integers");
+    }
+  }
+  if (!has_vertices || !has_faces)
+    refuse_file(path, std::string("the file has no element ") + (has_vertices ? "face" : "vertex"), Defect::EMPTY);
+}
+
+// That there may be a value for each property of each element.
+inline void check_counts(const std::string& path, const Ply_header& header, const std::uintmax_t file_size)
+{
+  const bool is_text = header.format == "ascii";
+  // The last number of a text needs nothing behind it.
+  const std::uintmax_t room = file_size - (std::min<std::uintmax_t>)(header.bytes, file_size) + is_text;
+  for (const Ply_element& element : header.elements) {
+    std::uintmax_t least = 0; // the bytes of one element whose lists are empty
+    for (const Ply_property& property : element.properties)
+      least += is_text ? 2 : ply_type_size(property.size_type.empty() ? property.type : property.size_type);
+    const std::string announced =
+      "the header announces " + counted(element.count, "element", "elements") + " " + quote(element.name);
+    if (element.count > 0 && least == 0)
+      refuse_file(path, announced + ", which have no property: remove them from the header");
+    if (element.count > 0 && element.count > room / least)
+      refuse_file(path, announced + ", more than fit into the " + counted(file_size, "byte", "bytes") + " of the file");
+  }
+}
+
+inline bool is_signed(const std::string& type) { return type[0] == 'i' || type == "char" || type == "short"; }
 
 // A property as the loops want it.
 struct Ply_layout
@@ -133,8 +307,8 @@ public:
       if (element.is_vertex() && !has_lists)
         done = take_vertices(element, layout);
       for (; done < element.count; ++done) {
-        if (layout.size() == 1 && layout[0].size_of_count == 1 && element.is_face())
-          done += take_triangles(layout[0], element.count - done);
+        if (layout.size() == 1 && layout[0].size_of_count == 1 && layout[0].size == 4 && element.is_face())
+          done += take_triangles(element.count - done);
         if (done < element.count)
           take_element(element, layout, done);
       }
@@ -200,7 +374,7 @@ private:
     soup_.warnings.push_back(text + ", which are zeros or blanks");
   }
 
-  // Each has the same number of bytes. Returns how many there are before the end of the file.
+  // Each has the same number of bytes, and coordinates of one real type: none is taken otherwise. Returns how many there are before the end of the file.
   std::size_t take_vertices(const Ply_element& element, const std::vector<Ply_layout>& layout)
   {
     std::size_t stride = 0;
@@ -216,39 +390,27 @@ private:
     const auto are_reals_of = [&coordinate](const std::size_t size) {
       return std::all_of(coordinate.begin(), coordinate.end(), [size](const Ply_layout* l) { return l->is_real && l->size == size; });
     };
-    const auto take = [&](const std::size_t n, auto real) {
+    const auto take = [&](auto real) {
       using Real = decltype(real);
-      const char* p = file_.first;
-      for (std::size_t i = 0; i < n; ++i, p += stride)
-        soup_.points.push_back({load<Real>(p + offset[0]), load<Real>(p + offset[1]), load<Real>(p + offset[2])});
-      file_.first = p;
+      std::size_t done = 0;
+      while (done < element.count && file_.require(stride)) {
+        const std::size_t n = (std::min)(element.count - done, file_.available() / stride);
+        const char* p = file_.first;
+        for (std::size_t i = 0; i < n; ++i, p += stride)
+          soup_.points.push_back({load<Real>(p + offset[0]), load<Real>(p + offset[1]), load<Real>(p + offset[2])});
+        file_.first = p;
+        done += n;
+      }
+      return done;
     };
-    std::size_t done = 0;
-    while (done < element.count && file_.require(stride)) {
-      const std::size_t n = (std::min)(element.count - done, file_.available() / stride);
-      if (are_reals_of(8))
-        take(n, double());
-      else if (are_reals_of(4))
-        take(n, float());
-      else
-        for (std::size_t i = 0; i < n; ++i, file_.first += stride)
-          soup_.points.push_back({load_number(file_.first + offset[0], *coordinate[0]), load_number(file_.first + offset[1], *coordinate[1]),
-                                  load_number(file_.first + offset[2], *coordinate[2])});
-      done += n;
-    }
-    return done;
+    return are_reals_of(8) ? take(double()) : are_reals_of(4) ? take(float())
+                                                              : 0;
   }
 
   // Faces of nothing but a byte and three indices, as many as come one after the other. Returns their number.
-  std::size_t take_triangles(const Ply_layout& l, const std::size_t at_most)
+  std::size_t take_triangles(const std::size_t at_most)
   {
-    return l.size == 4                         ? take_triangles_of<std::uint32_t>(at_most)
-           : l.size == 2 && l.range.least == 0 ? take_triangles_of<std::uint16_t>(at_most)
-                                               : 0;
-  }
-  template <class Index>
-  std::size_t take_triangles_of(const std::size_t at_most)
-  {
+    using Index = std::uint32_t;
     constexpr std::size_t stride = 1 + 3 * sizeof(Index);
     std::size_t done = 0;
     while (done < at_most && soup_.is_triangulated() && file_.require(stride)) {
@@ -322,8 +484,10 @@ private:
 class Ply_text_reader
 {
 public:
-  Ply_text_reader(const std::string& path, const Ply_header& header, Polygon_soup& soup, File_blocks& file, const char line_end)
-    : path_(path), header_(header), soup_(soup), file_(file), line_end_(line_end), number_(header.lines), most_entries_(file.left() / 2 + 1)
+  Ply_text_reader(const std::string& path, const Ply_header& header, Polygon_soup& soup, const std::uintmax_t size,
+                  const Progress_function& progress, const char line_end)
+    : path_(path), header_(header), soup_(soup), lines_(path, size, progress, {header.bytes, line_end}, header.lines - 1, no_comment),
+      size_(size - (std::min<std::uintmax_t>)(size, header.bytes))
   {
   }
 
@@ -332,43 +496,43 @@ public:
     std::size_t end = 0; // the line on which the element before ends
     for (const Ply_element& element : header_.elements) {
       element_ = &element;
-      reserve_ply(element, file_.left(), soup_);
+      reserve_ply(element, size_, soup_);
       const std::vector<Ply_layout> layout = Ply_layout::of(element);
       const bool is_vertex = element.is_vertex();
       for (index_ = 0; index_ < element.count; ++index_) {
         if (!find_word())
           refuse_end();
         if (begin_ == 0)
-          first_ = number_;
-        if (number_ == end && surplus_.empty()) {
+          first_ = lines_.number();
+        if (lines_.number() == end && surplus_.empty()) {
           surplus_ = line_of_two();
-          last_line_ = number_;
+          last_line_ = end;
         }
-        if (number_ == end && number_ != first_)
+        if (lines_.number() == end && end != first_)
           refuse_file(path_, surplus_, Defect::UNREADABLE, index_);
-        begin_ = number_;
+        begin_ = lines_.number();
         take_element(layout, is_vertex);
-        end = number_;
+        end = lines_.number();
       }
     }
     if (find_word())
-      refuse_file(path_, surplus_.empty() || number_ == end ? "line " + std::to_string(number_) + ": " + quote(take_word()) + " is behind the " + so_far() + " that the header announces"
-                                                            : surplus_);
+      refuse_file(path_, surplus_.empty() || lines_.number() == end
+                           ? "line " + std::to_string(lines_.number()) + ": " + quote(lines_.take_word()) + " is behind the " + so_far() + " that the header announces"
+                           : surplus_);
   }
 
 private:
   // What is wrong if the line ends within the elements that begin on it, which is a row of too many numbers or too few.
   std::string line_of_two()
   {
-    const char* const word = file_.first;
     const bool is_first = index_ == 0;
     const Ply_element& before = is_first ? *(element_ - 1) : *element_;
     std::string names;
     for (const Ply_property& property : before.properties)
       names += (names.empty() ? "" : ", ") + property.name;
     return "line " + std::to_string(begin_) + ", element " + before.name + " " + std::to_string(is_first ? before.count - 1 : index_ - 1) +
-           (begin_ == number_ ? std::string() : ", which goes on over line " + std::to_string(number_)) + ": " +
-           quote(std::string(word, skip_word(word, file_.last))) + " is behind the numbers that the header names (" + names + "); name it there, or begin each element on a line of its own";
+           (begin_ == lines_.number() ? std::string() : ", which goes on over line " + std::to_string(lines_.number())) + ": " +
+           quote(std::string(lines_.p, skip_word(lines_.p, lines_.last))) + " is behind the numbers that the header names (" + names + "); name it there, or begin each element on a line of its own";
   }
 
   void take_element(const std::vector<Ply_layout>& layout, const bool is_vertex)
@@ -388,7 +552,7 @@ private:
       if (count < 0)
         refuse_file(path_, where() + ": the list " + property.name + " claims a negative number of entries");
       // Each entry takes two bytes.
-      if (static_cast<std::uintmax_t>(count) > most_entries_)
+      if (static_cast<std::uintmax_t>(count) > size_ / 2 + 1)
         refuse_file(path_, where() + ": the list " + property.name + " claims more entries than the file has");
       corners_.clear();
       for (long long i = 0; i < count; ++i)
@@ -410,19 +574,10 @@ private:
   // Goes to the next word; false at the end of the file.
   bool find_word()
   {
-    for (;;) {
-      const char* p = file_.first;
-      for (; p != file_.last && is_white(*p); ++p)
-        number_ += *p == line_end_;
-      file_.first = p;
-      if (p != file_.last) {
-        if (number_ > last_line_)
-          refuse_file(path_, surplus_, Defect::UNREADABLE, index_);
-        return true;
-      }
-      if (!file_.take_words())
-        return false;
-    }
+    const bool is_there = lines_.find_word();
+    if (is_there && lines_.number() > last_line_)
+      refuse_file(path_, surplus_, Defect::UNREADABLE, index_);
+    return is_there;
   }
   void require_word()
   {
@@ -437,12 +592,15 @@ private:
   {
     return counted(soup_.points.size(), "vertex", "vertices") + " and " + counted(soup_.number_of_faces(), "face", "faces");
   }
-  // Goes over that word.
-  std::string take_word()
+  // Goes over the number at p if it is the whole word.
+  template <class Real>
+  bool take_real_word(Real& number)
   {
-    const char* const begin = file_.first;
-    file_.first = skip_word(begin, file_.last);
-    return std::string(begin, file_.first);
+    const char* p = lines_.p;
+    if (!take_real(p, lines_.last, number) || (p != lines_.last && *p == '#'))
+      return false;
+    lines_.p = p;
+    return true;
   }
 
   double take_value(const Ply_layout& l, const Ply_property& property)
@@ -450,18 +608,11 @@ private:
     if (!l.is_real)
       return static_cast<double>(take_integer(l.range, property.type, [&] { return property.name; }));
     require_word();
-    const char* p = file_.first;
     double number = 0;
-    if (l.size == 8) {
-      if (take_real(p, file_.last, number) && (p == file_.last || *p != '#')) {
-        file_.first = p;
-        return number;
-      }
-    } else if (float value = 0; take_real(p, file_.last, value) && (p == file_.last || *p != '#')) {
-      file_.first = p;
-      return value;
-    }
-    const std::string word = take_word();
+    float rounded = 0;
+    if (l.size == 8 ? take_real_word(number) : take_real_word(rounded))
+      return l.size == 8 ? number : rounded;
+    const std::string_view word = lines_.take_word();
     number = check_coordinate(path_, word, where(), index_);
     if (l.size == 8)
       return number;
@@ -475,10 +626,9 @@ private:
   void skip_value(const Ply_property& property)
   {
     require_word();
-    const char* p = file_.first;
-    if (double ignored = 0; take_real(p, file_.last, ignored) && (p == file_.last || *p != '#'))
-      file_.first = p;
-    else if (const std::string word = take_word(); !is_number(word))
+    if (double ignored = 0; take_real_word(ignored))
+      return;
+    if (const std::string_view word = lines_.take_word(); !is_number(word))
       refuse_file(path_, where() + ": " + quote(word) + " is not a number, which is needed for " + property.name, Defect::UNREADABLE, index_);
   }
 
@@ -487,35 +637,35 @@ private:
   long long take_integer(const Ply_layout::Range& range, const std::string& type, const What& what)
   {
     require_word();
-    const char* p = file_.first;
-    if (std::uint32_t count = 0; take_count(p, file_.last, count) && (p == file_.last || is_white(*p)) && count <= range.greatest) {
-      file_.first = p;
+    const char* p = lines_.p;
+    if (std::uint32_t count = 0; take_count(p, lines_.last, count) && (p == lines_.last || is_white(*p)) && count <= range.greatest) {
+      lines_.p = p;
       return count;
     }
     long long number = 0;
-    const std::string word = take_word();
-    if (!read_integer(word, number) && !is_beyond_integers(word))
+    const std::string_view word = lines_.take_word();
+    const Integer_state state = integer_state(word, number);
+    if (state == Integer_state::NOT_AN_INTEGER)
       refuse_file(path_, where() + ": " + quote(word) + " is not an integer, which is needed for " + what());
-    if (is_beyond_integers(word) || number < range.least || number > range.greatest)
+    if (state == Integer_state::TOO_LARGE || number < range.least || number > range.greatest)
       refuse_file(path_, where() + ": " + quote(word) + " is out of range for " + what() + ", which is of type " + type);
     return number;
   }
 
   std::string where() const
   {
-    return "line " + std::to_string(number_) + ", element " + element_->name + " " + std::to_string(index_);
+    return "line " + std::to_string(lines_.number()) + ", element " + element_->name + " " + std::to_string(index_);
   }
 
   std::string path_;
   const Ply_header& header_;
   Polygon_soup& soup_;
-  File_blocks& file_;
-  const char line_end_;
-  std::size_t number_;                                                // of the line, counted from 1
+  static constexpr char no_comment = '\n'; // no word begins with it
+  Text_lines lines_;
+  const std::uintmax_t size_;                                         // of what follows the header
   std::size_t first_ = 0, begin_ = 0;                                 // the lines on which the first element begins, and this one
   std::string surplus_;                                               // what is wrong with the line if there is another behind it
   std::size_t last_line_ = (std::numeric_limits<std::size_t>::max)(); // there must be no other then
-  std::uintmax_t most_entries_;
   const Ply_element* element_ = nullptr;
   std::size_t index_ = 0;              // of the element among those of its kind
   std::vector<std::uint32_t> corners_; // of a face
@@ -531,17 +681,16 @@ inline Text_encoding find_ply_encoding(const std::string& path)
   return result;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void read_ply(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
+inline void read_ply(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
 {
   const Text_encoding encoding = find_ply_encoding(path);
   const Ply_header header = read_ply_header(path, encoding);
   check_types(path, header.elements);
   check_counts(path, header, size);
-  File_blocks file(path, size, header.bytes, progress, encoding.line_end);
   if (header.format == "ascii")
-    Ply_text_reader(path, header, soup, file, encoding.line_end).read();
-  else if (header.format == "binary_little_endian")
+    return Ply_text_reader(path, header, soup, size, progress, encoding.line_end).read();
+  File_blocks file(path, size, header.bytes, progress);
+  if (header.format == "binary_little_endian")
     Ply_binary_reader<false>(path, header, soup, file).read();
   else
     Ply_binary_reader<true>(path, header, soup, file).read();
@@ -551,4 +700,4 @@ void read_ply(const std::string& path, const std::uintmax_t size, const Progress
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_PLY_IMPL_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_PLY_H
