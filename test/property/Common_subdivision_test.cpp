@@ -105,30 +105,28 @@ TEST(Common_subdivision, forgets_who_could_interrupt_what_was_given_up)
   EXPECT_NO_THROW(IT::internal::engine(subdivision).interruption().check());
 }
 
-// From the connectivity and an exact geometry that nobody has asked for anything yet.
-TEST(Common_subdivision, prepares_the_exact_geometry)
+// From a triangulation whose integers nobody has asked for yet.
+TEST(Common_subdivision, prepares_the_integers)
 {
   const samples::Indexed_triangles surface = samples::bad_torus(10, 12);
   const IT::Delta_complex input = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
   const Triangulation t = Delaunay_triangulation(surface);
-  IT::Delta_complex complex = input;
-  IT::internal::Exact_engine geometry(
-    IT::Input_metric::from_points(IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end())));
+  IT::Intrinsic_triangulation<IT::Edge_length_traits<double>> rounded(input, surface.points);
+  rounded.keep_input(IT::Input_metric::from_points(IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end())));
+  const IT::Delta_complex& complex = rounded.connectivity();
   bool is_changed = true;
   while (is_changed) {
     is_changed = false;
     for (IT::Edge_index e : complex.edges()) {
-      // Asks a copy, so that the geometry itself has a journal only.
-      if (!complex.is_flippable(e) || IT::internal::Exact_engine(geometry).sign_of_cotangents(e) != CGAL::NEGATIVE)
+      // Asks a copy, so that there is a journal only.
+      if (!complex.is_flippable(e) || decltype(rounded)(rounded).sign_of_cotangent_weight(e) != CGAL::NEGATIVE)
         continue;
-      const IT::Hinge_halfedges around = complex.hinge(e);
-      geometry.flip(around);
-      complex.flip(around);
+      rounded.flip(e);
       is_changed = true;
     }
   }
-  ASSERT_GT(geometry.correspondence().number_of_journaled_flips(), 0u);
-  const IT::Common_subdivision subdivision(complex, geometry);
+  ASSERT_GT(IT::internal::Engine_access::engine(rounded).correspondence().number_of_journaled_flips(), 0u);
+  const IT::Common_subdivision subdivision(rounded);
   ASSERT_GT(subdivision.overlay().number_of_crossings(), 50u);
   EXPECT_EQ(subdivision.overlay().number_of_crossings(), IT::Overlay(t).number_of_crossings());
   double area = 0, expected = 0;

@@ -81,7 +81,7 @@ TEST(Parallel_if_available, overlays)
   const auto t = IT::intrinsic_Delaunay_triangulation(torus()).triangulation;
   const IT::Common_subdivision expected(t), s(t, {}, Tag());
   const IT::Overlay overlay(t, {}, Tag());
-  const IT::Overlay_positions positions(t.connectivity(), IT::internal::engine(t), overlay, {}, Tag());
+  const IT::Overlay_positions positions(IT::internal::engine(t), overlay, {}, Tag());
   EXPECT_EQ(overlay.number_of_segments(), expected.overlay().number_of_segments());
   ASSERT_EQ(overlay.number_of_crossings(), expected.overlay().number_of_crossings());
   for (IT::Overlay::Vertex x : overlay.crossings()) {

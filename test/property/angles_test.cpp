@@ -289,7 +289,7 @@ TEST(Halfedge_vectors, are_found_over_crossed_edges)
       const Vector turned = times_conjugate(in_plane(surface, c.source(h), c.target(h)),
                                             in_plane(surface, c.source(h), correspondence.input().target(axis)));
       const double difference =
-        IT::internal::direction_on_input(c, IT::internal::engine(t), h) - std::atan2(turned.y(), turned.x());
+        IT::internal::direction_on_input(IT::internal::engine(t), h) - std::atan2(turned.y(), turned.x());
       EXPECT_NEAR(std::remainder(difference, 2 * pi), 0, 1e-12);
       ++number;
     }

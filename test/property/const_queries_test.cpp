@@ -91,7 +91,8 @@ std::vector<double> answers(const Triangulation& t, const IT::Point_location* lo
     a.push_back(geometry.sign_of_cotangents(e));
     a.push_back(geometry.sign_by_unfolding(e));
     a.push_back(geometry.is_convex(e));
-    for (const auto& test : {geometry.test_in_plane(e), geometry.test_by_short_strips(e)})
+    using Effort = IT::internal::Exact_engine::Effort;
+    for (const auto& test : {geometry.quick_test(e, Effort::IN_PLANE), geometry.quick_test(e, Effort::SHORT_STRIPS)})
       a.push_back(test ? 10 * double(std::size_t(test->stage)) + test->sign : -1);
     const IT::Halfedge_index h = complex.halfedge(e);
     if (geometry.sign_of_area(complex.face(h)) == CGAL::POSITIVE &&
@@ -260,7 +261,7 @@ TEST(Const_queries, journals_and_flips_one_by_one_lead_to_the_same)
           IT::flip_to_Delaunay(journaled), IT::flip_to_Delaunay(followed);
         for (Triangulation* t : {&journaled, &followed}) // stored numbers depend on the flips
           for (IT::Face_index f : complex.faces())
-            t->recompute(f);
+            Whole(*t).recompute(f);
         ASSERT_EQ(answers(journaled, nullptr, 0), answers(followed, nullptr, 0));
         const IT::internal::Correspondence &a = IT::internal::engine(journaled).correspondence(), &b = IT::internal::engine(followed).correspondence();
         for (IT::Halfedge_index h : complex.halfedges())

@@ -84,7 +84,7 @@ TEST(Exact_stages, long_chains_of_flips_in_a_plane_need_no_correspondence)
   Triangulation t = make_Delaunay(samples::sheared_grid(60, 60, 20.3));
   EXPECT_GT(t.stage_counts()[IT::Stage::COPLANAR], 0u);
   using Whole = IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>;
-  EXPECT_FALSE(Whole(t).geometry().correspondence().is_prepared());
+  EXPECT_FALSE(Whole(t).engine().correspondence().is_prepared());
   expect_agreement(t);
 }
 

@@ -39,7 +39,7 @@ using IT::Vertex_index;
 class Overlay_check
 {
 public:
-  Overlay_check(const Delta_complex& intrinsic, const internal::Correspondence& correspondence)
+  Overlay_check(const Delta_complex& intrinsic, const IT::internal::Correspondence& correspondence)
     : intrinsic_(intrinsic), input_(correspondence.input()), correspondence_(correspondence), coordinates_(correspondence.coordinates()),
       overlay_(intrinsic, correspondence)
   {}
@@ -330,7 +330,7 @@ TEST(Overlay_graph, OfRandomGluingsAfterAnyFlips)
     const std::size_t n = with_boundary ? 1 + seed % 13 : 2 + 2 * (seed % 7);
     const auto gluing = samples::random_gluing(n, seed, with_boundary, seed % 2 == 0);
     Delta_complex complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
-    internal::Correspondence correspondence;
+    IT::internal::Correspondence correspondence;
     if (seed % 4 < 2) // before the flips or after them
       correspondence.prepare(complex);
     std::mt19937 random(seed);

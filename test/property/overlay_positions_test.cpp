@@ -95,8 +95,8 @@ TEST(Overlay_positions, agree_with_those_from_exact_squared_lengths)
     const IT::Overlay overlay(a), same(b);
     ASSERT_GT(overlay.number_of_crossings(), 0u);
     ASSERT_EQ(overlay.number_of_crossings(), same.number_of_crossings());
-    const IT::Overlay_positions positions(a.connectivity(), IT::internal::engine(a), overlay),
-      expected(b.connectivity(), IT::internal::engine(b), same);
+    const IT::Overlay_positions positions(IT::internal::engine(a), overlay),
+      expected(IT::internal::engine(b), same);
     for (IT::Overlay::Vertex x : overlay.crossings()) {
       const double t = expected.on_intrinsic_edge(x), u = expected.on_input_edge(x);
       EXPECT_NEAR(positions.on_intrinsic_edge(x), t, 0x1p-51 * t) << x;

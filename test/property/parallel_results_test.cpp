@@ -222,26 +222,26 @@ TEST(Parallel_results, integers_of_many_flips)
 TEST(Parallel_results, integers_that_are_too_large_are_an_error)
 {
   const samples::Glued_triangles torus = samples::one_vertex_torus();
-  IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(torus.number_of_faces, torus.glued_sides);
-  IT::internal::Exact_engine geometry(IT::Input_metric::from_normalized_lengths({1, 1, 1}, 0));
+  IT::internal::Exact_engine engine(IT::make_Delta_complex_from_gluing(torus.number_of_faces, torus.glued_sides));
+  engine.keep_input(IT::Input_metric::from_normalized_lengths({1, 1, 1}, 0));
+  const IT::Delta_complex& complex = engine.connectivity();
   for (unsigned i = 0; i < 20; ++i) { // below the number that makes it recover the input by itself
     const IT::Edge_index e(i % 3);
-    geometry.flip(complex.hinge(e));
-    complex.flip(e);
+    engine.flip(complex.hinge(e));
   }
   std::vector<IT::Hinge_halfedges> more;
   for (unsigned i = 20; i < 130; ++i) {
     const IT::Edge_index e(i % 3);
     more.push_back(complex.hinge(e));
-    complex.flip(e);
+    engine.flip_in_block(more.back());
   }
-  geometry.append(more);
+  engine.append(more);
   for_each_number_of_threads([&] {
-    EXPECT_THROW(geometry.prepare<Parallel_tag>(complex), IT::Integer_overflow_error);
-    EXPECT_FALSE(geometry.correspondence().is_prepared());
-    EXPECT_EQ(geometry.correspondence().number_of_journaled_flips(), 130u);
+    EXPECT_THROW(engine.prepare<Parallel_tag>(), IT::Integer_overflow_error);
+    EXPECT_FALSE(engine.correspondence().is_prepared());
+    EXPECT_EQ(engine.correspondence().number_of_journaled_flips(), 130u);
   });
-  EXPECT_THROW(geometry.prepare(complex), IT::Integer_overflow_error);
+  EXPECT_THROW(engine.prepare(), IT::Integer_overflow_error);
 }
 
 // A thread that waits within the loop must not begin work of another one, which could ask for a lock that it holds.
@@ -298,26 +298,20 @@ TEST(Parallel_results, verifications)
 // Flips of any hinges, as a number type makes that decides wrongly.
 struct Flipped_anyhow
 {
-  explicit Flipped_anyhow(const Filtered& t) : complex(t.connectivity()), geometry(IT::internal::engine(t))
+  explicit Flipped_anyhow(const Filtered& t) : engine_(IT::internal::engine(t))
   {
+    const IT::Delta_complex& complex = connectivity();
     std::mt19937 random(1);
     for (std::uint32_t i = 0; i < complex.number_of_edges(); ++i) {
       const IT::Edge_index e(i);
       if (random() % 8 != 0 || !complex.is_flippable(e))
         continue;
-      geometry.flip(complex.hinge(e));
-      complex.flip(e);
+      engine_.flip(complex.hinge(e));
     }
   }
-  const IT::Delta_complex& connectivity() const { return complex; }
-  template <class ConcurrencyTag = CGAL::Sequential_tag>
-  const IT::internal::Exact_engine& exact_geometry() const
-  {
-    return geometry;
-  }
+  const IT::Delta_complex& connectivity() const { return engine_.connectivity(); }
 
-  IT::Delta_complex complex;
-  IT::internal::Exact_engine geometry;
+  IT::internal::Exact_engine engine_;
 };
 
 TEST(Parallel_results, faces_inside_out)
@@ -457,7 +451,7 @@ TEST(Parallel_results, can_be_cancelled)
     EXPECT_THROW(IT::Overlay(t, progress, Parallel_tag()), IT::Cancelled_error);
   }
   EXPECT_THROW(IT::Overlay_positions(
-                 t.connectivity(), IT::internal::engine(t), overlay, [](double) { return false; }, Parallel_tag()),
+                 IT::internal::engine(t), overlay, [](double) { return false; }, Parallel_tag()),
                IT::Cancelled_error);
 }
 

@@ -176,9 +176,9 @@ TEST(Parallel, after_queries_as_without)
     };
     expect_same(IT::flip_to_Delaunay<Parallel_tag>(one), IT::flip_to_Delaunay<Parallel_tag>(other));
     using Whole = IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>;
-    EXPECT_EQ(Whole(one).geometry().correspondence().number_of_journaled_flips(),
-              Whole(other).geometry().correspondence().number_of_journaled_flips());
-    EXPECT_EQ(Whole(one).geometry().correspondence().is_prepared(), Whole(other).geometry().correspondence().is_prepared());
+    EXPECT_EQ(Whole(one).engine().correspondence().number_of_journaled_flips(),
+              Whole(other).engine().correspondence().number_of_journaled_flips());
+    EXPECT_EQ(Whole(one).engine().correspondence().is_prepared(), Whole(other).engine().correspondence().is_prepared());
     expect_same_numbers(other, one);
     EXPECT_TRUE(IT::verify_Delaunay(other).is_Delaunay());
     // Now flips that are followed.

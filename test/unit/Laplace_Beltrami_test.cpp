@@ -203,7 +203,7 @@ TEST(Rounded_numbers, are_those_of_single_edges_and_faces)
       // Points in faces of zero area can be those of others.
       const IT::Delta_complex input = t.connectivity();
       if (is_refined && std::any_of(input.faces().begin(), input.faces().end(),
-                                    [&](IT::Face_index f) { return IT::internal::engine(t).sign_of_area(input, f) != CGAL::POSITIVE; }))
+                                    [&](IT::Face_index f) { return IT::internal::engine(t).sign_of_area(f) != CGAL::POSITIVE; }))
         continue;
       IT::flip_to_Delaunay(t);
       for (std::uint32_t f = 0; is_refined && f < 20 && f < input.number_of_faces(); ++f)
@@ -211,8 +211,8 @@ TEST(Rounded_numbers, are_those_of_single_edges_and_faces)
       const IT::Delta_complex& c = t.connectivity();
       IT::internal::Exact_engine::Rounded_numbers rounded(c);
       const std::size_t half = c.number_of_faces() / 2;
-      IT::internal::engine(t).find_numbers(c, half, c.number_of_faces(), rounded);
-      IT::internal::engine(t).find_numbers(c, 0, half, rounded);
+      IT::internal::engine(t).find_numbers(half, c.number_of_faces(), rounded);
+      IT::internal::engine(t).find_numbers(0, half, rounded);
       const auto expect_same = [&](double x, double expected) {
         ++numbers;
         if (std::isnan(x))

@@ -247,6 +247,20 @@ auto intrinsic_Delaunay_triangulation(const Exact_gluing& gluing, const NamedPar
 }
 
 } // namespace Intrinsic_triangulations
+
+namespace parameters {
+
+/// \ingroup PkgIntrinsicTriangulationsTwists
+/// \brief the named parameter `fast_forward` of `intrinsic_Delaunay_triangulation()` of a gluing: whether tubes are untwisted first.
+///
+/// It has to be the first of a sequence: `parameters::fast_forward(true).visitor(…)`.
+inline Named_function_parameters<bool, Intrinsic_triangulations::internal::Fast_forward_tag>
+fast_forward(bool value)
+{
+  return Named_function_parameters<bool, Intrinsic_triangulations::internal::Fast_forward_tag>(value);
+}
+
+} // namespace parameters
 } // namespace CGAL
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
