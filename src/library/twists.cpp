@@ -4,3 +4,4 @@
 // What is compiled once of twists.
 
 #include <CGAL/Intrinsic_triangulations/untwist.h>
+#include <CGAL/Intrinsic_triangulations/internal/twists/untwist_impl.h>

@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RATIONAL_METRIC_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 

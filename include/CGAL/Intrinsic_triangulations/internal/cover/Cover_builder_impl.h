@@ -8,7 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_COVER_BUILDER_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_COVER_BUILDER_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
 #include <CGAL/Intrinsic_triangulations/internal/cover/Flat_face_remover.h>

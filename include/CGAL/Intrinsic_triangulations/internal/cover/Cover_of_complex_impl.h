@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_COVER_OF_COMPLEX_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
 

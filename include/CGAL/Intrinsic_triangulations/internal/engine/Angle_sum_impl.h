@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ANGLE_SUM_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Level_line.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>

@@ -347,6 +347,8 @@ private:
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_numbers_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_signs_impl.h>
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_H

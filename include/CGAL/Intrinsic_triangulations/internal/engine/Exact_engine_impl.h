@@ -8,7 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
@@ -682,8 +681,5 @@ Exact_engine::Corner Exact_engine::straight_corner(Halfedge_index h) const
 } // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
-
-#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_numbers_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_signs_impl.h>
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_IMPL_H

@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/files/read_stl.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/read_ts.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
-#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <algorithm>
 #include <cerrno>

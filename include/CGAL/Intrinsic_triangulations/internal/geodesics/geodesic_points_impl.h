@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Crossing_locator.h>
-#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <cstddef>
 #include <cstdint>

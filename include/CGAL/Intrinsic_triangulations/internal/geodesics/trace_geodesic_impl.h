@@ -15,7 +15,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_layout.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
-#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <algorithm>
 #include <array>

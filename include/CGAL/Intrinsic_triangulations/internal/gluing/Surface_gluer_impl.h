@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SURFACE_GLUER_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge.h>
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/separate_fans.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 

@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_ARE_COLLINEAR_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>

@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph.h>
 
 #include <CGAL/assertions.h>
 

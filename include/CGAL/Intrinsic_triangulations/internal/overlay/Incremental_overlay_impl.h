@@ -8,7 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_INCREMENTAL_OVERLAY_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_INCREMENTAL_OVERLAY_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Incremental_overlay_check.h>

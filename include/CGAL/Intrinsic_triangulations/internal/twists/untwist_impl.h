@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/twists/Tube_straightener.h>
-#include <CGAL/Intrinsic_triangulations/untwist.h>
 
 #include <cstddef>
 #include <limits>

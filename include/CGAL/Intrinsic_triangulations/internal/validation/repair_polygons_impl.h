@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Element_collector.h>
-#include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>

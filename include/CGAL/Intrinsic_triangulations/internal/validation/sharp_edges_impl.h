@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
-#include <CGAL/Intrinsic_triangulations/sharp_edges.h>
 
 #include <CGAL/number_type_config.h>
 

@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
-#include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
 #include <algorithm>
 #include <array>

@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Prime_field.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <algorithm>
 #include <array>
