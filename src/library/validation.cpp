@@ -3,7 +3,6 @@
 //
 // What is compiled once of the validation.
 
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/remove_flat_vertices_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/sharp_edges_impl.h>
