@@ -34,7 +34,8 @@ namespace internal {
 //   beyond the middle. Exchanging u and v reverses all of this, so the cyclic order is the same for both directions.
 // - Faces with the same corners lie on top of each other like sheets of paper, in the order of their numbers.
 // - A face without area lies in the half-plane of the face whose third vertex is farthest from the edge.
-// - Numbers decide in what remains: isosceles triangles over the same edge in one half-plane, third vertices at the same place,
+// - Numbers decide in what remains: isosceles triangles over the same edge in one half-plane, third vertices at the
+// same place,
 //   and several farthest faces. There a rotation in space exchanges the ends of the edge.
 class Faces_around_edge
 {
@@ -62,7 +63,10 @@ public:
   }
 
   // Whether no turn leads from one face to the other. A face without area is in every half-plane.
-  bool are_in_one_half_plane(const Face& a, const Face& b) const { return sector(a.third_vertex, b.third_vertex) == SAME; }
+  bool are_in_one_half_plane(const Face& a, const Face& b) const
+  {
+    return sector(a.third_vertex, b.third_vertex) == SAME;
+  }
 
 private:
   // Where a half-plane is, seen from the first: in front means counterclockwise, by less than π.
@@ -79,7 +83,8 @@ private:
     Sector sector;
   };
 
-  // The first vertex of those farthest from the line through the edge, if one of them is on that line: else any will do.
+  // The first vertex of those farthest from the line through the edge, if one of them is on that line: else any will
+  // do.
   std::uint32_t find_reference(const std::vector<Face>& faces) const
   {
     std::uint32_t reference = faces[0].third_vertex;
@@ -124,8 +129,8 @@ private:
   {
     const std::uint32_t w = a.third_vertex, x = b.third_vertex;
     if (w == x) {
-      // A sheet with a larger number is further out, as seen from the side on which smallest, middle and largest vertex turn
-      // counterclockwise. This is forward about u→v unless w is the middle one.
+      // A sheet with a larger number is further out, as seen from the side on which smallest, middle and largest vertex
+      // turn counterclockwise. This is forward about u→v unless w is the middle one.
       const bool is_backward = u_ < w && w < v_;
       return is_backward ? b.side < a.side : a.side < b.side;
     }

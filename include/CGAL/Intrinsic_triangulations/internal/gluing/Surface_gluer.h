@@ -37,18 +37,23 @@ namespace internal {
 // Decides which triangles are turned over, which sides become one edge, and which vertices have to be copied for that.
 //
 // - The two sides of an edge with two faces become one, unless a one-sided surface has to be cut there.
-// - At other edges, the faces are taken in their order around the edge. Counterclockwise about the edge, material lies between a face
-//   that runs backward and the next one that runs forward, as in a solid whose faces point outward. Such faces are glued, and
-//   what they enclose is left out; then the next ones, until none is left. So each pair bounds a set where the winding number
-//   has some least value, and a solid that touches itself comes apart along the edge. Of several that could be
-//   glued where solids overlap, faces of the same piece are.
+// - At other edges, the faces are taken in their order around the edge. Counterclockwise about the edge, material lies
+// between a face
+//   that runs backward and the next one that runs forward, as in a solid whose faces point outward. Such faces are
+//   glued, and what they enclose is left out; then the next ones, until none is left. So each pair bounds a set where
+//   the winding number has some least value, and a solid that touches itself comes apart along the edge. Of several
+//   that could be glued where solids overlap, faces of the same piece are.
 // - If the solid is inside out, which its volume tells, material is on the other sides.
-// - Pieces that hang on others by one edge alone, as a fin does, are glued after all others. If their number at an edge is odd, as of three sheets,
-//   only faces are that belong to the same piece, or to pieces that were glued elsewhere: else they would be left as a slit in the surface.
-// - If so many faces run forward at an edge as backward, nothing is turned there. If not, pieces are turned so that directions alternate
+// - Pieces that hang on others by one edge alone, as a fin does, are glued after all others. If their number at an edge
+// is odd, as of three sheets,
+//   only faces are that belong to the same piece, or to pieces that were glued elsewhere: else they would be left as a
+//   slit in the surface.
+// - If so many faces run forward at an edge as backward, nothing is turned there. If not, pieces are turned so that
+// directions alternate
 //   around each edge with an even number of faces, as they do around each solid.
 // - Where faces lie in one half-plane, their order tells nothing about directions: no piece is turned because of that.
-// - Triangles are given by their corners, so two edges must not have the same ends. Where two pairs at an edge would, the faces that have nothing
+// - Triangles are given by their corners, so two edges must not have the same ends. Where two pairs at an edge would,
+// the faces that have nothing
 //   between them are glued instead: then the solid is one along the edge. If that fails as well, all are cut.
 class Surface_gluer
 {
@@ -77,7 +82,8 @@ public:
     separate_edges();
   }
 
-  // Whether a triangle is turned over: its corners 0 and 2 are exchanged. The first of each part that edges join is not.
+  // Whether a triangle is turned over: its corners 0 and 2 are exchanged. The first of each part that edges join is
+  // not.
   bool is_turned(std::size_t face) const { return is_turned_[face]; }
   // The vertices of the surface: first those that were given, then copies; for each which one it was.
   const std::vector<Index>& vertices() const { return fans_.first; }
@@ -110,7 +116,9 @@ private:
   void glue_simple_edges()
   {
     sides_.for_each_edge([&](Index, const Sides_by_edge::Side* begin, const Sides_by_edge::Side* end) {
-      const auto runs_backward = [this](const Sides_by_edge::Side& s) { return s.runs_to_smaller_end() != is_turned_[s.face()]; };
+      const auto runs_backward = [this](const Sides_by_edge::Side& s) {
+        return s.runs_to_smaller_end() != is_turned_[s.face()];
+      };
       if (end - begin == 2 && runs_backward(begin[0]) != runs_backward(begin[1])) {
         glue_sides(begin[0].side(), begin[1].side());
       } else if (end - begin <= 2) {
@@ -133,9 +141,11 @@ private:
       Crowded_edge edge;
       for (std::size_t i = 0; i < around.size(); ++i) {
         const Sides_by_edge::Side& s = begin[around[i].side];
-        edge.entries.push_back({s.side(), pieces_.piece_of[s.face()], s.runs_to_smaller_end() != is_turned_[s.face()], false});
+        edge.entries.push_back(
+          {s.side(), pieces_.piece_of[s.face()], s.runs_to_smaller_end() != is_turned_[s.face()], false});
         edge.has_faces_in_one_half_plane =
-          edge.has_faces_in_one_half_plane || order.are_in_one_half_plane(around[i], around[i + 1 < around.size() ? i + 1 : 0]);
+          edge.has_faces_in_one_half_plane ||
+          order.are_in_one_half_plane(around[i], around[i + 1 < around.size() ? i + 1 : 0]);
       }
       crowded_edges_.push_back(std::move(edge));
     });
@@ -159,7 +169,8 @@ private:
     while (!hanging.empty()) {
       const std::size_t piece = hanging.back();
       hanging.pop_back();
-      for (auto it = std::lower_bound(edges_of_pieces.begin(), edges_of_pieces.end(), std::array<std::size_t, 2>{piece, 0});
+      for (auto it =
+             std::lower_bound(edges_of_pieces.begin(), edges_of_pieces.end(), std::array<std::size_t, 2>{piece, 0});
            it != edges_of_pieces.end() && (*it)[0] == piece; ++it) {
         if (--number_left[(*it)[1]] != 1)
           continue;
@@ -200,7 +211,8 @@ private:
     std::vector<bool> has_to_turn(n, false);
     for (Crowded_edge& edge : crowded_edges_)
       if (const Entries entries = entries_left(edge, are_hanging); !entries.empty()) {
-        const auto backward = std::size_t(std::count_if(entries.begin(), entries.end(), [this](const Entry* e) { return runs_backward(*e); }));
+        const auto backward = std::size_t(
+          std::count_if(entries.begin(), entries.end(), [this](const Entry* e) { return runs_backward(*e); }));
         if (2 * backward > entries.size() + 1 || 2 * backward + 1 < entries.size())
           has_to_turn[networks.find(group[entries[0]->piece])] = true;
       }
@@ -224,7 +236,8 @@ private:
     const bool may_join_pieces = !are_hanging || entries.size() % 2 == 0;
     const auto group = [&](const Entry& entry) { return may_join_pieces ? entry.piece : joined_.find(entry.piece); };
     const bool is_material_forward = edge.is_inside_out != (edge.rule == VOID);
-    // Begins of material that has not ended: all of them, and those of each piece. Around the edge twice, as it may begin in material.
+    // Begins of material that has not ended: all of them, and those of each piece. Around the edge twice, as it may
+    // begin in material.
     Entries begun;
     std::map<Index, Entries> begun_of_piece;
     for (const bool is_second_time : {false, true})
@@ -345,7 +358,8 @@ private:
       const double six_times = scalar_product(cross_product(p[0], p[1]), p[2]);
       volume[network] += is_turned ? -six_times : six_times;
       size[network] += sum_of_absolute_values(p[0]) * sum_of_absolute_values(p[1]) * sum_of_absolute_values(p[2]);
-      extent[network] = (std::max)({extent[network], sum_of_absolute_values(p[0]), sum_of_absolute_values(p[1]), sum_of_absolute_values(p[2])});
+      extent[network] = (std::max)(
+        {extent[network], sum_of_absolute_values(p[0]), sum_of_absolute_values(p[1]), sum_of_absolute_values(p[2])});
     });
     // The errors of the products, as in is_clearly_bent(), of the sums, and by underflow.
     const double error = 0x1p-48 + 0x1p-52 * double(triangles_.size());
@@ -405,7 +419,8 @@ private:
   Large_vector<Index> glued_to_;
   std::vector<Crowded_edge> crowded_edges_;
   std::vector<bool> is_hanging_; // of each piece
-  // Piece p is 2p as its first face is given and 2p + 1 turned over. The smallest number of a set is even, and so what is with it is not turned.
+  // Piece p is 2p as its first face is given and 2p + 1 turned over. The smallest number of a set is even, and so what
+  // is with it is not turned.
   Disjoint_sets turns_;
   Disjoint_sets joined_;        // pieces that were glued
   Large_vector<Index> corners_; // of the turned triangles
