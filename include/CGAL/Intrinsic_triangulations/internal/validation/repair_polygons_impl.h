@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REPAIR_POLYGONS_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Element_collector.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
