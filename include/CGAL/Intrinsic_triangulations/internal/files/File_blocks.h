@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Huge_page_allocator.h>
-#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -37,7 +36,8 @@ void reserve(std::vector<T>& elements, const std::uintmax_t n)
 }
 
 // The same for points and triangles.
-inline void reserve(Polygon_soup& soup, const std::uintmax_t points, const std::uintmax_t triangles)
+template <class Soup>
+void reserve(Soup& soup, const std::uintmax_t points, const std::uintmax_t triangles)
 {
   reserve(soup.points, points);
   reserve(soup.triangles, triangles);

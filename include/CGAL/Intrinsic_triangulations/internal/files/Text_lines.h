@@ -20,6 +20,9 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+struct Polygon_soup;
+
 namespace internal {
 
 class Text_lines

@@ -34,6 +34,11 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// A reader for each format. It appends what a file of some bytes holds to an empty soup, or refuses the file at the
+// first line or element that is not as it should be.
+using Soup_reader = void(const std::string& path, std::uintmax_t size, const Progress_function&, Polygon_soup&);
+Soup_reader read_off, read_obj, read_ply, read_stl, read_ts;
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void require_triangles(const std::string& file_name, const Polygon_soup& soup)
 {
@@ -129,12 +134,11 @@ std::string conversion_advice(const std::string& file_name)
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_function& progress)
 {
-  using Reader = void(const std::string&, std::uintmax_t, const Progress_function&, Polygon_soup&);
-  static constexpr std::pair<const char*, Reader*> readers[] = {{".off", internal::read_off},
-                                                                {".obj", internal::read_obj},
-                                                                {".ply", internal::read_ply},
-                                                                {".stl", internal::read_stl},
-                                                                {".ts", internal::read_ts}};
+  static constexpr std::pair<const char*, internal::Soup_reader*> readers[] = {{".off", internal::read_off},
+                                                                               {".obj", internal::read_obj},
+                                                                               {".ply", internal::read_ply},
+                                                                               {".stl", internal::read_stl},
+                                                                               {".ts", internal::read_ts}};
   const std::uintmax_t size = readable_file_size(file_name);
   const std::string name = internal::in_small_letters(file_name.substr(file_name.find_last_of('/') + 1));
   const std::string extension = name.substr((std::min)(name.rfind('.'), name.size()));
