@@ -15,10 +15,11 @@
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <iostream>
 #include <numeric>
 #include <optional>
@@ -93,7 +94,8 @@ void load_gluing(Surface& surface)
   });
   surface.connectivity = std::move(gluing.complex);
   surface.squared_lengths = std::move(gluing.squared_lengths);
-  surface.lengths = surface.squared_lengths.empty() ? std::move(gluing.lengths) : rounded_lengths(surface.squared_lengths);
+  surface.lengths =
+    surface.squared_lengths.empty() ? std::move(gluing.lengths) : rounded_lengths(surface.squared_lengths);
   surface.read_seconds = stopwatch.seconds();
   if (surface.connectivity.number_of_faces() == 0)
     throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::EMPTY, 0, 1,
@@ -153,7 +155,8 @@ Surface load_surface(const std::string& path, const Load_options& options)
 void untwist(Surface& surface)
 {
   if (surface.has_points())
-    throw Usage_error(surface.path + ": --fast-forward is for gluings; no edge can wind around a surface in space very often");
+    throw Usage_error(surface.path +
+                      ": --fast-forward is for gluings; no edge can wind around a surface in space very often");
   const Stopwatch stopwatch;
   struct Watch : IT::Default_flip_visitor
   {
@@ -177,13 +180,7 @@ Surface_counts count_elements(const IT::Delta_complex& complex)
   counts.edges = complex.number_of_edges();
   counts.faces = complex.number_of_faces();
 
-  std::vector<std::uint32_t> parent(counts.vertices);
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v)
-      v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  boost::disjoint_sets_with_storage<> pieces(counts.vertices);
   // The larger ends of edges, vertex by vertex of their smaller ends.
   std::vector<std::uint32_t> ends(counts.edges), last(counts.vertices + 1, 0);
   const auto for_each_edge_of_two_vertices = [&](const auto& function) {
@@ -195,7 +192,7 @@ Surface_counts count_elements(const IT::Delta_complex& complex)
     }
   };
   for_each_edge_of_two_vertices([&](std::uint32_t v, std::uint32_t w) {
-    parent[root(v)] = root(w);
+    pieces.union_set(v, w);
     ++last[v + 1];
   });
   std::partial_sum(last.begin(), last.end(), last.begin());
@@ -218,7 +215,7 @@ Surface_counts count_elements(const IT::Delta_complex& complex)
   for (IT::Vertex_index v : complex.vertices())
     if (complex.halfedge(v).is_valid()) {
       ++used_vertices;
-      counts.components += parent[v.idx()] == v.idx();
+      counts.components += pieces.find_set(v.idx()) == v.idx();
     }
   counts.euler_characteristic = static_cast<long long>(used_vertices) -
                                 static_cast<long long>(counts.edges) +

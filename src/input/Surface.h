@@ -26,7 +26,8 @@ struct Repair;
 
 namespace idt {
 
-// One entry for each kind of repair, none if nothing had to be done; null if no repair was asked for. Few want to know more about them.
+// One entry for each kind of repair, none if nothing had to be done; null if no repair was asked for. Few want to know
+// more about them.
 using Repairs = std::shared_ptr<const std::vector<CGAL::Intrinsic_triangulations::Repair>>;
 
 // What is done to the lengths before anything else, if it is asked for.

@@ -36,7 +36,8 @@ void check_name(const std::string& path)
     refuse_file(path, "the name has no extension that tells the format (" + known + ")");
   const std::optional<Mesh_format> format = find_mesh_format(path);
   if (!format)
-    refuse_file(path, "the extension " + quoted(name.substr(dot)) + " is not known (" + known + ")" + IT::conversion_advice(path));
+    refuse_file(path, "the extension " + quoted(name.substr(dot)) + " is not known (" + known + ")" +
+                        IT::conversion_advice(path));
 #ifndef IDT_READS_VTP
   if (format == Mesh_format::VTP)
     refuse_file(path, "VTP files can be read only if the command is built with VTK (" + known + ")");

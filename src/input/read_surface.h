@@ -21,8 +21,8 @@ struct Surface_input : CGAL::Intrinsic_triangulations::Polygon_soup
   std::string path;
 };
 
-// Reads a file with CGAL::Intrinsic_triangulations::read_polygon_soup(), which says what is thrown; and VTP if the command was
-// built with VTK.
+// Reads a file with CGAL::Intrinsic_triangulations::read_polygon_soup(), which says what is thrown; and VTP if the
+// command was built with VTK.
 //
 // \param path the name of the file
 // \return the points and polygons; whether they are a surface is another

@@ -42,8 +42,8 @@ Repair_report repair(Surface_input& input)
   for (const auto& [a, b, c] : repaired.triangles)
     input.triangles.push_back({{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
                                 static_cast<std::uint32_t>(c)}});
-  return {std::make_shared<const std::vector<IT::Repair>>(std::move(repaired.repairs)), std::move(repaired.input_vertices),
-          std::move(repaired.input_faces)};
+  return {std::make_shared<const std::vector<IT::Repair>>(std::move(repaired.repairs)),
+          std::move(repaired.input_vertices), std::move(repaired.input_faces)};
 }
 
 bool is_repairable(const IT::Finding& finding) { return IT::is_repairable(finding.defect); }

@@ -43,7 +43,7 @@ public:
     INCONSISTENT_ORIENTATION, ///< the two faces of an edge traverse it in the same direction
     NON_MANIFOLD_VERTEX,      ///< the faces around a vertex form more than one fan
     ZERO_LENGTH_EDGE,         ///< the ends of an edge coincide
-    OUT_OF_RANGE,             ///< coordinates or squared lengths over- or underflow, however they are scaled, or there are too many elements
+    OUT_OF_RANGE,             ///< squared lengths over- or underflow, or there are too many elements
     DEGENERATE_FACE,          ///< a face of zero area: no error unless the number type cannot handle it
     UNREFERENCED_VERTEX,      ///< a vertex belongs to no face: never an error
     SEVERAL_COMPONENTS,       ///< the surface is in several pieces: never an error
@@ -96,10 +96,11 @@ public:
 /// There are three causes, which the message tells apart:
 /// - an edge crosses more than 2<sup>20</sup> input edges, too many to be laid out;
 /// - `Tie_proof::PROVEN` demands a proof that a number is zero, and the number has too many independent square roots;
-/// - an edge is not a straight line over the input triangles, as rounded decisions have flipped a hinge that is not convex.
+/// - an edge is not a straight line over the input triangles, as rounded decisions have flipped a hinge that is not
+/// convex.
 ///
-/// The first two can happen with any traits, the default ones included; nothing is changed then. An interval number type
-/// that cannot decide is no error: `flip_to_Delaunay()` reports `Flip_status::UNDECIDED`.
+/// The first two can happen with any traits, the default ones included; nothing is changed then. An interval number
+/// type that cannot decide is no error: `flip_to_Delaunay()` reports `Flip_status::UNDECIDED`.
 class Undecided_error : public Error
 {
 public:
@@ -134,8 +135,8 @@ public:
 /// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief says that the program's arithmetic on doubles does not follow IEEE 754, so that no answer can be trusted.
 ///
-/// The causes are options of the compiler that no macro reveals, a processor that flushes subnormal numbers to zero and cannot be set, or
-/// a fault that the library notices because more digits do not settle what they must.
+/// The causes are options of the compiler that no macro reveals, a processor that flushes subnormal numbers to zero and
+/// cannot be set, or a fault that the library notices because more digits do not settle what they must.
 class Arithmetic_error : public Error
 {
 public:

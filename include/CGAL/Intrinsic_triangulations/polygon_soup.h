@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Points and polygons as arrays, and how a file becomes them, or a message that says what is wrong with the file and where.
+// Points and polygons as arrays, and how a file becomes them, or a message that says what is wrong with it and where.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_POLYGON_SOUP_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_POLYGON_SOUP_H
@@ -29,8 +29,8 @@ namespace Intrinsic_triangulations {
 /// capitals, tells the format.
 ///
 /// Nothing is merged, turned or left out. But STL has no vertices, only corners: those at the same position become one
-/// vertex. Colors, normals and textures are skipped, and in OBJ whatever is no vertex and no face. Anything else that is not
-/// understood, missing or left over is an error, or a warning in the result if the meaning is plain.
+/// vertex. Colors, normals and textures are skipped, and in OBJ whatever is no vertex and no face. Anything else that
+/// is not understood, missing or left over is an error, or a warning in the result if the meaning is plain.
 ///
 /// Each coordinate becomes the nearest double; in PLY files with properties `float`, the nearest float.
 ///
@@ -54,7 +54,8 @@ std::uintmax_t readable_file_size(const std::string& file_name);
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief returns which program makes a file that can be read of one that cannot, judged by the extension of its name.
-/// \return for example "; Assimp reads it: assimp export a.glb a.obj", with a command for the shell; the empty string if no program is known
+/// \return for example "; Assimp reads it: assimp export a.glb a.obj", with a command for the shell; the empty string
+/// if no program is known
 std::string conversion_advice(const std::string& file_name);
 
 /// \cond SKIP_IN_MANUAL
@@ -75,15 +76,18 @@ void require_triangles(const std::string& file_name, const Polygon_soup& soup);
 ///     const auto [idt, report] = intrinsic_Delaunay_triangulation(points, triangles);
 ///
 /// \tparam PointRange a model of `BackInsertionSequence` of points that three doubles in braces can initialize, as
-///   `std::array<double, 3>` and the points of a kernel of doubles. Vectors of the types above get the arrays of the reader without a copy
-/// \tparam TriangleRange a model of `BackInsertionSequence` of random access ranges of integers that three integers in braces can initialize
+///   `std::array<double, 3>` and the points of a kernel of doubles. Vectors of the types above get the arrays of the
+///   reader without a copy
+/// \tparam TriangleRange a model of `BackInsertionSequence` of random access ranges of integers that three integers in
+/// braces can initialize
 ///
 /// \param file_name as for `read_polygon_soup()`
 /// \param points become those of the file
 /// \param triangles become those of the file, as indices into `points`
 /// \param progress as for `read_polygon_soup()`
 ///
-/// \exception Invalid_surface_error as `read_polygon_soup()`, and if a face is not a triangle. The ranges are unchanged then.
+/// \exception Invalid_surface_error as `read_polygon_soup()`, and if a face is not a triangle. The ranges are unchanged
+/// then.
 /// \exception Cancelled_error if `progress` returns `false`
 template <class PointRange, class TriangleRange>
 void read_triangles(const std::string& file_name, PointRange& points, TriangleRange& triangles,

@@ -113,8 +113,8 @@ inline std::array<const char*, 2> counted_elements(Repair_kind kind)
   }
 }
 
-inline Repaired_polygons repair(std::vector<std::array<double, 3>> points, std::vector<std::vector<std::size_t>> polygons,
-                                const Progress_function& progress);
+inline Repaired_polygons repair(std::vector<std::array<double, 3>> points,
+                                std::vector<std::vector<std::size_t>> polygons, const Progress_function& progress);
 
 } // namespace internal
 /// \endcond
@@ -140,17 +140,19 @@ inline bool is_repairable(Invalid_surface_error::Defect defect)
 ///   is removed.
 /// - Of several faces with the same corners, one is kept.
 /// - Polygons are triangulated.
-/// - Faces are oriented consistently; the first of all that edges join keeps its orientation. A one-sided surface is cut.
+/// - Faces are oriented consistently; the first of all that edges join keeps its orientation. A one-sided surface is
+///   cut.
 /// - At an edge with more than two faces, those that bound the same piece of a solid stay together: they are found by
-///   their exact order around the edge and by their orientation. What is closed and oriented, or the border of a solid whose
-///   faces are turned in any way, stays closed. Where faces do not pair up, as three sheets at an edge, the surface is cut.
+///   their exact order around the edge and by their orientation. What is closed and oriented, or the border of a solid
+///   whose faces are turned in any way, stays closed. Where faces do not pair up, as three sheets at an edge, the
+///   surface is cut.
 /// - Vertices are copied for each fan of faces.
 /// - Vertices that belong to no triangle are removed.
 ///
 /// No vertex is moved. Faces and vertices keep their order; copies of vertices come last.
 /// Zero-area faces stay. If an edge had several faces and is border afterwards, there is an entry of `repairs` for
-/// it (`Repair_kind::OPENED_EDGE`): without that entry, the repair has made no border. In most cases the result has no fatal
-/// finding, but check it with `examine_polygons()`: lengths can be zero or out of range.
+/// it (`Repair_kind::OPENED_EDGE`): without that entry, the repair has made no border. In most cases the result has no
+/// fatal finding, but check it with `examine_polygons()`: lengths can be zero or out of range.
 ///
 /// \tparam PointRange a model of `RandomAccessRange`, of points whose coordinates are `p[0]`, `p[1]` and `p[2]`
 /// \tparam PolygonRange a model of `ForwardRange`, of ranges of integers of any length
@@ -207,8 +209,8 @@ inline std::string message(const Repair& repair)
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief cuts one polygon in space into triangles.
 /// \param polygon the positions of its corners, at least three
-/// \return the corners of the triangles by their positions in the polygon, in its orientation; always as many as the polygon has corners,
-/// less two
+/// \return the corners of the triangles by their positions in the polygon, in its orientation; always as many as the
+/// polygon has corners, less two
 ///
 /// Complexity as of `repair_polygons()` for a face.
 std::vector<std::array<std::size_t, 3>> triangulate_polygon(const std::vector<std::array<double, 3>>& polygon);

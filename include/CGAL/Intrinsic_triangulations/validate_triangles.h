@@ -54,7 +54,8 @@ struct Finding
 /// \brief everything that `examine_polygons()` found, and the numbers of elements.
 struct Surface_report
 {
-  /// one entry per defect that occurs, in the order of `Invalid_surface_error::Defect`; but vertices and edges that are out of range are two.
+  /// one entry per defect that occurs, in the order of `Invalid_surface_error::Defect`; but vertices and edges that are
+  /// out of range are two.
   std::vector<Finding> findings;
   std::size_t number_of_vertices = 0;     ///< points, referenced or not
   std::size_t number_of_faces = 0;        ///< polygons, valid or not

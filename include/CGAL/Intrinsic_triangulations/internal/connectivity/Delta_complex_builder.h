@@ -82,7 +82,8 @@ public:
     return b.assemble();
   }
 
-  // With given names: `corner_vertex[s]` is the source of side s, and `glued_to[s]` the side that it is glued to, or null.
+  // With given names: `corner_vertex[s]` is the source of side s, and `glued_to[s]` the side that it is glued to, or
+  // null.
   // \param first_side the side that becomes the halfedge of its face: 0, 1 or 2
   // \pre the corners of a vertex form one fan, and glued sides have the same ends
   static Delta_complex from_glued_sides(std::size_t number_of_vertices, Large_vector<std::uint32_t> corner_vertex,

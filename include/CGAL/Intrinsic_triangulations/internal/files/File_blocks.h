@@ -3,7 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Room for what a file may hold; and the file in large pieces. It is gone through once, never held as a whole, and asks before each piece whether to go on.
+// Room for what a file may hold; and the file in large pieces. It is gone through once, never held as a whole, and asks
+// before each piece whether to go on.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FILE_BLOCKS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FILE_BLOCKS_H
@@ -25,8 +26,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Makes room for n more elements, in huge pages: what is not used of it costs address space alone, and page faults would take as
-// long as reading.
+// Makes room for n more elements, in huge pages: what is not used of it costs address space alone, and page faults
+// would take as long as reading.
 template <class T>
 void reserve(std::vector<T>& elements, const std::uintmax_t n)
 {
@@ -35,7 +36,8 @@ void reserve(std::vector<T>& elements, const std::uintmax_t n)
 }
 
 // The same for points and triangles.
-inline void reserve(Polygon_soup& soup, const std::uintmax_t points, const std::uintmax_t triangles)
+template <class Soup>
+void reserve(Soup& soup, const std::uintmax_t points, const std::uintmax_t triangles)
 {
   reserve(soup.points, points);
   reserve(soup.triangles, triangles);
@@ -142,7 +144,8 @@ private:
   void tell() const
   {
     // Of what was to be read: the file may have shrunk, or grown.
-    const double all = static_cast<double>(size_) - static_cast<double>(begin_), done = static_cast<double>(taken_ - begin_);
+    const double all = static_cast<double>(size_) - static_cast<double>(begin_),
+                 done = static_cast<double>(taken_ - begin_);
     if (progress_ && !progress_(done < all ? done / all : done > 0 ? 1
                                                                    : 0))
       throw Cancelled_error(path_ + ": cancelled while it was read");

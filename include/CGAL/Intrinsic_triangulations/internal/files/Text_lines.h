@@ -20,6 +20,9 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+struct Polygon_soup;
+
 namespace internal {
 
 class Text_lines
@@ -27,9 +30,10 @@ class Text_lines
 public:
   // \param number of the line before the first
   // \param comment begins a comment
-  Text_lines(const std::string& path, const std::uintmax_t size, const Progress_function& progress, const Text_encoding& encoding,
-             const std::size_t number = 0, const char comment = '#')
-    : file_(path, size, encoding.begin, progress, encoding.line_end), number_(number), last_number_(number), comment_(comment)
+  Text_lines(const std::string& path, const std::uintmax_t size, const Progress_function& progress,
+             const Text_encoding& encoding, const std::size_t number = 0, const char comment = '#')
+    : file_(path, size, encoding.begin, progress, encoding.line_end), number_(number), last_number_(number),
+      comment_(comment)
   {
   }
   Text_lines(const std::string& path, const std::uintmax_t size, const Progress_function& progress)
@@ -111,10 +115,13 @@ protected:
   }
 
   std::string line() const { return "line " + std::to_string(lines_.number()); }
-  std::string where(const char* const kind, const std::size_t element) const { return place(lines_.number(), kind, element); }
+  std::string where(const char* const kind, const std::size_t element) const
+  {
+    return place(lines_.number(), kind, element);
+  }
 
-  [[noreturn]] void refuse(const std::string& text, const Defect defect = Defect::UNREADABLE, const std::size_t element = 0,
-                           const std::size_t count = 1) const
+  [[noreturn]] void refuse(const std::string& text, const Defect defect = Defect::UNREADABLE,
+                           const std::size_t element = 0, const std::size_t count = 1) const
   {
     refuse_file(path_, text, defect, element, count);
   }
@@ -128,7 +135,9 @@ protected:
   double take_coordinate(const std::size_t vertex, const std::size_t number, const std::size_t needed = 3)
   {
     if (!lines_.find_word_on_line())
-      refuse("vertex", vertex, ": there " + are_counted(number, "number", "numbers") + " where " + std::to_string(needed) + " are needed");
+      refuse("vertex", vertex,
+             ": there " + are_counted(number, "number", "numbers") + " where " + std::to_string(needed) +
+               " are needed");
     double coordinate;
     if (!take_real(lines_.p, lines_.last, coordinate))
       coordinate = check_coordinate(path_, lines_.take_word(), where("vertex", vertex), vertex);
@@ -145,7 +154,8 @@ protected:
   // Goes over the rest of the line, of numbers, and returns how many there are.
   // \param place says what may be there
   template <class Place, class Is_allowed>
-  std::size_t take_others(const char* const kind, const std::size_t element, const std::size_t at_most, const Place& place, const Is_allowed& is_allowed)
+  std::size_t take_others(const char* const kind, const std::size_t element, const std::size_t at_most,
+                          const Place& place, const Is_allowed& is_allowed)
   {
     std::size_t count = 0;
     for (; lines_.find_word_on_line(); ++count)
@@ -157,8 +167,8 @@ protected:
   // "there is no vertex in the file", or no face
   [[noreturn]] void refuse_empty(const std::size_t vertices, const std::size_t faces) const
   {
-    refuse("there is no " + std::string(vertices == 0 ? "vertex" : "face") + " in the file (" + counted(vertices, "vertex", "vertices") +
-             " and " + counted(faces, "face", "faces") + ")",
+    refuse("there is no " + std::string(vertices == 0 ? "vertex" : "face") + " in the file (" +
+             counted(vertices, "vertex", "vertices") + " and " + counted(faces, "face", "faces") + ")",
            Defect::EMPTY);
   }
 

@@ -44,7 +44,9 @@ std::from_chars_result from_chars_by_strtod(const char* const first, const char*
 {
   static const locale_t classic = ::newlocale(LC_ALL_MASK, "C", nullptr);
   // A copy, which ends, and begins with no blank. To C alone, +1 and 0x10 are numbers.
-  const auto may_be_in_number = [](const char c) { return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("+-.()_", c) != nullptr; };
+  const auto may_be_in_number = [](const char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("+-.()_", c) != nullptr;
+  };
   std::string text(first, std::find_if_not(first, last, may_be_in_number));
   if (const std::size_t x = text.find_first_of("xX"); x < text.find('('))
     text.resize(x);
@@ -61,7 +63,8 @@ std::from_chars_result from_chars_by_strtod(const char* const first, const char*
 }
 #endif
 
-// As std::from_chars() for `float` and `double`, which libc++ has from version 20 on: it does not define this macro before.
+// As std::from_chars() for `float` and `double`, which libc++ has from version 20 on: it does not define this macro
+// before.
 template <class Real>
 std::from_chars_result from_chars(const char* const first, const char* const last, Real& number)
 {

@@ -33,6 +33,11 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// A reader for each format. It appends what a file of some bytes holds to an empty soup, or refuses the file at the
+// first line or element that is not as it should be.
+using Soup_reader = void(const std::string& path, std::uintmax_t size, const Progress_function&, Polygon_soup&);
+Soup_reader read_off, read_obj, read_ply, read_stl, read_ts;
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void require_triangles(const std::string& file_name, const Polygon_soup& soup)
 {
@@ -55,7 +60,9 @@ inline void check_contents(const std::string& path)
 {
   const std::string head = load_file(path, 100);
   const std::size_t text = (std::min)(head.find_first_not_of(" \t\r\n"), head.size());
-  const auto begins_with = [&](const char* const word, const std::size_t at) { return head.compare(at, std::strlen(word), word) == 0; };
+  const auto begins_with = [&](const char* const word, const std::size_t at) {
+    return head.compare(at, std::strlen(word), word) == 0;
+  };
   if (begins_with("\x1f\x8b", 0) || begins_with("PK\3\4", 0) || begins_with("\xfd"
                                                                             "7zXZ",
                                                                             0) ||
@@ -84,7 +91,8 @@ std::uintmax_t readable_file_size(const std::string& file_name)
     refuse("this is not a regular file");
   errno = 0;
   if (!std::ifstream(file_name, std::ios::binary))
-    refuse(std::string("the file cannot be opened") + (errno == 0 ? "" : std::string(" (") + std::strerror(errno) + ")"));
+    refuse(std::string("the file cannot be opened") +
+           (errno == 0 ? "" : std::string(" (") + std::strerror(errno) + ")"));
   const std::uintmax_t size = fs::file_size(file_name, error);
   if (error)
     refuse("the file cannot be read (" + error.message() + ")");
@@ -125,15 +133,20 @@ std::string conversion_advice(const std::string& file_name)
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_function& progress)
 {
-  using Reader = void(const std::string&, std::uintmax_t, const Progress_function&, Polygon_soup&);
-  static constexpr std::pair<const char*, Reader*> readers[] = {
-    {".off", internal::read_off}, {".obj", internal::read_obj}, {".ply", internal::read_ply}, {".stl", internal::read_stl}, {".ts", internal::read_ts}};
+  static constexpr std::pair<const char*, internal::Soup_reader*> readers[] = {{".off", internal::read_off},
+                                                                               {".obj", internal::read_obj},
+                                                                               {".ply", internal::read_ply},
+                                                                               {".stl", internal::read_stl},
+                                                                               {".ts", internal::read_ts}};
   const std::uintmax_t size = readable_file_size(file_name);
   const std::string name = internal::in_small_letters(file_name.substr(file_name.find_last_of('/') + 1));
   const std::string extension = name.substr((std::min)(name.rfind('.'), name.size()));
-  const auto reader = std::find_if(std::begin(readers), std::end(readers), [&](const auto& r) { return r.first == extension; });
+  const auto reader =
+    std::find_if(std::begin(readers), std::end(readers), [&](const auto& r) { return r.first == extension; });
   if (reader == std::end(readers))
-    internal::refuse_file(file_name, "the name does not end with .off, .obj, .ply, .stl or .ts, which tells the format" + conversion_advice(file_name));
+    internal::refuse_file(file_name,
+                          "the name does not end with .off, .obj, .ply, .stl or .ts, which tells the format" +
+                            conversion_advice(file_name));
   if (size == 0)
     internal::refuse_file(file_name, "the file is empty");
   Polygon_soup soup;

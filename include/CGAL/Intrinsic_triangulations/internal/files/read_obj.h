@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OBJ_H
 
 #include <CGAL/Intrinsic_triangulations/internal/files/Text_lines.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <algorithm>
 #include <charconv>
@@ -25,7 +26,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Whether a line may begin with a word that is neither `v` nor `f`: what is there is valid, and is no vertex and no face.
+// Whether a line may begin with a word that is neither `v` nor `f`: what is there is valid, and is no vertex and no
+// face.
 inline bool is_other_obj_keyword(const std::string_view word)
 {
   static constexpr std::string_view keywords[] = {
@@ -37,7 +39,8 @@ inline bool is_other_obj_keyword(const std::string_view word)
     "surf_1", "q0_1", "q1_1", "curv2d_1", "surf_2", "q0_2", "q1_2", "curv2d_2",
     // those that were superseded
     "bsp", "bzp", "cdc", "cdp", "res"};
-  return std::any_of(std::begin(keywords), std::end(keywords), [word](std::string_view keyword) { return is_keyword(word, keyword); });
+  return std::any_of(std::begin(keywords), std::end(keywords),
+                     [word](std::string_view keyword) { return is_keyword(word, keyword); });
 }
 
 class Obj_reader : Text_reader
@@ -81,8 +84,8 @@ private:
     return end != lines_.p && end[-1] == '\\' ? end - 1 : lines_.last;
   }
 
-  // A line that goes on is one with the next, also if it is a comment. But a path may end with a backslash, too: vertices and
-  // faces do not disappear behind one.
+  // A line that goes on is one with the next, also if it is a comment. But a path may end with a backslash, too:
+  // vertices and faces do not disappear behind one.
   void join_lines(const char* end)
   {
     const std::size_t first = lines_.number();
@@ -95,7 +98,8 @@ private:
       }
       if (is_vertex_or_face(lines_.p, lines_.last))
         refuse(line() + ": " + quote(lines_.rest()) +
-               " belongs to the line before, which ends with a backslash: put a blank line between them, or write them in one");
+               " belongs to the line before, which ends with a backslash: put a blank line between them, or write them "
+               "in one");
       end = end_before_backslash();
       joined_.append(1, ' ').append(lines_.p, end);
     } while (end != lines_.last);
@@ -129,9 +133,11 @@ private:
   {
     const auto is = [keyword](const std::string_view word) { return is_keyword(keyword, word); };
     if (is("call") || is("csh"))
-      refuse(line() + ": " + quote(lines_.rest()) + " runs another file or program, which is not done: put what comes from there in its place");
+      refuse(line() + ": " + quote(lines_.rest()) +
+             " runs another file or program, which is not done: put what comes from there in its place");
     if (!is_other_obj_keyword(keyword))
-      refuse(line() + ": " + quote(lines_.rest()) + " is not understood (after " + counted(soup_.points.size(), "vertex", "vertices") + " and " +
+      refuse(line() + ": " + quote(lines_.rest()) + " is not understood (after " +
+             counted(soup_.points.size(), "vertex", "vertices") + " and " +
              counted(soup_.number_of_faces(), "face", "faces") + ")");
     if (has_curved_surfaces_ || !(is("surf") || is("bsp") || is("bzp") || is("cdp")))
       return;
@@ -154,7 +160,8 @@ private:
     while (lines_.find_word_on_line()) {
       const char* const begin = lines_.p;
       std::uint32_t index = 0;
-      if (!take_count(lines_.p, lines_.last, index) || !(lines_.p == lines_.last || is_white(*lines_.p)) || index == 0) {
+      if (!take_count(lines_.p, lines_.last, index) || !(lines_.p == lines_.last || is_white(*lines_.p)) ||
+          index == 0) {
         lines_.p = skip_word(begin, lines_.last);
         index = index_of_corner(begin, lines_.p);
       }
@@ -187,7 +194,9 @@ private:
     if (index > 0)
       return static_cast<std::uint32_t>(index);
     if (static_cast<std::size_t>(-index) > vertices)
-      refuse("face", face, ": the face names vertex " + std::to_string(index) + ", and there " + are_counted(vertices, "vertex", "vertices") + " before it",
+      refuse("face", face,
+             ": the face names vertex " + std::to_string(index) + ", and there " +
+               are_counted(vertices, "vertex", "vertices") + " before it",
              Defect::BAD_INDEX);
     return static_cast<std::uint32_t>(vertices + 1 - static_cast<std::size_t>(-index));
   }
@@ -204,15 +213,16 @@ private:
     std::size_t count = 0;
     for (const auto& polygon : soup_.polygons())
       count += std::any_of(polygon.begin(), polygon.end(), [vertices](const std::uint32_t v) { return v >= vertices; });
-    refuse(place(first.line, "face", first.face) + ": the face names vertex " + std::to_string(first.index) + ", but there " +
-             are_counted(vertices, "vertex", "vertices") + " (counted from 1)" + and_more_faces(count),
+    refuse(place(first.line, "face", first.face) + ": the face names vertex " + std::to_string(first.index) +
+             ", but there " + are_counted(vertices, "vertex", "vertices") + " (counted from 1)" + and_more_faces(count),
            Defect::BAD_INDEX, first.face, count);
   }
 
   // Behind an index, null if there is none.
   static const char* read_index(const char* p, const char* const end, long long& index)
   {
-    const std::from_chars_result result = std::from_chars(skip_plus({p, static_cast<std::size_t>(end - p)}), end, index);
+    const std::from_chars_result result =
+      std::from_chars(skip_plus({p, static_cast<std::size_t>(end - p)}), end, index);
     return result.ec == std::errc() && index <= (std::numeric_limits<int>::max)() &&
                index >= -(std::numeric_limits<int>::max)()
              ? result.ptr
@@ -226,9 +236,12 @@ private:
     const std::size_t sign = !corner.empty() && (corner[0] == '+' || corner[0] == '-') ? 1 : 0;
     if (corner.size() > sign && corner.find_first_not_of("0123456789", sign) == std::string::npos &&
         read_index(corner.data(), corner.data() + corner.size(), index) == nullptr)
-      refuse("face", soup_.number_of_faces(), ": " + quote(word) + " is beyond all numbers of vertices", Defect::BAD_INDEX);
+      refuse("face", soup_.number_of_faces(), ": " + quote(word) + " is beyond all numbers of vertices",
+             Defect::BAD_INDEX);
     refuse("face", soup_.number_of_faces(),
-           ": " + quote(word) + " is not a corner of a face (the number of a vertex, alone or as in 1/2/3; comments begin with # behind a blank)");
+           ": " + quote(word) +
+             " is not a corner of a face (the number of a vertex, alone or as in 1/2/3; comments begin with # behind a "
+             "blank)");
   }
 
   bool has_curved_surfaces_ = false;
@@ -238,7 +251,8 @@ private:
   std::vector<Forward_reference> forward_references_;
 };
 
-inline void read_obj(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
+inline void read_obj(const std::string& path, const std::uintmax_t size, const Progress_function& progress,
+                     Polygon_soup& soup)
 {
   Obj_reader(path, size, progress, soup).read();
 }

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OFF_H
 
 #include <CGAL/Intrinsic_triangulations/internal/files/Text_lines.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <algorithm>
 #include <array>
@@ -23,8 +24,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// A vertex is a line. A face may go on over several lines if nothing follows it on the last of them. Up to four numbers behind an
-// element are its color.
+// A vertex is a line. A face may go on over several lines if nothing follows it on the last of them. Up to four numbers
+// behind an element are its color.
 class Off_reader : Text_reader
 {
 public:
@@ -67,7 +68,8 @@ private:
     const bool has_dimension = keyword.substr(0, 4) == "nOFF" && take("n");
     if (!take("off") || !(keyword.empty() || is_digit(keyword[0])))
       refuse(line() + ": the file begins with " + quote(first) + " where OFF is expected");
-    numbers_per_vertex_ = 3 + is_homogeneous_ + has_normals * (3 + is_homogeneous_) + has_textures * (2 + is_homogeneous_);
+    numbers_per_vertex_ =
+      3 + is_homogeneous_ + has_normals * (3 + is_homogeneous_) + has_textures * (2 + is_homogeneous_);
     std::string word(keyword);
     if (has_dimension) {
       take_count_word(word, "coordinates");
@@ -80,10 +82,12 @@ private:
     header_line_ = lines_.number();
     take_count_word(word = "", "edges");
     if (lines_.number() > header_line_ && lines_.find_word_on_line())
-      refuse("line " + std::to_string(header_line_) + ": the number of edges is missing behind those of " + elements(vertices, faces) + ": write 0");
+      refuse("line " + std::to_string(header_line_) + ": the number of edges is missing behind those of " +
+             elements(vertices, faces) + ": write 0");
     // A vertex takes at least "0 0 0" and a line end, a face at least "0" and one.
     if (vertices > size_ / 6 + 1 || faces > size_ / 2 + 1)
-      refuse("the header announces " + elements(vertices, faces) + ", more than fit into the " + counted(size_, "byte", "bytes") + " of the file");
+      refuse("the header announces " + elements(vertices, faces) + ", more than fit into the " +
+             counted(size_, "byte", "bytes") + " of the file");
     vertices_ = static_cast<std::size_t>(vertices);
     faces_ = static_cast<std::size_t>(faces);
   }
@@ -107,7 +111,8 @@ private:
   void take_vertex(const std::size_t v)
   {
     if (!lines_.find_word())
-      refuse("the file ends after " + std::to_string(v) + " of " + counted(vertices_, "vertex", "vertices"), Defect::UNREADABLE, v);
+      refuse("the file ends after " + std::to_string(v) + " of " + counted(vertices_, "vertex", "vertices"),
+             Defect::UNREADABLE, v);
     std::array<double, 3> point;
     for (std::size_t i = 0; i < numbers_per_vertex_; ++i) {
       const double number = take_coordinate(v, i, numbers_per_vertex_);
@@ -125,14 +130,17 @@ private:
     if (v == 0)
       colors_ = colors;
     else if (colors != colors_ && !has_colors_)
-      refuse("vertex", v, ": there " + are_counted(numbers_per_vertex_ + colors, "number", "numbers") + " where the vertices before have " + std::to_string(numbers_per_vertex_ + colors_) + "; " + announced());
+      refuse("vertex", v,
+             ": there " + are_counted(numbers_per_vertex_ + colors, "number", "numbers") +
+               " where the vertices before have " + std::to_string(numbers_per_vertex_ + colors_) + "; " + announced());
   }
 
   // How many numbers there are on the rest of the line.
   std::size_t take_colors(const char* const kind, const std::size_t element)
   {
     return take_others(
-      kind, element, 4, [&] { return std::string("numbers of the ") + kind + ", where only a color may be" + hint(); }, is_number);
+      kind, element, 4, [&] { return std::string("numbers of the ") + kind + ", where only a color may be" + hint(); },
+      is_number);
   }
 
   void take_face(const std::size_t f)
@@ -145,18 +153,20 @@ private:
     if (std::string word; !take_index(size, word)) {
       long long number = 0;
       const Integer_state state = integer_state(word, number);
-      if (state == Integer_state::TOO_LARGE || (state == Integer_state::GOOD && number > (std::numeric_limits<std::uint32_t>::max)()))
+      if (state == Integer_state::TOO_LARGE ||
+          (state == Integer_state::GOOD && number > (std::numeric_limits<std::uint32_t>::max)()))
         refuse_face(f, where() + ": no face has " + quote(word) + " corners");
       if (state != Integer_state::GOOD || number < 0)
-        refuse_face(f, where() + ": " + quote(word) + " is not a number of corners" + (f == 0 ? "; " + announced() : ""));
+        refuse_face(f,
+                    where() + ": " + quote(word) + " is not a number of corners" + (f == 0 ? "; " + announced() : ""));
       size = static_cast<std::uint32_t>(number);
     }
     corners_.clear();
     std::size_t on_first_line = 0;
     std::string bad_word;
     const auto refuse_size = [&] {
-      refuse_face(f, where() + ": there " + are_counted(on_first_line, "vertex", "vertices") + " where " + std::to_string(size) +
-                       " are announced");
+      refuse_face(f, where() + ": there " + are_counted(on_first_line, "vertex", "vertices") + " where " +
+                       std::to_string(size) + " are announced");
     };
     for (std::uint32_t i = 0, index = 0; i < size; ++i) {
       if (!lines_.find_word_on_line()) {
@@ -170,7 +180,8 @@ private:
         const Integer_state state = integer_state(word, number);
         if (state == Integer_state::NOT_AN_INTEGER)
           refuse_face(f, where() + ": " + quote(word) + " is not the index of a vertex");
-        index = number < 0 || number >= none || state == Integer_state::TOO_LARGE ? none : static_cast<std::uint32_t>(number);
+        index =
+          number < 0 || number >= none || state == Integer_state::TOO_LARGE ? none : static_cast<std::uint32_t>(number);
         if (index >= vertices_ && bad_word.empty())
           bad_word = word.size() > 30 ? quote(word) : word;
       } else if (index >= vertices_ && bad_word.empty())
@@ -198,7 +209,8 @@ private:
   bool take_index(std::uint32_t& number, std::string& word)
   {
     const char* const begin = lines_.p;
-    if (take_count(lines_.p, lines_.last, number) && (lines_.p == lines_.last || is_white(*lines_.p) || *lines_.p == '#'))
+    if (take_count(lines_.p, lines_.last, number) &&
+        (lines_.p == lines_.last || is_white(*lines_.p) || *lines_.p == '#'))
       return true;
     lines_.p = begin;
     word = lines_.take_word();
@@ -253,7 +265,8 @@ private:
   std::string first_bad_index_, first_small_face_, first_long_face_;
 };
 
-inline void read_off(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
+inline void read_off(const std::string& path, const std::uintmax_t size, const Progress_function& progress,
+                     Polygon_soup& soup)
 {
   Off_reader(path, size, progress, soup).read();
 }

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_PLY_H
 
 #include <CGAL/Intrinsic_triangulations/internal/files/Text_lines.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <algorithm>
 #include <array>
@@ -115,7 +116,8 @@ inline Ply_header read_ply_header(const std::string& path, const Text_encoding& 
     else if (keyword == "format" || format.empty()) {
       const bool is_first = format.empty();
       format = word();
-      refuse_unless(is_first && keyword == "format" && (format == "ascii" || format == "binary_little_endian" || format == "binary_big_endian"),
+      refuse_unless(is_first && keyword == "format" &&
+                      (format == "ascii" || format == "binary_little_endian" || format == "binary_big_endian"),
                     " is not a format (ascii, binary_little_endian or binary_big_endian)");
       word(); // the version, of which there is one
     } else if (keyword == "element") {
@@ -137,9 +139,10 @@ inline Ply_header read_ply_header(const std::string& path, const Text_encoding& 
       property.name = word();
       if (elements.empty())
         refuse_file(path, where + "a property comes before any element");
-      refuse_unless(!property.name.empty() && ply_type_size(property.type) != 0 &&
-                      (property.size_type.empty() || (ply_type_size(property.size_type) != 0 && !is_real(property.size_type))),
-                    " has a type that is not known");
+      refuse_unless(
+        !property.name.empty() && ply_type_size(property.type) != 0 &&
+          (property.size_type.empty() || (ply_type_size(property.size_type) != 0 && !is_real(property.size_type))),
+        " has a type that is not known");
       refuse_unless(elements.back().find(property.name) == nullptr, " names a property for the second time");
       elements.back().properties.push_back(property);
     } else {
@@ -171,10 +174,11 @@ inline void check_types(const std::string& path, const std::vector<Ply_element>&
     if (element.is_face() || element.is_strips()) {
       const Ply_property* const property = element.find_corners();
       if (property == nullptr || property->size_type.empty())
-        refuse_file(path, "by the header the elements " + element.name + " have no list vertex_indices or vertex_index");
+        refuse_file(path,
+                    "by the header the elements " + element.name + " have no list vertex_indices or vertex_index");
       if (is_real(property->type))
-        refuse_file(path, "by the header the list " + property->name + " of the elements " + element.name + " has the type " + property->type +
-                            ", which is none of integers");
+        refuse_file(path, "by the header the list " + property->name + " of the elements " + element.name +
+                            " has the type " + property->type + ", which is none of integers");
     }
   }
   if (!has_vertices || !has_faces)
@@ -265,27 +269,32 @@ inline void reserve_ply(const Ply_element& element, const std::uintmax_t bytes, 
     reserve(soup.triangles, (std::min<std::uintmax_t>)(element.count, bytes / 8 + 1));
 }
 
-// Appends the triangles of strips, which end at -1. Every second triangle is turned. Two equal corners make none: they turn the next.
-inline void add_strips(const std::string& path, const std::string& where, const std::vector<std::uint32_t>& corners, Polygon_soup& soup)
+// Appends the triangles of strips, which end at -1. Every second triangle is turned. Two equal corners make none: they
+// turn the next.
+inline void add_strips(const std::string& path, const std::string& where, const std::vector<std::uint32_t>& corners,
+                       Polygon_soup& soup)
 {
   std::size_t turns = 0, length = 0;
   for (std::size_t i = 0; i <= corners.size(); ++i) {
     if (i == corners.size() || corners[i] == (std::numeric_limits<std::uint32_t>::max)()) {
       if (length == 1 || length == 2)
-        refuse_file(path, where + ": a strip of triangles ends after " + counted(length, "vertex", "vertices") + ", before entry " + std::to_string(i) + " of the list");
+        refuse_file(path, where + ": a strip of triangles ends after " + counted(length, "vertex", "vertices") +
+                            ", before entry " + std::to_string(i) + " of the list");
       length = 0;
       continue;
     }
     if (++length < 3)
       continue;
-    const std::array<std::uint32_t, 3> triangle = {corners[i - 2 + (length + 1) % 2], corners[i - 2 + length % 2], corners[i]};
+    const std::array<std::uint32_t, 3> triangle = {corners[i - 2 + (length + 1) % 2], corners[i - 2 + length % 2],
+                                                   corners[i]};
     if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
       ++turns;
     else
       soup.add_face(triangle.data(), triangle.data() + 3);
   }
   if (turns > 0)
-    soup.warnings.push_back(where + ": the strips of triangles turn " + counted(turns, "time", "times") + " at a vertex that comes twice, which is no triangle");
+    soup.warnings.push_back(where + ": the strips of triangles turn " + counted(turns, "time", "times") +
+                            " at a vertex that comes twice, which is no triangle");
 }
 
 template <bool is_big_endian>
@@ -374,7 +383,8 @@ private:
     soup_.warnings.push_back(text + ", which are zeros or blanks");
   }
 
-  // Each has the same number of bytes, and coordinates of one real type: none is taken otherwise. Returns how many there are before the end of the file.
+  // Each has the same number of bytes, and coordinates of one real type: none is taken otherwise. Returns how many
+  // there are before the end of the file.
   std::size_t take_vertices(const Ply_element& element, const std::vector<Ply_layout>& layout)
   {
     std::size_t stride = 0;
@@ -388,7 +398,8 @@ private:
       stride += l.size;
     }
     const auto are_reals_of = [&coordinate](const std::size_t size) {
-      return std::all_of(coordinate.begin(), coordinate.end(), [size](const Ply_layout* l) { return l->is_real && l->size == size; });
+      return std::all_of(coordinate.begin(), coordinate.end(),
+                         [size](const Ply_layout* l) { return l->is_real && l->size == size; });
     };
     const auto take = [&](auto real) {
       using Real = decltype(real);
@@ -418,7 +429,8 @@ private:
       const char* p = file_.first;
       std::size_t i = 0;
       for (; i < n && *p == 3; ++i, p += stride)
-        soup_.triangles.push_back({load<Index>(p + 1), load<Index>(p + 1 + sizeof(Index)), load<Index>(p + 1 + 2 * sizeof(Index))});
+        soup_.triangles.push_back(
+          {load<Index>(p + 1), load<Index>(p + 1 + sizeof(Index)), load<Index>(p + 1 + 2 * sizeof(Index))});
       file_.first = p;
       done += i;
       if (i < n)
@@ -453,7 +465,8 @@ private:
         count = bits;
       }
       const std::uintmax_t bytes = count * l.size;
-      if (l.role == Ply_layout::NONE ? !file_.skip(bytes) : bytes > file_.left() || !file_.require(static_cast<std::size_t>(bytes)))
+      if (l.role == Ply_layout::NONE ? !file_.skip(bytes)
+                                     : bytes > file_.left() || !file_.require(static_cast<std::size_t>(bytes)))
         refuse("the file ends within " + name);
       if (l.role == Ply_layout::NONE)
         continue;
@@ -480,13 +493,15 @@ private:
   std::vector<std::uint32_t> corners_; // of a face
 };
 
-// Words in the order of the elements and their properties. An element is a line, or goes on over several; or everything is in one line.
+// Words in the order of the elements and their properties. An element is a line, or goes on over several; or everything
+// is in one line.
 class Ply_text_reader
 {
 public:
   Ply_text_reader(const std::string& path, const Ply_header& header, Polygon_soup& soup, const std::uintmax_t size,
                   const Progress_function& progress, const char line_end)
-    : path_(path), header_(header), soup_(soup), lines_(path, size, progress, {header.bytes, line_end}, header.lines - 1, no_comment),
+    : path_(path), header_(header), soup_(soup),
+      lines_(path, size, progress, {header.bytes, line_end}, header.lines - 1, no_comment),
       size_(size - (std::min<std::uintmax_t>)(size, header.bytes))
   {
   }
@@ -517,7 +532,8 @@ public:
     }
     if (find_word())
       refuse_file(path_, surplus_.empty() || lines_.number() == end
-                           ? "line " + std::to_string(lines_.number()) + ": " + quote(lines_.take_word()) + " is behind the " + so_far() + " that the header announces"
+                           ? "line " + std::to_string(lines_.number()) + ": " + quote(lines_.take_word()) +
+                               " is behind the " + so_far() + " that the header announces"
                            : surplus_);
   }
 
@@ -530,9 +546,13 @@ private:
     std::string names;
     for (const Ply_property& property : before.properties)
       names += (names.empty() ? "" : ", ") + property.name;
-    return "line " + std::to_string(begin_) + ", element " + before.name + " " + std::to_string(is_first ? before.count - 1 : index_ - 1) +
-           (begin_ == lines_.number() ? std::string() : ", which goes on over line " + std::to_string(lines_.number())) + ": " +
-           quote(std::string(lines_.p, skip_word(lines_.p, lines_.last))) + " is behind the numbers that the header names (" + names + "); name it there, or begin each element on a line of its own";
+    return "line " + std::to_string(begin_) + ", element " + before.name + " " +
+           std::to_string(is_first ? before.count - 1 : index_ - 1) +
+           (begin_ == lines_.number() ? std::string()
+                                      : ", which goes on over line " + std::to_string(lines_.number())) +
+           ": " + quote(std::string(lines_.p, skip_word(lines_.p, lines_.last))) +
+           " is behind the numbers that the header names (" + names +
+           "); name it there, or begin each element on a line of its own";
   }
 
   void take_element(const std::vector<Ply_layout>& layout, const bool is_vertex)
@@ -548,7 +568,8 @@ private:
           skip_value(property);
         continue;
       }
-      const long long count = take_integer(l.range_of_count, property.size_type, [&] { return "the size of the list " + property.name; });
+      const long long count =
+        take_integer(l.range_of_count, property.size_type, [&] { return "the size of the list " + property.name; });
       if (count < 0)
         refuse_file(path_, where() + ": the list " + property.name + " claims a negative number of entries");
       // Each entry takes two bytes.
@@ -557,7 +578,8 @@ private:
       corners_.clear();
       for (long long i = 0; i < count; ++i)
         if (l.has_corners())
-          corners_.push_back(static_cast<std::uint32_t>(take_integer(l.range, property.type, [&] { return property.name; })));
+          corners_.push_back(
+            static_cast<std::uint32_t>(take_integer(l.range, property.type, [&] { return property.name; })));
         else
           skip_value(property);
       if (!l.has_corners())
@@ -590,7 +612,8 @@ private:
   }
   std::string so_far() const
   {
-    return counted(soup_.points.size(), "vertex", "vertices") + " and " + counted(soup_.number_of_faces(), "face", "faces");
+    return counted(soup_.points.size(), "vertex", "vertices") + " and " +
+           counted(soup_.number_of_faces(), "face", "faces");
   }
   // Goes over the number at p if it is the whole word.
   template <class Real>
@@ -617,7 +640,8 @@ private:
     if (l.size == 8)
       return number;
     if (std::abs(number) > (std::numeric_limits<float>::max)())
-      refuse_file(path_, where() + ": " + property.name + " is of type float, for which " + quote(word) + " is too large",
+      refuse_file(path_,
+                  where() + ": " + property.name + " is of type float, for which " + quote(word) + " is too large",
                   Defect::OUT_OF_RANGE, index_);
     return static_cast<float>(number);
   }
@@ -629,7 +653,8 @@ private:
     if (double ignored = 0; take_real_word(ignored))
       return;
     if (const std::string_view word = lines_.take_word(); !is_number(word))
-      refuse_file(path_, where() + ": " + quote(word) + " is not a number, which is needed for " + property.name, Defect::UNREADABLE, index_);
+      refuse_file(path_, where() + ": " + quote(word) + " is not a number, which is needed for " + property.name,
+                  Defect::UNREADABLE, index_);
   }
 
   // \param what says what it is
@@ -638,7 +663,8 @@ private:
   {
     require_word();
     const char* p = lines_.p;
-    if (std::uint32_t count = 0; take_count(p, lines_.last, count) && (p == lines_.last || is_white(*p)) && count <= range.greatest) {
+    if (std::uint32_t count = 0;
+        take_count(p, lines_.last, count) && (p == lines_.last || is_white(*p)) && count <= range.greatest) {
       lines_.p = p;
       return count;
     }
@@ -648,7 +674,8 @@ private:
     if (state == Integer_state::NOT_AN_INTEGER)
       refuse_file(path_, where() + ": " + quote(word) + " is not an integer, which is needed for " + what());
     if (state == Integer_state::TOO_LARGE || number < range.least || number > range.greatest)
-      refuse_file(path_, where() + ": " + quote(word) + " is out of range for " + what() + ", which is of type " + type);
+      refuse_file(path_,
+                  where() + ": " + quote(word) + " is out of range for " + what() + ", which is of type " + type);
     return number;
   }
 
@@ -681,7 +708,8 @@ inline Text_encoding find_ply_encoding(const std::string& path)
   return result;
 }
 
-inline void read_ply(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
+inline void read_ply(const std::string& path, const std::uintmax_t size, const Progress_function& progress,
+                     Polygon_soup& soup)
 {
   const Text_encoding encoding = find_ply_encoding(path);
   const Ply_header header = read_ply_header(path, encoding);

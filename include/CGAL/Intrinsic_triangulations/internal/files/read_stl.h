@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/File_blocks.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <algorithm>
 #include <array>
@@ -41,9 +42,11 @@ inline bool is_text_stl(const std::string& head)
   find_encoding(path); // of a text
   const char *const end = head.data() + head.size(), *const word = skip_white(head.data(), end);
   const std::string first(word, skip_word(word, end));
-  refuse_file(path, is_keyword(first, "solid")
-                      ? "the file begins as text STL does, but has bytes that are in no text; nor is it binary STL (" + trouble + ")"
-                      : "neither text STL (the first word is " + quote(first) + " and not solid) nor binary STL (" + trouble + ")");
+  refuse_file(
+    path,
+    is_keyword(first, "solid")
+      ? "the file begins as text STL does, but has bytes that are in no text; nor is it binary STL (" + trouble + ")"
+      : "neither text STL (the first word is " + quote(first) + " and not solid) nor binary STL (" + trouble + ")");
 }
 
 // Corners at the same position are one vertex: positions in a hash table.
@@ -105,7 +108,8 @@ private:
 
 // solid [name] { facet [normal x y z] [outer loop] 3 vertex x y z [endloop] endfacet } endsolid [name]
 //
-// Line ends count behind solid and endsolid alone, whose names end there, and behind color, which some programs add, and #.
+// Line ends count behind solid and endsolid alone, whose names end there, and behind color, which some programs add,
+// and #.
 class Stl_text_reader
 {
 public:
@@ -135,7 +139,8 @@ public:
       file.first = last;
     }
     if (state_ != SOLID && state_ != OUTSIDE)
-      refuse_file(path_, "the file ends within facet " + std::to_string(facet()) + ", without a line endsolid", Defect::UNREADABLE, facet());
+      refuse_file(path_, "the file ends within facet " + std::to_string(facet()) + ", without a line endsolid",
+                  Defect::UNREADABLE, facet());
     if (soup_.triangles.empty())
       refuse_file(path_, "there is no facet in the file", Defect::EMPTY);
     if (state_ == SOLID)
@@ -287,7 +292,8 @@ private:
       end_facet();
     else if (word == "solid" && (state_ == SOLID || state_ == OUTSIDE)) {
       if (state_ == SOLID)
-        soup_.warnings.push_back("line " + std::to_string(number_) + ": a solid begins where the one before has no line endsolid");
+        soup_.warnings.push_back("line " + std::to_string(number_) +
+                                 ": a solid begins where the one before has no line endsolid");
       state_ = SOLID;
       begin_rest(true);
     } else if (word == "endsolid" && state_ == SOLID) {
@@ -347,7 +353,8 @@ private:
       const std::string word(begin, p);
       if (number_ != line_of_vertex_)
         refuse_file(path_,
-                    place(line_of_vertex_, "facet", facet()) + ": a vertex has " + counted(coordinates_, "number", "numbers") + " where 3 are needed",
+                    place(line_of_vertex_, "facet", facet()) + ": a vertex has " +
+                      counted(coordinates_, "number", "numbers") + " where 3 are needed",
                     Defect::UNREADABLE, facet());
       coordinate = check_coordinate(path_, word, place(number_, "facet", facet()), facet());
     }
@@ -406,20 +413,25 @@ inline void read_binary_stl(const std::string& path, const std::string& head, co
   std::uint32_t announced = 0;
   std::memcpy(&announced, &head[80], 4);
   const std::uintmax_t stored = (size - 84) / 50, surplus = (size - 84) % 50;
-  const std::string both = "the header announces " + counted(announced, "facet", "facets") + ", the file has room for " + std::to_string(stored);
+  const std::string both = "the header announces " + counted(announced, "facet", "facets") +
+                           ", the file has room for " + std::to_string(stored);
   // Who writes facets as they come may not know their number in time.
   const bool is_unknown = (announced == 0 || announced == unknown_number) && stored > 0 && surplus == 0;
   const std::uintmax_t facets = is_unknown ? stored : announced;
   if (facets > stored)
-    refuse_neither(path, head, both + ": it ends within facet " + std::to_string(stored) + ", which begins at byte " + std::to_string(84 + 50 * stored));
+    refuse_neither(path, head,
+                   both + ": it ends within facet " + std::to_string(stored) + ", which begins at byte " +
+                     std::to_string(84 + 50 * stored));
   if (is_unknown) {
-    soup.warnings.push_back("the header announces " + counted(announced, "facet", "facets") + "; all " + std::to_string(stored) +
-                            " that are in the file were read");
+    soup.warnings.push_back("the header announces " + counted(announced, "facet", "facets") + "; all " +
+                            std::to_string(stored) + " that are in the file were read");
   } else if (facets < stored)
-    refuse_file(path, both + ": facet " + std::to_string(facets) + ", at byte " + std::to_string(84 + 50 * facets) +
-                        ", is the first behind them; correct the number, of four bytes at byte 80, or cut off what is behind");
+    refuse_file(
+      path, both + ": facet " + std::to_string(facets) + ", at byte " + std::to_string(84 + 50 * facets) +
+              ", is the first behind them; correct the number, of four bytes at byte 80, or cut off what is behind");
   else if (surplus > 0)
-    soup.warnings.push_back("there " + are_counted(surplus, "byte", "bytes") + " behind the " + counted(facets, "facet", "facets") + ", too few for a facet");
+    soup.warnings.push_back("there " + are_counted(surplus, "byte", "bytes") + " behind the " +
+                            counted(facets, "facet", "facets") + ", too few for a facet");
 
   File_blocks file(path, size, 84, progress);
   Stl_corners corners(soup);
@@ -443,7 +455,8 @@ inline void read_binary_stl(const std::string& path, const std::string& head, co
   }
 }
 
-inline void read_stl(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
+inline void read_stl(const std::string& path, const std::uintmax_t size, const Progress_function& progress,
+                     Polygon_soup& soup)
 {
   const std::string head = load_file(path, 4096);
   if (is_text_stl(head))

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_TS_H
 
 #include <CGAL/Intrinsic_triangulations/internal/files/Text_lines.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <array>
 #include <cstddef>
@@ -23,8 +24,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Parts from a line GOCAD to a line END: a header, which is skipped, then vertices and triangles. Vertices have numbers as names, which
-// count within their part.
+// Parts from a line GOCAD to a line END: a header, which is skipped, then vertices and triangles. Vertices have numbers
+// as names, which count within their part.
 class Ts_reader : Text_reader
 {
 public:
@@ -105,7 +106,8 @@ private:
       kind = lines_.take_word();
     is_other_ = !kind.empty() && !is_keyword(kind, "tsurf");
     if (is_other_)
-      soup_.warnings.push_back(line() + ": the part of the kind " + quote(kind) + " is no surface of triangles (TSurf), and is left out");
+      soup_.warnings.push_back(line() + ": the part of the kind " + quote(kind) +
+                               " is no surface of triangles (TSurf), and is left out");
   }
 
   void vertex()
@@ -116,11 +118,13 @@ private:
     ++vertices_;
   }
 
-  // Numbers, and the word that makes a vertex a control node: CN, with the coordinates that it fixes. How many there are.
+  // Numbers, and the word that makes a vertex a control node: CN, with the coordinates that it fixes. How many there
+  // are.
   std::size_t take_properties(const char* const kind, const std::size_t element)
   {
     return take_others(
-      kind, element, (std::numeric_limits<std::size_t>::max)(), [kind] { return std::string("numbers of the ") + kind + ", where only properties may be"; },
+      kind, element, (std::numeric_limits<std::size_t>::max)(),
+      [kind] { return std::string("numbers of the ") + kind + ", where only properties may be"; },
       [](const std::string_view word) { return is_number(word) || is_keyword(word.substr(0, 2), "cn"); });
   }
 
@@ -130,7 +134,8 @@ private:
     const long long name = integer("vertex", vertices_), other = integer("vertex", vertices_);
     const auto it = vertex_of_number_.find(other);
     if (it == vertex_of_number_.end())
-      refuse("vertex", vertices_, ": the part has no vertex " + std::to_string(other) + " before this line", Defect::BAD_INDEX);
+      refuse("vertex", vertices_, ": the part has no vertex " + std::to_string(other) + " before this line",
+             Defect::BAD_INDEX);
     define(name, it->second);
     take_properties("vertex", vertices_);
   }
@@ -143,7 +148,8 @@ private:
     if (properties_ == 0 ? lines_.find_word_on_line() : take_properties("face", triangles_) != properties_)
       refuse("face", triangles_,
              properties_ == 0 ? ": there is more in the line than three vertices"
-                              : ": three vertices are not followed by " + counted(properties_, "property", "properties") + ", as TRGL_PROPERTIES announces",
+                              : ": three vertices are not followed by " +
+                                  counted(properties_, "property", "properties") + ", as TRGL_PROPERTIES announces",
              Defect::NOT_A_TRIANGLE);
     triangles_of_part_.push_back(triangle);
     ++triangles_;
@@ -172,7 +178,8 @@ private:
         const long long corner = triangle.corners[i];
         const auto it = vertex_of_number_.find(corner);
         if (it == vertex_of_number_.end())
-          refuse(place(triangle.line, "face", face) + ": the face names vertex " + std::to_string(corner) + ", but its part has no vertex of this number",
+          refuse(place(triangle.line, "face", face) + ": the face names vertex " + std::to_string(corner) +
+                   ", but its part has no vertex of this number",
                  Defect::BAD_INDEX, face);
         corners[i] = it->second;
       }
@@ -194,7 +201,8 @@ private:
     const std::string_view word = lines_.take_word();
     long long number = 0;
     if (!read_integer(word, number))
-      refuse(kind, element, is_there ? ": " + quote(word) + " is not the number of a vertex" : ": the number of a vertex is missing");
+      refuse(kind, element,
+             is_there ? ": " + quote(word) + " is not the number of a vertex" : ": the number of a vertex is missing");
     return number;
   }
 
@@ -218,7 +226,8 @@ private:
   bool is_ended_ = false;                                     // the part has its line END
 };
 
-inline void read_ts(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
+inline void read_ts(const std::string& path, const std::uintmax_t size, const Progress_function& progress,
+                    Polygon_soup& soup)
 {
   Ts_reader(path, size, progress, soup).read();
 }

@@ -32,8 +32,9 @@ namespace internal {
 using Defect = Invalid_surface_error::Defect;
 
 // \exception Invalid_surface_error with a message that begins with `path`
-[[noreturn]] inline void refuse_file(const std::string& path, const std::string& text, const Defect defect = Defect::UNREADABLE,
-                                     const std::size_t element = 0, const std::size_t count = 1)
+[[noreturn]] inline void refuse_file(const std::string& path, const std::string& text,
+                                     const Defect defect = Defect::UNREADABLE, const std::size_t element = 0,
+                                     const std::size_t count = 1)
 {
   throw Invalid_surface_error(defect, element, count, path + ": " + text);
 }
@@ -129,7 +130,10 @@ inline Integer_state integer_state(const std::string_view word, long long& numbe
                                                                        : Integer_state::TOO_LARGE;
 }
 
-inline bool read_integer(const std::string_view word, long long& number) { return integer_state(word, number) == Integer_state::GOOD; }
+inline bool read_integer(const std::string_view word, long long& number)
+{
+  return integer_state(word, number) == Integer_state::GOOD;
+}
 
 // Goes behind the number at p if all is well with it, and it ends with the word or at a comment: most numbers do, and
 // anything else needs a closer look, by check_coordinate(). Leaves p otherwise.
@@ -144,7 +148,8 @@ bool take_real(const char*& p, const char* const end, Real& number)
   return true;
 }
 
-// Goes behind a number without a sign and a point, of nine digits at most, at whose end the word may go on. Leaves p otherwise.
+// Goes behind a number without a sign and a point, of nine digits at most, at whose end the word may go on. Leaves p
+// otherwise.
 inline bool take_count(const char*& p, const char* const end, std::uint32_t& number)
 {
   const char* q = p;

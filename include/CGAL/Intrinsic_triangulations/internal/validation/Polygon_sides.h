@@ -9,8 +9,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_SIDES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_SIDES_H
 
-#include <CGAL/Intrinsic_triangulations/internal/validation/Element_collector.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -23,6 +21,33 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+// Counts elements and keeps the ten smallest.
+class Element_collector
+{
+public:
+  void add(const std::size_t element)
+  {
+    ++count_;
+    if (kept_ == smallest_.size() && element > smallest_[kept_ - 1])
+      return;
+    std::size_t i = kept_ < smallest_.size() ? kept_++ : kept_ - 1;
+    for (; i > 0 && smallest_[i - 1] > element; --i)
+      smallest_[i] = smallest_[i - 1];
+    smallest_[i] = element;
+  }
+  std::size_t count() const { return count_; }
+  std::size_t first() const { return smallest_[0]; }
+  std::vector<std::size_t> elements() const
+  {
+    return std::vector<std::size_t>(smallest_.begin(), smallest_.begin() + kept_);
+  }
+
+private:
+  std::array<std::size_t, 10> smallest_;
+  std::size_t kept_ = 0;
+  std::size_t count_ = 0;
+};
 
 // The corners of all faces one after the other, and the sides in buckets by their smaller
 // vertex (a counting sort), so that the sides of an edge are found in one bucket with one mark

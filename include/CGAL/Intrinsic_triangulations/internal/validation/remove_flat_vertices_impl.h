@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The faces around an inner vertex. The spokes are the halfedges that leave it, counterclockwise; face i lies between the
-// spokes i and i + 1.
+// The faces around an inner vertex. The spokes are the halfedges that leave it, counterclockwise; face i lies between
+// the spokes i and i + 1.
 class Flat_star
 {
 public:
@@ -130,8 +130,8 @@ private:
     return CGAL::orientation(shadow(p), shadow(q), shadow(r)) * turn_;
   }
 
-  // Whether the angle from one spoke to another, all in one plane, is no full turn larger than it has to be: one face alone has
-  // the direction of the first spoke, on its right side or inside. Looks at the plane.
+  // Whether the angle from one spoke to another, all in one plane, is no full turn larger than it has to be: one face
+  // alone has the direction of the first spoke, on its right side or inside. Looks at the plane.
   bool angle_is_smallest(std::size_t from, std::size_t to)
   {
     look_at_face(from);
@@ -161,8 +161,9 @@ private:
     }
   }
 
-  // Flips spokes away that are no ridges, from the first to before the last, all in the plane that is looked at. At the end of a spoke, the
-  // corner of the polygon around the vertex is cut off if it is convex and the vertex lies beyond the cut.
+  // Flips spokes away that are no ridges, from the first to before the last, all in the plane that is looked at. At the
+  // end of a spoke, the corner of the polygon around the vertex is cut off if it is convex and the vertex lies beyond
+  // the cut.
   void flip_away(std::size_t first, std::size_t last)
   {
     candidates_.clear();
@@ -190,7 +191,8 @@ private:
       candidates_.push_back(left);
     }
   }
-  // With a tolerance, points that are nearly in line are no corner: a triangle of them would stand between a vertex and its removal.
+  // With a tolerance, points that are nearly in line are no corner: a triangle of them would stand between a vertex and
+  // its removal.
   bool is_thin(std::size_t right, std::size_t i, std::size_t left) const
   {
     const Vector base = difference(end(left), end(right));
@@ -198,8 +200,9 @@ private:
   }
   bool is_ridge(std::size_t i) const { return std::find(ridges_.begin(), ridges_.end(), i) != ridges_.end(); }
 
-  // Of the corners of the polygon, one can be cut off while there are more than four, or four of which no two are in line with
-  // the vertex: two ears of a polygon do not overlap, and the vertex can lie in one of them only, or on the cut.
+  // Of the corners of the polygon, one can be cut off while there are more than four, or four of which no two are in
+  // line with the vertex: two ears of a polygon do not overlap, and the vertex can lie in one of them only, or on the
+  // cut.
   std::optional<Removed_elements> remove_from_plane()
   {
     link_spokes();
@@ -242,7 +245,8 @@ private:
     remove_entries(widths_, result->faces);
     return result;
   }
-  // The width of the slab that holds the faces from one spoke to another, or infinity if they are not like a part of a plane. Looks at the plane.
+  // The width of the slab that holds the faces from one spoke to another, or infinity if they are not like a part of a
+  // plane. Looks at the plane.
   double width_of(std::size_t from, std::size_t to)
   {
     constexpr double infinite = (std::numeric_limits<double>::infinity)();
@@ -334,10 +338,6 @@ private:
   int axis_ = 0; // of the projection
   Sign turn_ = POSITIVE;
 };
-
-} // namespace internal
-
-namespace internal {
 
 inline std::vector<Vertex_index> remove_vertices_of(Flat_star& star, Delta_complex& complex, std::vector<std::array<double, 3>>& points,
                                                     const Progress_function& progress)

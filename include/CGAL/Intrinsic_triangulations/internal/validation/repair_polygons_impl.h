@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REPAIR_POLYGONS_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Element_collector.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
@@ -308,7 +308,8 @@ private:
       for (Index i = 0; i < polygon.size() && !border.empty(); ++i) {
         const std::pair<Edge, Index> key(
           edge(representative_[polygon[i]], representative_[polygon[i + 1 < polygon.size() ? i + 1 : 0]]), 0);
-        for (auto it = std::lower_bound(border.begin(), border.end(), key); it != border.end() && it->first == key.first; ++it)
+        for (auto it = std::lower_bound(border.begin(), border.end(), key);
+             it != border.end() && it->first == key.first; ++it)
           ++number_of_faces[Index(it - border.begin())];
       }
     for (Index i = 0; i < border.size(); ++i) {
@@ -450,8 +451,8 @@ private:
   Repaired_polygons result_;
 };
 
-inline Repaired_polygons repair(std::vector<std::array<double, 3>> points, std::vector<std::vector<std::size_t>> polygons,
-                                const Progress_function& progress)
+inline Repaired_polygons repair(std::vector<std::array<double, 3>> points,
+                                std::vector<std::vector<std::size_t>> polygons, const Progress_function& progress)
 {
   return Polygon_repairer(std::move(points), std::move(polygons)).run(progress);
 }

@@ -63,7 +63,9 @@ class Surface_examiner
   using Coordinates = std::array<double, 3>;
 
 public:
-  Surface_examiner(const std::vector<Coordinates>& points, Polygon_sides& polygons) : points_(points), polygons_(polygons) {}
+  Surface_examiner(const std::vector<Coordinates>& points, Polygon_sides& polygons)
+    : points_(points), polygons_(polygons)
+  {}
 
   Surface_report examine()
   {
@@ -98,7 +100,8 @@ private:
   Finding& add(const Defect defect, const std::size_t count, std::vector<std::size_t> elements,
                std::string description)
   {
-    report_.findings.push_back(Finding{defect, std::move(elements), {}, count, defect <= Defect::OUT_OF_RANGE, std::move(description)});
+    report_.findings.push_back(
+      Finding{defect, std::move(elements), {}, count, defect <= Defect::OUT_OF_RANGE, std::move(description)});
     return report_.findings.back();
   }
   // The elements of `edges` are positions in sides_ of the first sides of edges.
@@ -120,14 +123,15 @@ private:
     else if (!polygons_.can_be_numbered())
       add(Defect::OUT_OF_RANGE, 1, {},
           n >= none_ || number_of_faces >= none_ / 3
-            ? std::to_string(n) + " vertices and " + std::to_string(number_of_faces) + " faces are more than 32-bit indices can number"
+            ? std::to_string(n) + " vertices and " + std::to_string(number_of_faces) +
+                " faces are more than 32-bit indices can number"
             : "the faces have more corners than 32-bit indices can number");
     if (!report_.findings.empty())
       return false;
     if (const Element_collector& bad = polygons_.faces_with_bad_index(); bad.count() != 0)
       add(Defect::BAD_INDEX, bad.count(), bad.elements(),
-          "face " + std::to_string(bad.first()) + " names vertex " + index_text(polygons_.first_bad_index()) + ", but there " +
-            are_counted(n, "vertex", "vertices"));
+          "face " + std::to_string(bad.first()) + " names vertex " + index_text(polygons_.first_bad_index()) +
+            ", but there " + are_counted(n, "vertex", "vertices"));
     return true;
   }
 
@@ -407,7 +411,8 @@ private:
   void examine_use()
   {
     Disjoint_sets pieces(number_of_vertices_);
-    polygons_.for_each_side([&](const Index s, const Index t) { pieces.unite(polygons_.vertex(s), polygons_.vertex(t)); });
+    polygons_.for_each_side(
+      [&](const Index s, const Index t) { pieces.unite(polygons_.vertex(s), polygons_.vertex(t)); });
     Element_collector unused, roots;
     for (std::size_t v = 0; v < number_of_vertices_; ++v) {
       if (!polygons_.is_used(v))
@@ -457,7 +462,8 @@ inline Finding_words words_of(const Finding& finding)
   case Defect::NOT_A_TRIANGLE:
     return {"face", "faces", "not a triangle", "triangulate the faces, as repair_polygons() does"};
   case Defect::REPEATED_CORNER:
-    return {"face", "faces", "with a repeated corner", "remove the face, or cut it into loops, as repair_polygons() does"};
+    return {"face", "faces", "with a repeated corner",
+            "remove the face, or cut it into loops, as repair_polygons() does"};
   case Defect::DUPLICATE_FACE:
     return {"face", "faces", "repeating another", "remove all but one, as repair_polygons() does"};
   case Defect::NON_MANIFOLD_EDGE:
@@ -476,8 +482,9 @@ inline Finding_words words_of(const Finding& finding)
     if (finding.edges.empty())
       return {"vertex", "vertices", "out of range",
               "no scaling brings both into the range of double: round it to zero, or remove the outliers"};
-    return {"edge", "edges", "out of range",
-            "no scaling brings both squared lengths, and their products, into the range of double: remove the outliers"};
+    return {
+      "edge", "edges", "out of range",
+      "no scaling brings both squared lengths, and their products, into the range of double: remove the outliers"};
   case Defect::DEGENERATE_FACE:
     return {"face", "faces", "of zero area", ""};
   case Defect::UNREFERENCED_VERTEX:
@@ -495,7 +502,8 @@ Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon
 
 } // namespace internal
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::string message(const Finding& finding, const std::optional<std::string>& advice)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::string message(const Finding& finding,
+                                                         const std::optional<std::string>& advice)
 {
   const internal::Finding_words words = internal::words_of(finding);
   std::string text = finding.description;
