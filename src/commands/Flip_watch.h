@@ -9,9 +9,7 @@
 #include "system/Interruption.h"
 #include "system/Progress.h"
 
-#include <CGAL/Intrinsic_triangulations/Index.h>
-
-#include <cstdint>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 namespace idt {
 
@@ -19,12 +17,11 @@ namespace idt {
 struct Flip_watch
 {
   Progress& progress;
-  bool go_further(std::uint64_t tests, std::uint64_t flips)
+  bool go_further(const CGAL::Intrinsic_triangulations::Progress& done)
   {
-    progress.show_flips(tests, flips);
+    progress.show_flips(done.tests, done.flips);
     return !is_interrupted();
   }
-  void after_flip(CGAL::Intrinsic_triangulations::Edge_index) {}
 };
 
 } // namespace idt

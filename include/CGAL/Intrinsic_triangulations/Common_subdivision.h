@@ -17,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <CGAL/assertions.h>
@@ -53,20 +54,20 @@ public:
   /// `Common_subdivision` does it for a triangulation.
   ///
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the positions
-  ///   are the same, and `progress` is called only at the beginning
+  ///   are the same, and the visitor is asked only at the beginning
   /// \param intrinsic the current connectivity
   /// \param geometry the exact geometry of the input
   /// \param overlay their overlay
-  /// \param progress is called during the computation
+  /// \param np as for the constructor of `Overlay`
   /// \pre `geometry.prepare()` was called
   /// \exception Undecided_error if an edge is not a straight line over the input triangles: an
   ///   inexact number type has flipped a hinge that is not convex
-  /// \exception Cancelled_error if `progress` returns `false`
+  /// \exception Cancelled_error if the visitor says so
   ///
   /// O(size of the overlay) arithmetic operations.
-  template <class ConcurrencyTag = Sequential_tag>
+  template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
   Overlay_positions(const Delta_complex& intrinsic, const Exact_geometry& geometry,
-                    const Overlay& overlay, const Progress_function& progress = {},
+                    const Overlay& overlay, const NamedParameters& np = parameters::default_values(),
                     ConcurrencyTag = ConcurrencyTag())
     : number_of_input_vertices_(overlay.number_of_input_vertices()),
       number_of_original_vertices_(overlay.number_of_original_vertices()),
@@ -75,6 +76,7 @@ public:
   {
     const internal::Standard_arithmetic arithmetic;
     static constexpr const char* what = "the search for the places of the crossings";
+    const Progress_function progress = internal::progress_function_of(np);
     const Delta_complex& input = geometry.correspondence().input();
     for (size_type v = input.number_of_vertices(); v < intrinsic.number_of_vertices(); ++v)
       locations_.push_back(normalized(input, geometry.correspondence().location(Vertex_index(v))));
@@ -240,34 +242,34 @@ public:
   ///
   /// O(size of the overlay) arithmetic operations.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the result is the same,
-  ///   and `progress` is called only a few times
+  ///   and the visitor is asked only a few times
+  /// \param triangulation the triangulation
+  /// \param np as for the constructor of `Overlay`
   /// \pre `triangulation.keeps_input()`
   /// \exception Integer_overflow_error if there are 2^31 segments or more
   /// \exception Undecided_error as the constructor of `Overlay_positions`
-  /// \exception Cancelled_error if `progress` returns `false`
-  template <class Traits, class ConcurrencyTag = Sequential_tag>
+  /// \exception Cancelled_error if the visitor says so
+  template <class Traits, class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
   explicit Common_subdivision(const Intrinsic_triangulation<Traits>& triangulation,
-                              const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : Common_subdivision(triangulation.connectivity(), triangulation.template exact_geometry<ConcurrencyTag>(), progress, ConcurrencyTag())
+                              const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
+    : Common_subdivision(triangulation.connectivity(), triangulation.template exact_geometry<ConcurrencyTag>(), np, ConcurrencyTag())
   {}
 
   /// \brief as above, from the current connectivity and the exact geometry of the input.
   /// \tparam ConcurrencyTag as above
-  template <class ConcurrencyTag = Sequential_tag>
+  template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
   Common_subdivision(const Delta_complex& intrinsic, const Exact_geometry& geometry,
-                     const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : intrinsic_(intrinsic), geometry_(prepared<ConcurrencyTag>(geometry, intrinsic)),
-      overlay_(intrinsic, geometry.correspondence(), internal::part_of_progress(progress, 0, part_of_graph), ConcurrencyTag()),
-      positions_(intrinsic, geometry, overlay_, internal::part_of_progress(progress, part_of_graph, 1), ConcurrencyTag())
+                     const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
+    : Common_subdivision(intrinsic, geometry, internal::progress_function_of(np), ConcurrencyTag(), 0)
   {}
 
   /// \brief as above, from a triangulation that is given up: nothing of it is copied, and its stored numbers are freed before the
   /// overlay is built.
   /// \tparam ConcurrencyTag as above
-  template <class Traits, class ConcurrencyTag = Sequential_tag>
+  template <class Traits, class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
   explicit Common_subdivision(Intrinsic_triangulation<Traits>&& triangulation,
-                              const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : Common_subdivision(Parts(std::move(triangulation)), progress, ConcurrencyTag())
+                              const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
+    : Common_subdivision(Parts(std::move(triangulation)), internal::progress_function_of(np), ConcurrencyTag())
   {}
 
   /// returns the overlay.
@@ -340,13 +342,24 @@ private:
   };
 
   template <class ConcurrencyTag>
+  Common_subdivision(const Delta_complex& intrinsic, const Exact_geometry& geometry, const Progress_function& progress, ConcurrencyTag, int)
+    : intrinsic_(intrinsic), geometry_(prepared<ConcurrencyTag>(geometry, intrinsic)),
+      overlay_(intrinsic, geometry.correspondence(), visitor(progress, 0, part_of_graph), ConcurrencyTag()),
+      positions_(intrinsic, geometry, overlay_, visitor(progress, part_of_graph, 1), ConcurrencyTag())
+  {}
+  template <class ConcurrencyTag>
   Common_subdivision(Parts parts, const Progress_function& progress, ConcurrencyTag)
     : intrinsic_(std::move(parts.released.first)), geometry_(std::move(parts.released.second)),
       overlay_(intrinsic_, prepared<ConcurrencyTag>(geometry_, intrinsic_, parts.go_further).correspondence(),
-               internal::part_of_progress(progress, 0, part_of_graph), ConcurrencyTag()),
-      positions_(intrinsic_, geometry_, overlay_, internal::part_of_progress(progress, part_of_graph, 1), ConcurrencyTag())
+               visitor(progress, 0, part_of_graph), ConcurrencyTag()),
+      positions_(intrinsic_, geometry_, overlay_, visitor(progress, part_of_graph, 1), ConcurrencyTag())
   {
     geometry_.set_interruption({});
+  }
+
+  static auto visitor(const Progress_function& progress, double begin, double end)
+  {
+    return parameters::visitor(internal::part_of_progress(progress, begin, end));
   }
 
   template <class ConcurrencyTag>

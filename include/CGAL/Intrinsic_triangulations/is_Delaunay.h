@@ -9,8 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_IS_DELAUNAY_H
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
@@ -41,10 +41,7 @@ template <class Traits, class NamedParameters = parameters::Default_named_parame
 typename Traits::Boolean is_Delaunay(const Intrinsic_triangulation<Traits>& triangulation,
                                      const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  const auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                               Static_boolean_property_map<Edge_index, false>());
+  const auto is_constrained = internal::edge_constraints_of(np);
   typename Traits::Boolean result = true;
   for (Edge_index e : triangulation.connectivity().edges()) {
     if (get(is_constrained, e))

@@ -12,9 +12,10 @@
 #include <CGAL/Intrinsic_triangulations/Untwisting.h>
 #include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 
@@ -70,8 +71,8 @@ std::vector<Rational> squared_lengths(const std::vector<double>& lengths);
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{`go_further(tests, flips)` is asked now and then, with the numbers of tubes so far and of flips made one by one, and ends the function with `false`.
 ///       `after_flip()` is not called}
-///     \cgalParamType{a model of `IntrinsicFlipVisitor`}
-///     \cgalParamDefault{`Default_flip_visitor`}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -95,10 +96,9 @@ Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_length
   if constexpr (is_default_parameter<NamedParameters, internal_np::visitor_t>::value) {
     return internal::untwist(complex, squared_lengths, is_constrained, {});
   } else {
-    auto visitor = get_parameter(np, internal_np::visitor);
-    return internal::untwist(complex, squared_lengths, is_constrained, [&visitor](std::uint64_t tests, std::uint64_t flips) {
-      return internal::unwrapped(visitor).go_further(tests, flips);
-    });
+    auto observer = internal::observer_of(np);
+    return internal::untwist(complex, squared_lengths, is_constrained,
+                             [&observer](std::uint64_t tests, std::uint64_t flips) { return observer.go_further(tests, flips); });
   }
 }
 

@@ -13,8 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/enum.h>
 #include <CGAL/property_map.h>
