@@ -83,7 +83,7 @@ double seconds_in_double(const Mesh& mesh, bool notes_flips)
 // The flips of a triangulation, each as the halfedges around the edge before it.
 struct Recorder
 {
-  bool go_further(std::uint64_t, std::uint64_t) { return true; }
+  bool go_further(const IT::Progress&) { return true; }
   void after_flip(IT::Edge_index e)
   {
     const IT::Hinge_halfedges now = complex.hinge(e);

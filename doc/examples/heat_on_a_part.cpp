@@ -110,14 +110,11 @@ int main(int argc, char** argv)
 
   // The bend is kept as one line of edges. Nothing is refined for the sliver's sake.
   Triangulation t(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
-  IT::Refinement_criteria criteria;
-  criteria.maximum_edge_length = 0.2;
-  criteria.minimum_size = 1e-3;
-  const std::vector<bool> is_sharp = IT::sharp_edges(t.connectivity(), points, 30, criteria.minimum_size);
+  const double smallest = 1e-3;
+  const std::vector<bool> is_sharp = IT::sharp_edges(t.connectivity(), points, 30, smallest);
   const IT::Refinement_report report = IT::refine_Delaunay(
-    t, criteria, CGAL::parameters::edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>([&](IT::Edge_index e) {
-      return bool(is_sharp[e.idx()]);
-    })));
+    t, CGAL::parameters::maximum_edge_length(0.2).minimum_size(smallest).edge_is_constrained_map(
+         boost::make_function_property_map<IT::Edge_index, bool>([&](IT::Edge_index e) { return bool(is_sharp[e.idx()]); })));
   const IT::Delta_complex& complex = t.connectivity();
   std::cout << std::count(is_sharp.begin(), is_sharp.end(), true) << " sharp edges, " << report.insertions + report.segment_splits
             << " new vertices, " << report.unrefined.size() << " faces left\n";

@@ -52,9 +52,7 @@ int main()
   IT::flip_to_Delaunay(t);
   std::cout << "after flips    " << smallest_angle(t) << '\n';
 
-  IT::Refinement_criteria criteria;
-  criteria.minimum_angle = 25;
-  const IT::Refinement_report report = IT::refine_Delaunay(t, criteria);
+  const IT::Refinement_report report = IT::refine_Delaunay(t, CGAL::parameters::minimum_angle(25));
   std::cout << "refined        " << smallest_angle(t) << ", with " << report.insertions << " vertices in faces and "
             << report.segment_splits << " on the border\n";
   const bool is_refined = report.status == IT::Refinement_status::REFINED && report.unrefined.empty() && smallest_angle(t) >= 25;

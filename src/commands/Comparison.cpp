@@ -39,8 +39,6 @@ const char* status_text(IT::Flip_status status)
     return "undecided";
   case IT::Flip_status::BUDGET_EXHAUSTED:
     return "flip budget";
-  case IT::Flip_status::CANCELLED:
-    return "time limit";
   }
   return "";
 }
@@ -199,7 +197,7 @@ private:
     row.type = type;
     try {
       const Outcome outcome = flip(type, Requested_results::nothing());
-      row.status = status_text(outcome.report.status);
+      row.status = outcome.are_flips_cancelled ? "time limit" : status_text(outcome.report.status);
       row.flips = outcome.report.flips;
       row.tests = outcome.report.tests;
       row.seconds = outcome.build_seconds + outcome.flip_seconds;

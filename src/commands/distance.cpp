@@ -135,38 +135,28 @@ void check(const Distance_options& options)
   check_output_paths({path, options.overlay_path, options.stats_path}, {options.input});
 }
 
-IT::Heat_method_options library_options(const Distance_options& options)
+auto library_options(const Distance_options& options)
 {
-  const std::map<std::string, IT::Heat_boundary> boundaries = {{"neumann", IT::Heat_boundary::NEUMANN},
+  const std::map<std::string, IT::Heat_boundary> boundaries = {{"", IT::Heat_boundary::NEUMANN},
+                                                               {"neumann", IT::Heat_boundary::NEUMANN},
                                                                {"dirichlet", IT::Heat_boundary::DIRICHLET},
                                                                {"average", IT::Heat_boundary::AVERAGED}};
-  IT::Heat_method_options result;
-  if (!options.boundary.empty())
-    result.boundary = boundaries.at(options.boundary);
-  if (options.time_coefficient)
-    result.time_coefficient = *options.time_coefficient;
-  result.go_further = [] { return !is_interrupted(); };
-  return result;
+  return CGAL::parameters::heat_boundary(boundaries.at(options.boundary))
+    .time_coefficient(options.time_coefficient.value_or(1))
+    .visitor([] { return !is_interrupted(); });
 }
 
-struct Refinement_watch : IT::Default_refinement_visitor
+struct Refinement_watch
 {
-  explicit Refinement_watch(Progress& progress) : progress(progress) {}
-  bool go_further(std::uint64_t points, std::uint64_t)
+  bool go_further(const IT::Progress& done)
   {
-    progress.show_points(points, refinement.waiting_faces, refinement.size);
+    progress.show_points(done.insertions, refinement.waiting_faces, refinement.size);
     return !is_interrupted();
   }
   void before_step(const IT::Refinement_progress& step) { refinement = step; }
   Progress& progress;
-  IT::Refinement_progress refinement;
+  IT::Refinement_progress refinement = {};
 };
-
-void require(bool is_finished)
-{
-  if (!is_finished)
-    throw IT::Cancelled_error("the triangulation was cancelled");
-}
 
 void set_number_of_vertices(const Distance_options& options, std::size_t n, Distance_result& result)
 {
@@ -200,8 +190,9 @@ void find_distances(const Distance_options& options, const Any_surface& surface,
   std::vector<IT::Vertex_index> sources;
   for (std::uint64_t v : options.sources)
     sources.push_back(IT::Vertex_index(IT::Vertex_index::size_type(v)));
-  IT::Geodesic_distance_options geodesic_options;
-  geodesic_options.go_further = [] { return !is_interrupted(); };
+  const auto geodesic_options = [](double tolerance) {
+    return CGAL::parameters::tolerance(tolerance).visitor([] { return !is_interrupted(); });
+  };
   if (options.is_by_heat()) {
     progress.begin("building and factoring the matrix of the heat");
     IT::Heat_method<> heat(surface, library_options(options));
@@ -213,16 +204,13 @@ void find_distances(const Distance_options& options, const Any_surface& surface,
     result.number_of_bounded_distances = heat.number_of_bounded_distances();
   } else {
     progress.begin("following straight ways");
-    if (options.method == "exact")
-      geodesic_options.tolerance = 0;
-    IT::Geodesic_distances found = IT::geodesic_distances(surface, sources, geodesic_options);
+    IT::Geodesic_distances found = IT::geodesic_distances(surface, sources, geodesic_options(options.method == "exact" ? 0 : 0.001));
     result.is_complete = found.is_complete;
     result.surface.distances = std::move(found.distances);
   }
   if (options.is_compared) {
     progress.begin("following all straight ways");
-    geodesic_options.tolerance = 0;
-    const IT::Geodesic_distances exact = IT::geodesic_distances(surface, sources, geodesic_options);
+    const IT::Geodesic_distances exact = IT::geodesic_distances(surface, sources, geodesic_options(0));
     result.is_complete = result.is_complete && exact.is_complete;
     result.errors = compare(result.surface.distances, exact.distances);
   }
@@ -236,7 +224,7 @@ void find_vectors(const Distance_options& options, const Triangulation& triangul
                   Distance_result& result)
 {
   const std::size_t n = result.surface.number_of_vertices;
-  const IT::Vector_heat_method heat(triangulation, std::nullopt, [] { return !is_interrupted(); });
+  const IT::Vector_heat_method heat(triangulation, CGAL::parameters::visitor([] { return !is_interrupted(); }));
   std::vector<std::pair<IT::Vertex_index, IT::Planar_vector<double>>> axes;
   for (std::uint64_t v : std::set<std::uint64_t>(options.sources.begin(), options.sources.end()))
     axes.push_back({IT::Vertex_index(IT::Vertex_index::size_type(v)), {1, 0}});
@@ -262,7 +250,6 @@ void find_on_cover(const Distance_options& options, IT::Tufted_cover cover, Prog
                    Distance_result& result)
 {
   const IT::Flip_report report = IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
-  require(report.status == IT::Flip_status::DELAUNAY);
   result.flips = report.flips;
   result.triangulation_seconds = stopwatch.restart();
   find_distances(options, cover, progress, result);
@@ -308,13 +295,11 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
   Progress progress(options.input, "triangulating");
   auto triangulation = make_triangulation<Triangulation::Traits>(surface);
   const IT::Flip_report report = IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
-  require(report.status == IT::Flip_status::DELAUNAY);
   result.flips = report.flips;
   if (options.is_refined) {
     triangulation.set_interruption([] { return !is_interrupted(); }); // a single decision can take long
     const IT::Refinement_report refinement =
-      IT::refine_Delaunay(triangulation, IT::Refinement_criteria(), CGAL::parameters::visitor(Refinement_watch(progress)));
-    require(refinement.status != IT::Refinement_status::CANCELLED);
+      IT::refine_Delaunay(triangulation, CGAL::parameters::visitor(Refinement_watch{progress}));
     result.flips += refinement.flips;
     result.number_of_inserted_vertices = triangulation.connectivity().number_of_vertices() - complex.number_of_vertices();
   }

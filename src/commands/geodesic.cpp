@@ -127,11 +127,7 @@ void check(const Geodesic_options& options)
   check_output_paths({options.output_path, options.cut_path, options.stats_path}, {options.input});
 }
 
-struct Visitor
-{
-  bool go_further(std::uint64_t, std::uint64_t) { return !is_interrupted(); }
-  void after_flip(IT::Edge_index) {}
-};
+bool goes_on() { return !is_interrupted(); }
 
 std::string name(IT::Geodesic_status status)
 {
@@ -168,27 +164,19 @@ IT::Vertex_index vertex(const Surface& surface, Triangulation& triangulation, co
   return IT::vertex_at_point(triangulation, IT::locate(surface.connectivity, surface.points, stop.point));
 }
 
-struct Flips : IT::Default_flip_visitor
-{
-  bool go_further(std::uint64_t, std::uint64_t) { return !is_interrupted(); }
-};
-
 // Where the curve begins, on edges from stop to stop; and the length of the shortest path.
 std::vector<IT::Halfedge_index> first_path(const Geodesic_options& options, Triangulation& triangulation,
                                            const std::vector<IT::Vertex_index>& stops, Curve& curve)
 {
   std::vector<IT::Halfedge_index> result;
-  IT::Geodesic_distance_options distance_options;
-  distance_options.go_further = [] { return !is_interrupted(); };
   if (options.is_shortest) {
     curve.distance = 0;
-    if (IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(Flips())).status != IT::Flip_status::DELAUNAY)
-      throw IT::Cancelled_error(options.input + ": the search for the path was cancelled");
+    IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(&goes_on));
   }
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
     std::vector<IT::Halfedge_index> part;
     if (options.is_shortest) {
-      IT::Shortest_path found = IT::shortest_path(triangulation, stops[i], stops[i + 1], distance_options);
+      IT::Shortest_path found = IT::shortest_path(triangulation, stops[i], stops[i + 1], CGAL::parameters::visitor(&goes_on));
       *curve.distance += found.distance;
       part = std::move(found.halfedges);
     } else {
@@ -217,9 +205,7 @@ Curve find_path(const Geodesic_options& options, const Surface& surface, Triangu
     network.fix(stops[i]);
   if (!options.is_shortest)
     curve.initial_length = network.length(p);
-  curve.report = network.shorten(CGAL::parameters::visitor(Visitor()));
-  if (network.status(p) == IT::Geodesic_status::UNFINISHED)
-    throw IT::Cancelled_error(options.input + ": the search for the path was cancelled");
+  curve.report = network.shorten(CGAL::parameters::visitor(&goes_on));
   curve.length = network.length(p);
   curve.is_geodesic = network.is_geodesic(p);
   curve.status = name(network.status(p));

@@ -58,24 +58,23 @@ struct Laplacian_result
   std::size_t dropped_faces() const { return small_faces + Laplacian.report.dropped_faces(); }
 };
 
-IT::Tufted_Laplacian_options library_options(const Laplacian_options& options)
+template <class Visitor>
+auto library_options(const Laplacian_options& options, const Visitor& visitor)
 {
-  IT::Tufted_Laplacian_options result;
-  result.mass_type = options.mass_type == "lumped" ? IT::Mass_type::LUMPED : IT::Mass_type::GALERKIN;
-  result.cover = options.cover == "tufted" ? IT::Surface_cover::TUFTED : IT::Surface_cover::NONE;
   const std::map<std::string, IT::Coincident_vertices> policies = {{"error", IT::Coincident_vertices::ERROR},
                                                                    {"merge", IT::Coincident_vertices::MERGE},
                                                                    {"drop", IT::Coincident_vertices::DROP}};
-  result.coincident_vertices = policies.at(options.coincident_vertices);
-  result.is_welded = options.is_welded;
-  result.mollification = options.mollification;
-  return result;
+  return CGAL::parameters::mass_type(options.mass_type == "lumped" ? IT::Mass_type::LUMPED : IT::Mass_type::GALERKIN)
+    .surface_cover(options.cover == "tufted" ? IT::Surface_cover::TUFTED : IT::Surface_cover::NONE)
+    .coincident_vertices(policies.at(options.coincident_vertices))
+    .is_welded(options.is_welded)
+    .mollification(options.mollification)
+    .visitor(visitor);
 }
 
 void find_operator(const Laplacian_options& options, Laplacian_result& result)
 {
   Stopwatch stopwatch;
-  const IT::Tufted_Laplacian_options wanted = library_options(options);
   if (is_gluing_file(options.input)) {
     IT::Delta_complex complex;
     std::vector<double> lengths;
@@ -89,7 +88,7 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     result.number_of_faces = complex.number_of_faces();
     result.read_seconds = stopwatch.restart();
     Progress progress(options.input, "building matrices");
-    result.Laplacian = IT::tufted_Laplacian(complex, lengths, wanted, CGAL::parameters::visitor(Flip_watch{progress}));
+    result.Laplacian = IT::tufted_Laplacian(complex, lengths, library_options(options, Flip_watch{progress}));
   } else {
     const Triangle_soup soup = read_triangle_soup(options.input);
     result.number_of_faces = soup.number_of_faces;
@@ -99,7 +98,7 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     result.read_seconds = stopwatch.restart();
     Progress progress(options.input, "building matrices");
     result.Laplacian =
-      IT::tufted_Laplacian(soup.points, soup.triangles, wanted, CGAL::parameters::visitor(Flip_watch{progress}));
+      IT::tufted_Laplacian(soup.points, soup.triangles, library_options(options, Flip_watch{progress}));
   }
   result.seconds = stopwatch.seconds();
 }

@@ -100,7 +100,7 @@ void find_map(const Parameterize_options& options, Result& result,
   const Numbers& numbers = is_intrinsic ? outcome.numbers : outcome.input_numbers;
   if (options.method == "circle-pattern") {
     result.pattern =
-      IT::circle_pattern_parameterization(complex, numbers.lengths, numbers.areas, progress);
+      IT::circle_pattern_parameterization(complex, numbers.lengths, numbers.areas, CGAL::parameters::visitor(std::ref(progress)));
     result.uv = result.pattern->uv;
     return;
   }

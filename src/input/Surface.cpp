@@ -158,14 +158,10 @@ void untwist(Surface& surface)
     throw Usage_error(surface.path +
                       ": --fast-forward is for gluings; no edge can wind around a surface in space very often");
   const Stopwatch stopwatch;
-  struct Watch : IT::Default_flip_visitor
-  {
-    bool go_further(std::uint64_t, std::uint64_t) { return !is_interrupted(); }
-  };
   try {
     if (surface.squared_lengths.empty())
       surface.squared_lengths = IT::squared_lengths(surface.lengths);
-    surface.untwisting = IT::untwist(surface.connectivity, surface.squared_lengths, CGAL::parameters::visitor(Watch()));
+    surface.untwisting = IT::untwist(surface.connectivity, surface.squared_lengths, CGAL::parameters::visitor([] { return !is_interrupted(); }));
   } catch (const IT::Invalid_surface_error& error) {
     throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), surface.path + ": " + error.what());
   }

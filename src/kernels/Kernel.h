@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,10 +66,19 @@ struct Short_side
   std::optional<std::array<double, 3>> place; // of an end, if the surface is in space
 };
 
+// The named parameters of `refine_Delaunay()`.
+struct Refinement_criteria
+{
+  double minimum_angle = 25;
+  double maximum_circumradius = std::numeric_limits<double>::infinity();
+  double maximum_edge_length = std::numeric_limits<double>::infinity();
+  double minimum_size = 0;
+};
+
 // What Delaunay refinement is to do once the flips are done.
 struct Refinement_options
 {
-  CGAL::Intrinsic_triangulations::Refinement_criteria criteria;
+  Refinement_criteria criteria;
   std::optional<std::uint64_t> maximum_number_of_points;
   std::vector<bool> is_constrained; // for each input edge: whether no flip may remove it
   // Is asked before each face that is refined, and may ask where that is: if it says yes, the run ends, and nothing else is found out.
@@ -135,6 +145,7 @@ struct Tessellation_summary
 struct Refinement_summary
 {
   bool is_given_up = false;
+  bool is_cancelled = false; // by the caller; the report lists no faces then
   CGAL::Intrinsic_triangulations::Refinement_report report;
   std::vector<CGAL::Intrinsic_triangulations::Surface_point> points; // on the input, of the new vertices in order
   // Of the faces that were left as too small, or for the budget, the one with the shortest side.
@@ -173,8 +184,9 @@ struct Outcome
   std::vector<double> exact_lengths; // for each edge, correctly rounded but for one unit
   std::vector<std::uint8_t> is_tie;  // for each edge
   CGAL::Intrinsic_triangulations::Flip_report report;
-  std::string failure;         // what ended the flips, or kept something from being found out
-  bool is_interrupted = false; // something was left out because the caller said no, beside flips
+  bool are_flips_cancelled = false; // the caller said no: the report has the numbers until then
+  std::string failure;              // what ended the flips, or kept something from being found out
+  bool is_interrupted = false;      // something was left out because the caller said no, beside flips
   // How many tests each stage decided, for the number type that has stages.
   std::optional<CGAL::Intrinsic_triangulations::Stage_counts> stages;
   std::optional<Weight_summary> weights_before;

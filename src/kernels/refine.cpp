@@ -81,17 +81,17 @@ double sufficient_size(const Filtered_triangulation& triangulation, const Refine
 }
 
 // Asks the caller, and remembers how far the refinement is in case that an exception ends it.
-class Asking_refinement_visitor : public IT::Default_refinement_visitor
+class Asking_refinement_visitor
 {
 public:
   Asking_refinement_visitor(const Filtered_triangulation& triangulation, const Job& job)
     : job_(job), where_([this, &triangulation] { return short_side(triangulation, job_.surface, progress_.face); })
   {}
 
-  bool go_further(std::uint64_t points, std::uint64_t flips)
+  bool go_further(const IT::Progress& progress)
   {
-    progress_.points = points;
-    flips_ = flips;
+    progress_.points = progress.insertions;
+    flips_ = progress.flips;
     return goes_on();
   }
   void before_step(const IT::Refinement_progress& progress)
@@ -125,18 +125,25 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
   const Stopwatch stopwatch;
   outcome.refinement.emplace();
   Refinement_summary& summary = *outcome.refinement;
-  const auto with_visitor = CGAL::parameters::edge_is_constrained_map(Edge_flags{&options.is_constrained}).visitor(std::ref(visitor));
+  const auto parameters = CGAL::parameters::minimum_angle(options.criteria.minimum_angle)
+                            .maximum_circumradius(options.criteria.maximum_circumradius)
+                            .maximum_edge_length(options.criteria.maximum_edge_length)
+                            .minimum_size(options.criteria.minimum_size)
+                            .edge_is_constrained_map(Edge_flags{&options.is_constrained})
+                            .visitor(std::ref(visitor));
   try {
     summary.report = options.maximum_number_of_points
-                       ? IT::refine_Delaunay(triangulation, options.criteria, with_visitor.maximum_number(*options.maximum_number_of_points))
-                       : IT::refine_Delaunay(triangulation, options.criteria, with_visitor);
+                       ? IT::refine_Delaunay(triangulation, parameters.maximum_number(*options.maximum_number_of_points))
+                       : IT::refine_Delaunay(triangulation, parameters);
   } catch (const IT::Invalid_surface_error&) {
     throw;
+  } catch (const IT::Cancelled_error&) {
+    summary.is_cancelled = true;
+    summary.report.flips = visitor.flips();
   } catch (const IT::Error& error) {
     // The vertices that were inserted before are there.
     outcome.failure = error.what();
-    outcome.is_interrupted = dynamic_cast<const IT::Cancelled_error*>(&error) != nullptr;
-    summary.report.status = IT::Refinement_status::CANCELLED;
+    summary.is_cancelled = true;
     summary.report.flips = visitor.flips();
   }
   triangulation.set_interruption(std::move(afterwards));

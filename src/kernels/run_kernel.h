@@ -153,6 +153,11 @@ void flip(const Flippable& flippable, const Job& job, Outcome& outcome, const Co
     outcome.report = IT::internal::flip_all<CGAL::Sequential_tag>(flippable, is_constrained, visitor, budget);
   } catch (const IT::Invalid_surface_error&) {
     throw;
+  } catch (const IT::Cancelled_error&) {
+    outcome.are_flips_cancelled = true;
+    outcome.report.status = IT::Flip_status::BUDGET_EXHAUSTED;
+    outcome.report.tests = visitor.tests();
+    outcome.report.flips = visitor.flips();
   } catch (const IT::Error& error) {
     // The triangulation is as it was before the decision that failed.
     outcome.failure = error.what();
@@ -341,7 +346,7 @@ Outcome run_kernel(const Job& job, const Traits& traits = Traits())
   outcome.number_seconds = stopwatch.restart();
   outcome.connectivity = triangulation.connectivity();
   if (wanted.overlay && outcome.crossing_summary) // last, as it takes the most memory
-    find_overlay([&](const IT::Progress_function& progress) { return IT::Common_subdivision(std::move(triangulation), progress); },
+    find_overlay([&](const IT::Progress_function& progress) { return IT::Common_subdivision(std::move(triangulation), CGAL::parameters::visitor(progress)); },
                  job.overlay_progress, outcome);
   return outcome;
 }

@@ -31,6 +31,8 @@ std::string describe_refinement(const Outcome& outcome)
   if (!outcome.refinement)
     return {};
   const IT::Refinement_report& report = outcome.refinement->report;
+  if (outcome.refinement->is_cancelled)
+    return "not refined: cancelled; ";
   switch (report.status) {
   case IT::Refinement_status::REFINED:
     return report.unrefined.empty() ? "refined, " : "refined but for " + counted(report.unrefined.size(), "face", "faces") + ", ";
@@ -39,8 +41,6 @@ std::string describe_refinement(const Outcome& outcome)
            counted(unrefined_faces(outcome)["budget"], "face is", "faces are") + " left for that, with sides down to " +
            text(*outcome.refinement->smallest_left) + " (try a larger --maximum-points" +
            (outcome.refinement->sufficient_size > 0 ? ", or --minimum-size " + in_short(outcome.refinement->sufficient_size) : "") + "); ";
-  case IT::Refinement_status::CANCELLED:
-    return "not refined: cancelled; ";
   }
   return {};
 }
@@ -84,7 +84,7 @@ std::string text(const Short_side& side)
 Exit_status exit_status(const Outcome& outcome)
 {
   const bool is_done = outcome.report.status == IT::Flip_status::DELAUNAY &&
-                       (!outcome.refinement || outcome.refinement->report.status == IT::Refinement_status::REFINED) &&
+                       (!outcome.refinement || (!outcome.refinement->is_cancelled && outcome.refinement->report.status == IT::Refinement_status::REFINED)) &&
                        outcome.failure.empty() &&
                        (!outcome.verification || outcome.verification->is_Delaunay());
   return is_done ? Exit_status::DONE : Exit_status::NOT_FINISHED;
@@ -92,13 +92,13 @@ Exit_status exit_status(const Outcome& outcome)
 
 const char* status_word(const Outcome& outcome)
 {
-  if (outcome.is_interrupted)
+  if (outcome.is_interrupted || outcome.are_flips_cancelled)
     return "interrupted";
   switch (outcome.report.status) {
   case IT::Flip_status::DELAUNAY:
     if (outcome.refinement && outcome.refinement->report.status == IT::Refinement_status::BUDGET_EXHAUSTED)
       return "point budget";
-    if (outcome.refinement && outcome.refinement->report.status == IT::Refinement_status::CANCELLED && outcome.failure.empty())
+    if (outcome.refinement && outcome.refinement->is_cancelled && outcome.failure.empty())
       return "interrupted";
     if (!outcome.failure.empty())
       return "incomplete";
@@ -111,8 +111,6 @@ const char* status_word(const Outcome& outcome)
     return "undecided";
   case IT::Flip_status::BUDGET_EXHAUSTED:
     return "flip budget";
-  case IT::Flip_status::CANCELLED:
-    return "interrupted";
   }
   return "";
 }
@@ -144,10 +142,10 @@ std::string describe_status(const Triangulation_result& result)
   if (!outcome.failure.empty())
     return (report.status == IT::Flip_status::DELAUNAY ? "not known in full: " : "not finished: ") +
            outcome.failure;
+  if (outcome.are_flips_cancelled)
+    return "not finished: cancelled";
   // What was not finished need not be Delaunay.
-  const bool is_finished =
-    report.status != IT::Flip_status::BUDGET_EXHAUSTED && report.status != IT::Flip_status::CANCELLED;
-  if (is_finished && outcome.verification && !outcome.verification->is_Delaunay())
+  if (report.status != IT::Flip_status::BUDGET_EXHAUSTED && outcome.verification && !outcome.verification->is_Delaunay())
     return "not Delaunay: " + describe_verification(outcome);
   switch (report.status) {
   case IT::Flip_status::DELAUNAY:
@@ -174,8 +172,6 @@ std::string describe_status(const Triangulation_result& result)
            first_of(report.undecided, outcome.connectivity) + "; try --number-type " + name(Number_type::FILTERED);
   case IT::Flip_status::BUDGET_EXHAUSTED:
     return "not finished: the budget of " + counted(report.flips, "flip", "flips") + " is spent; try a larger --maximum-flips";
-  case IT::Flip_status::CANCELLED:
-    return "not finished: cancelled";
   }
   return std::string();
 }

@@ -149,7 +149,7 @@ public:
       const IT::Delta_complex& complex = t.connectivity();
       if (v >= complex.number_of_vertices() || !complex.halfedge(IT::Vertex_index(v)).is_valid())
         throw IT::Invalid_argument_error("there is no vertex " + std::to_string(v) + " with faces: there are " +
-                                      std::to_string(complex.number_of_vertices()) + " vertices, counted from 0");
+                                         std::to_string(complex.number_of_vertices()) + " vertices, counted from 0");
       return trace(t, Tangent_directions(complex, points_).at_vertex(IT::Vertex_index(v), Eigen::Vector3d(vector.data())),
                    maximum_number);
     });
@@ -162,7 +162,7 @@ public:
       const IT::Delta_complex& complex = t.connectivity();
       if (f >= complex.number_of_faces())
         throw IT::Invalid_argument_error("there is no face " + std::to_string(f) + ": there are " +
-                                      std::to_string(complex.number_of_faces()) + ", counted from 0");
+                                         std::to_string(complex.number_of_faces()) + ", counted from 0");
       const IT::Surface_point start = {complex.halfedge(IT::Face_index(f)), coordinates};
       return trace(t, Tangent_directions(complex, points_).in_face(start, Eigen::Vector3d(vector.data())), maximum_number);
     });
@@ -183,12 +183,10 @@ private:
   {
     IT::flip_to_Delaunay(t, CGAL::parameters::visitor(Signal_visitor()));
     Signal_watch::check();
-    IT::Geodesic_distance_options options;
-    options.go_further = &Signal_watch::goes_on;
     path.distance = 0;
     std::vector<IT::Halfedge_index> result;
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-      const IT::Shortest_path part = IT::shortest_path(t, stops[i], stops[i + 1], options);
+      const IT::Shortest_path part = IT::shortest_path(t, stops[i], stops[i + 1], CGAL::parameters::visitor(&Signal_watch::goes_on));
       *path.distance += part.distance;
       result.insert(result.end(), part.halfedges.begin(), part.halfedges.end());
     }

@@ -149,7 +149,7 @@ void check_face(const IT::Delta_complex& complex, std::uint32_t f)
 {
   if (f >= complex.number_of_faces())
     throw IT::Invalid_argument_error("there is no face " + std::to_string(f) + ": there are " +
-                                  std::to_string(complex.number_of_faces()));
+                                     std::to_string(complex.number_of_faces()));
 }
 
 template <class Locate>

@@ -264,8 +264,12 @@ py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumra
   const IT::Refinement_report report = surface.use([&](Triangulation& t) {
     check_marks(t, is_constrained);
     return IT::refine_Delaunay(
-      t, {minimum_angle, maximum_circumradius, maximum_edge_length, false, minimum_size},
-      parameters::edge_is_constrained_map(Constrained_edges(is_constrained))
+      t,
+      parameters::minimum_angle(minimum_angle)
+        .maximum_circumradius(maximum_circumradius)
+        .maximum_edge_length(maximum_edge_length)
+        .minimum_size(minimum_size)
+        .edge_is_constrained_map(Constrained_edges(is_constrained))
         .visitor(Signal_visitor())
         .maximum_number(maximum_number ? *maximum_number : 10 * std::uint64_t(t.connectivity().number_of_vertices()) + 1000000));
   });

@@ -26,7 +26,9 @@ using Vector_heat = IT::Vector_heat_method;
 
 std::unique_ptr<Vector_heat> vector_heat(Surface& surface, const std::optional<double>& time_coefficient)
 {
-  return surface.use([&](const Triangulation& t) { return std::make_unique<Vector_heat>(t, time_coefficient, &Signal_watch::goes_on); });
+  return surface.use([&](const Triangulation& t) {
+    return std::make_unique<Vector_heat>(t, CGAL::parameters::time_coefficient(time_coefficient).visitor(&Signal_watch::goes_on));
+  });
 }
 
 py::array to_rows(const std::vector<Vector_heat::Vector>& vectors)

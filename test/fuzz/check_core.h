@@ -35,12 +35,12 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using Filtered_triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
 // Remembers the flips, does them in the overlay, and stops when that becomes too large.
-struct Recording_visitor : IT::Default_flip_visitor
+struct Recording_visitor
 {
   Recording_visitor(const IT::Delta_complex& input, std::uint32_t crossing_budget)
     : overlay(input), budget(crossing_budget)
   {}
-  bool go_further(std::uint64_t, std::uint64_t) const { return overlay.number_of_crossings() <= budget; }
+  bool go_further(const IT::Progress&) const { return overlay.number_of_crossings() <= budget; }
   void after_flip(IT::Edge_index e)
   {
     flips.push_back(e);

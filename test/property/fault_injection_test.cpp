@@ -258,16 +258,9 @@ void expect_Delaunay(Triangulation& t, const IT::Delta_complex& input)
 
 // ---------------------------------------------------------------- operations
 
-struct Flip_visitor
+struct Visitor : IT::Default_visitor
 {
-  bool go_further(std::uint64_t, std::uint64_t) { return goes_further(); }
-  void after_flip(IT::Edge_index) {}
-};
-struct Refinement_visitor
-{
-  bool go_further(std::uint64_t, std::uint64_t) { return goes_further(); }
-  void before_step(const IT::Refinement_progress&) {}
-  void after_insertion(IT::Vertex_index) {}
+  bool go_further(const IT::Progress&) { return goes_further(); }
 };
 
 // Points inside faces, and on edges that are edges of the triangulation.
@@ -330,7 +323,7 @@ protected:
         [&](Triangulation& t) {
           t.set_interruption(goes_further);
           if (has_visitor)
-            IT::flip_to_Delaunay(t, CGAL::parameters::visitor(Flip_visitor()));
+            IT::flip_to_Delaunay(t, CGAL::parameters::visitor(Visitor()));
           else
             IT::flip_to_Delaunay(t);
         },
@@ -427,10 +420,10 @@ protected:
     const IT::Delta_complex input = start.connectivity();
     sweep(
       name + ": refinement", [&] { return start; },
-      [&](Triangulation& t) { IT::refine_Delaunay(t, {}, CGAL::parameters::visitor(Refinement_visitor()).maximum_number(40)); },
+      [&](Triangulation& t) { IT::refine_Delaunay(t, CGAL::parameters::visitor(Visitor()).maximum_number(40)); },
       [&](Triangulation& t, Triangulation&) {
         expect_valid(t, input);
-        IT::refine_Delaunay(t, {}, CGAL::parameters::maximum_number(10));
+        IT::refine_Delaunay(t, CGAL::parameters::maximum_number(10));
         expect_Delaunay(t, input);
       });
   }
@@ -474,7 +467,7 @@ protected:
     };
     const double length_before = length(*make());
     sweep(
-      name + ": geodesics", make, [&](auto& state) { state->network.shorten(CGAL::parameters::visitor(Flip_visitor())); },
+      name + ": geodesics", make, [&](auto& state) { state->network.shorten(CGAL::parameters::visitor(Visitor())); },
       [&](auto& state, auto&) {
         expect_valid(*state->triangulation, input);
         const IT::Delta_complex& complex = state->triangulation->connectivity();
@@ -527,7 +520,7 @@ protected:
     const auto is_same = [](const State& a, const State& b) { return a.complex == b.complex && a.squared_lengths == b.squared_lengths; };
     sweep(
       name + ": untwisting", [&] { return start; },
-      [](State& s) { s.untwisting = IT::untwist(s.complex, s.squared_lengths, CGAL::parameters::visitor(Flip_visitor())); },
+      [](State& s) { s.untwisting = IT::untwist(s.complex, s.squared_lengths, CGAL::parameters::visitor(Visitor())); },
       [&](State& s, State& whole) {
         if (s.untwisting.crossings.number_of_edges() == 0) { // an exception
           EXPECT_TRUE(is_same(s, start));
@@ -543,9 +536,7 @@ protected:
     IT::flip_to_Delaunay(t);
     const IT::Delta_complex input = triangulation_of(surface).connectivity();
     const auto distances = [&] {
-      IT::Heat_method_options options;
-      options.go_further = goes_further;
-      IT::Heat_method heat(t, options);
+      IT::Heat_method<> heat(t, CGAL::parameters::visitor(&goes_further));
       heat.add_source(IT::Vertex_index(0));
       return std::vector<double>(heat.distances());
     };
@@ -573,7 +564,7 @@ protected:
         [&](Triangulation& t) {
           t.set_interruption(goes_further);
           if (has_visitor)
-            IT::flip_to_Delaunay<CGAL::Parallel_tag>(t, CGAL::parameters::visitor(Flip_visitor()));
+            IT::flip_to_Delaunay<CGAL::Parallel_tag>(t, CGAL::parameters::visitor(Visitor()));
           else
             IT::flip_to_Delaunay<CGAL::Parallel_tag>(t);
         },

@@ -48,16 +48,18 @@ constexpr double tolerance = is_float ? 1e-3 : is_interval ? 1e-6
 // Remembers the flips and checks what it is told.
 struct Recorder
 {
-  bool go_further(std::uint64_t tests, std::uint64_t number_of_flips)
+  bool go_further(const IT::Progress& progress)
   {
-    EXPECT_EQ(tests + number_of_flips, calls); // before each of both
-    EXPECT_EQ(number_of_flips, flips.size());
+    EXPECT_EQ(progress.tests + progress.flips, calls); // before each of both
+    EXPECT_EQ(progress.flips, flips.size());
+    last = progress;
     return ++calls <= limit;
   }
   void after_flip(IT::Edge_index e) { flips.push_back(e); }
 
   std::uint64_t limit = (std::numeric_limits<std::uint64_t>::max)();
   std::uint64_t calls = 0;
+  IT::Progress last;
   std::vector<IT::Edge_index> flips;
 };
 
@@ -91,9 +93,7 @@ void expect_truth(const Flip_report& report, const Triangulation& t)
     EXPECT_FALSE(CGAL::possibly(t.is_locally_Delaunay(e)));
   for (IT::Edge_index e : report.undecided)
     EXPECT_FALSE(CGAL::certainly(t.is_locally_Delaunay(e)));
-  const bool is_done =
-    report.status != Flip_status::BUDGET_EXHAUSTED && report.status != Flip_status::CANCELLED;
-  if (!is_done)
+  if (report.status == Flip_status::BUDGET_EXHAUSTED)
     return;
   EXPECT_EQ(report.status, !report.undecided.empty()       ? Flip_status::UNDECIDED
                            : !report.not_flippable.empty() ? Flip_status::NOT_FLIPPABLE
@@ -264,11 +264,17 @@ TYPED_TEST(Flip, stops_when_the_visitor_cancels_and_can_be_resumed)
       auto cancelled = t;
       Recorder recorder;
       recorder.limit = limit;
-      const Flip_report report = IT::flip_to_Delaunay(cancelled, visitor(std::ref(recorder)));
-      EXPECT_EQ(report.status, limit < steps ? Flip_status::CANCELLED : Flip_status::DELAUNAY);
-      EXPECT_EQ(report.tests + report.flips, limit);
-      EXPECT_EQ(report.flips, recorder.flips.size());
-      expect_truth(report, cancelled);
+      if (limit < steps) {
+        EXPECT_THROW(IT::flip_to_Delaunay(cancelled, visitor(std::ref(recorder))), IT::Cancelled_error);
+        EXPECT_EQ(recorder.last.tests + recorder.last.flips, limit);
+        EXPECT_TRUE(cancelled.connectivity().is_valid(true));
+      } else {
+        const Flip_report report = IT::flip_to_Delaunay(cancelled, visitor(std::ref(recorder)));
+        EXPECT_EQ(report.status, Flip_status::DELAUNAY);
+        EXPECT_EQ(report.tests + report.flips, limit);
+        EXPECT_EQ(report.flips, recorder.flips.size());
+        expect_truth(report, cancelled);
+      }
       const Flip_report rest = IT::flip_to_Delaunay(cancelled);
       EXPECT_EQ(rest.status, Flip_status::DELAUNAY);
       EXPECT_TRUE(are_same_edges(edge_records(cancelled), edge_records(finished), tolerance))

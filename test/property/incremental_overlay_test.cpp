@@ -58,13 +58,13 @@ struct Both_ways
 
 // Flips an overlay along with a triangulation and compares after each flip.
 template <class Traits>
-struct Comparing_visitor : IT::Default_flip_visitor
+struct Comparing_visitor
 {
   explicit Comparing_visitor(const IT::Intrinsic_triangulation<Traits>& t)
     : triangulation(t), incremental(t.connectivity())
   {}
 
-  bool go_further(std::uint64_t, std::uint64_t) { return is_same; }
+  bool go_further(const IT::Progress&) { return is_same; }
   void after_flip(Edge_index e)
   {
     incremental.flip(e);

@@ -204,9 +204,7 @@ TEST(Long_strips, numbers_that_are_carried_keep_their_bounds)
     ASSERT_TRUE(IT::verify_Delaunay(t).is_Delaunay());
   };
   check();
-  IT::Refinement_criteria criteria;
-  criteria.minimum_angle = 25;
-  EXPECT_EQ(IT::refine_Delaunay(t, criteria).status, IT::Refinement_status::REFINED);
+  EXPECT_EQ(IT::refine_Delaunay(t, CGAL::parameters::minimum_angle(25)).status, IT::Refinement_status::REFINED);
   EXPECT_GT(t.connectivity().number_of_vertices(), 200u);
   check();
 }

@@ -448,10 +448,10 @@ TEST(Parallel_results, can_be_cancelled)
       EXPECT_TRUE(fraction >= 0 && fraction <= 1);
       return left-- > 0;
     };
-    EXPECT_THROW(IT::Overlay(t, progress, Parallel_tag()), IT::Cancelled_error);
+    EXPECT_THROW(IT::Overlay(t, CGAL::parameters::visitor(progress), Parallel_tag()), IT::Cancelled_error);
   }
   EXPECT_THROW(IT::Overlay_positions(
-                 IT::internal::engine(t), overlay, [](double) { return false; }, Parallel_tag()),
+                 t.connectivity(), IT::internal::engine(t), overlay, CGAL::parameters::visitor([] { return false; }), Parallel_tag()),
                IT::Cancelled_error);
 }
 

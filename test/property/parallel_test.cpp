@@ -389,11 +389,11 @@ TEST(Parallel, budget_is_kept)
 
 struct Counter
 {
-  bool go_further(std::uint64_t tests, std::uint64_t number_of_flips)
+  bool go_further(const IT::Progress& progress)
   {
-    EXPECT_GE(tests, last_tests);
-    last_tests = tests;
-    return number_of_flips < limit;
+    EXPECT_GE(progress.tests, last_tests);
+    last_tests = progress.tests;
+    return progress.flips < limit;
   }
   void after_flip(IT::Edge_index)
   {
@@ -417,8 +417,9 @@ TEST(Parallel, visitor_is_told_of_each_flip)
 // Stops once so many tests were made; asks whether it is asked by one thread at a time.
 struct Test_limit
 {
-  bool go_further(std::uint64_t tests, std::uint64_t)
+  bool go_further(const IT::Progress& progress)
   {
+    const std::uint64_t tests = progress.tests;
     EXPECT_FALSE(is_asked.exchange(true));
     EXPECT_GE(tests, last_tests);
     last_tests = tests;
@@ -427,7 +428,6 @@ struct Test_limit
       throw std::runtime_error("enough");
     return tests < limit;
   }
-  void after_flip(IT::Edge_index) {}
   std::uint64_t limit, last_tests = 0;
   bool throws = false;
   std::atomic<bool> is_asked{false};
@@ -441,10 +441,9 @@ TEST(Parallel, visitor_stops_the_tests_that_were_left_open)
   for (std::uint64_t limit : {80000, 90000, 115000}) {
     Filtered t = input;
     Test_limit visitor{limit};
-    const Flip_report report = IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(visitor)));
-    EXPECT_EQ(report.status, Flip_status::CANCELLED);
-    EXPECT_GE(report.tests, limit);
-    EXPECT_LT(report.tests, limit + 4000);
+    EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(visitor))), IT::Cancelled_error);
+    EXPECT_GE(visitor.last_tests, limit);
+    EXPECT_LT(visitor.last_tests, limit + 4000);
     EXPECT_TRUE(t.connectivity() == input.connectivity());
     EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::DELAUNAY);
 
@@ -462,7 +461,7 @@ TEST(Parallel, interruption_stops_the_tests_that_were_left_open)
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 3);
   bool goes_further = false;
   t.set_interruption([&] { return goes_further; });
-  EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::CANCELLED);
+  EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t), IT::Cancelled_error);
   EXPECT_THROW(IT::verify_Delaunay<Parallel_tag>(t), IT::Cancelled_error); // it is asked by others, too, afterwards
   goes_further = true;
   EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::DELAUNAY);
@@ -474,12 +473,9 @@ TEST(Parallel, visitor_cancels)
   Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
   Counter counter;
   counter.limit = 5000;
-  const Flip_report report =
-    IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter)));
-  EXPECT_EQ(report.status, Flip_status::CANCELLED);
-  EXPECT_EQ(counter.flips, report.flips);
-  EXPECT_GE(report.flips, 5000u);
-  EXPECT_LT(report.flips, 15000u);
+  EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter))), IT::Cancelled_error);
+  EXPECT_GE(counter.flips, 5000u);
+  EXPECT_LT(counter.flips, 15000u);
   EXPECT_TRUE(t.connectivity().is_valid(true));
   expect_input(t, mesh);
 }

@@ -132,9 +132,7 @@ TEST_P(Refined_data, has_no_small_angle_without_a_reason)
     size = std::max(size, double(t.length(e)));
   const IT::Delta_complex& complex = t.connectivity();
   const std::size_t number_of_input_vertices = complex.number_of_vertices();
-  IT::Refinement_criteria criteria;
-  criteria.minimum_angle = bound;
-  const IT::Refinement_report report = IT::refine_Delaunay(t, criteria);
+  const IT::Refinement_report report = IT::refine_Delaunay(t, CGAL::parameters::minimum_angle(bound));
 
   EXPECT_EQ(report.status, IT::Refinement_status::REFINED);
   EXPECT_EQ(complex.number_of_vertices(), number_of_input_vertices + report.insertions + report.segment_splits);

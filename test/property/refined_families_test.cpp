@@ -55,7 +55,7 @@ IT::Refinement_report refine(Triangulation t, const std::vector<bool>& is_constr
   const auto flags = boost::make_function_property_map<IT::Edge_index, bool>(
     [&](IT::Edge_index e) { return e.idx() < is_constrained.size() && is_constrained[e.idx()]; });
   const IT::Refinement_report report =
-    IT::refine_Delaunay(t, {}, CGAL::parameters::edge_is_constrained_map(flags).maximum_number(100000));
+    IT::refine_Delaunay(t, CGAL::parameters::edge_is_constrained_map(flags).maximum_number(100000));
   EXPECT_EQ(report.status, IT::Refinement_status::REFINED);
   EXPECT_TRUE(complex.is_valid());
   EXPECT_NEAR(total_area(t) / area, 1, 1e-13);

@@ -36,7 +36,7 @@ using Multiprecision = IT::Intrinsic_triangulation<Multiprecision_traits>;
 struct Recorder
 {
   std::vector<IT::Edge_index> edges;
-  bool go_further(std::uint64_t, std::uint64_t) { return true; }
+  bool go_further(const IT::Progress&) { return true; }
   void after_flip(IT::Edge_index e) { edges.push_back(e); }
 };
 

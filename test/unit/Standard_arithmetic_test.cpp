@@ -83,7 +83,7 @@ std::vector<double> results(const samples::Indexed_triangles& surface)
   const IT::Common_subdivision subdivision(t);
   for (IT::Overlay::Vertex x : subdivision.overlay().crossings())
     row.push_back(subdivision.positions().on_input_edge(x));
-  IT::refine_Delaunay(t, IT::Refinement_criteria(), CGAL::parameters::maximum_number(20));
+  IT::refine_Delaunay(t, CGAL::parameters::maximum_number(20));
   row.push_back(double(IT::verify_Delaunay(t).not_Delaunay.size()));
   add_numbers();
   return row;

@@ -190,7 +190,7 @@ public:
   Visitor(const Visitor&) = default;
   Visitor& operator=(const Visitor&) = delete;
 
-  bool go_further(std::uint64_t tests, std::uint64_t) { return tests < limit_; }
+  bool go_further(const IT::Progress& progress) { return progress.tests < limit_; }
   void after_flip(IT::Edge_index) { ++flips; }
 
   std::uint64_t flips = 0;
@@ -281,8 +281,7 @@ TYPED_TEST(Archetype, intrinsic_triangulation_from_lengths_and_flips)
 
   EXPECT_EQ(copy.flip(diagonal), Triangulation::Flip_outcome::FLIPPED);
   EXPECT_EQ(IT::flip_to_Delaunay(copy).flips, 0u);
-  EXPECT_EQ(IT::flip_to_Delaunay(copy, CGAL::parameters::visitor(archetype::Visitor(0))).status,
-            IT::Flip_status::CANCELLED);
+  EXPECT_THROW(IT::flip_to_Delaunay(copy, CGAL::parameters::visitor(archetype::Visitor(0))), IT::Cancelled_error);
 }
 
 TYPED_TEST(Archetype, bad_lengths_and_points_are_refused)

@@ -101,9 +101,7 @@ TEST(Heat_method, square_of_two_triangles_after_refinement)
 {
   const Points points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   Triangulation triangulation = Delaunay(points, {{0, 1, 2}, {0, 2, 3}});
-  IT::Refinement_criteria criteria;
-  criteria.maximum_edge_length = 0.05;
-  IT::refine_Delaunay(triangulation, criteria);
+  IT::refine_Delaunay(triangulation, CGAL::parameters::maximum_edge_length(0.05));
   for (Vertex_index source : {Vertex_index(0), Vertex_index(1)}) {
     IT::Heat_method<> heat(triangulation);
     heat.add_source(source);
@@ -193,9 +191,7 @@ TEST(Heat_method, sources_come_and_go)
 TEST(Heat_method, lines_of_sources)
 {
   const Grid grid(30, 30);
-  IT::Heat_method_options options;
-  options.keeps_ridges = false;
-  IT::Heat_method<> heat(Delaunay(grid.points, grid.triangles), options);
+  IT::Heat_method<> heat(Delaunay(grid.points, grid.triangles), CGAL::parameters::keeps_ridges(false));
   for (std::size_t i = 0; i <= 30; ++i)
     heat.add_source(grid.vertex(0, i));
   const std::vector<double> one = heat.distances();
@@ -370,17 +366,13 @@ TEST(Heat_method, heat_reaches_the_end_of_a_long_strip)
   const Grid grid(2500, 3);
   const Triangulation triangulation = Delaunay(grid.points, grid.triangles);
   for (auto boundary : {IT::Heat_boundary::NEUMANN, IT::Heat_boundary::AVERAGED}) {
-    IT::Heat_method_options options;
-    options.boundary = boundary;
-    IT::Heat_method<> heat(triangulation, options);
+    IT::Heat_method<> heat(triangulation, CGAL::parameters::heat_boundary(boundary));
     heat.add_source(grid.vertex(0, 1));
     for (std::size_t v = 0; v < grid.points.size(); ++v)
       ASSERT_NEAR(heat.distances()[v], grid.distance(v, 0, 1), 0.6) << v;
   }
   // With both borders cold, much of the heat flows across so narrow a strip, but it reaches the end.
-  IT::Heat_method_options options;
-  options.boundary = IT::Heat_boundary::DIRICHLET;
-  IT::Heat_method<> heat(triangulation, options);
+  IT::Heat_method<> heat(triangulation, CGAL::parameters::heat_boundary(IT::Heat_boundary::DIRICHLET));
   heat.add_source(grid.vertex(0, 1));
   for (std::size_t x = 0; x < 2500; ++x)
     ASSERT_GT(heat.distances()[grid.number(x + 1, 1)], heat.distances()[grid.number(x, 1)] + 0.4) << x;
@@ -402,9 +394,7 @@ TEST(Heat_method, points_and_vertices_as_sources_for_short_times)
     y += grid.points[v][1] / 3;
   }
   for (double coefficient : {1e-2, 1e-4, 1e-8}) {
-    IT::Heat_method_options options;
-    options.time_coefficient = coefficient;
-    IT::Heat_method<> heat(triangulation, options);
+    IT::Heat_method<> heat(triangulation, CGAL::parameters::time_coefficient(coefficient));
     heat.add_source(grid.vertex(5, 5));
     heat.add_source(triangulation, {h, {1, 1, 1}});
     const std::vector<double>& distances = heat.distances();
@@ -427,11 +417,7 @@ TEST(Heat_method, boundary_conditions)
   IT::flip_to_Delaunay(triangulation);
   std::vector<std::vector<double>> results;
   for (auto boundary : {IT::Heat_boundary::NEUMANN, IT::Heat_boundary::DIRICHLET, IT::Heat_boundary::AVERAGED}) {
-    IT::Heat_method_options options;
-    options.boundary = boundary;
-    options.time_coefficient = 20;
-    options.keeps_ridges = false;
-    IT::Heat_method<> heat(triangulation, options);
+    IT::Heat_method<> heat(triangulation, CGAL::parameters::heat_boundary(boundary).time_coefficient(20).keeps_ridges(false));
     heat.add_source(grid.vertex(10, 10));
     results.push_back(heat.distances());
     heat.clear_sources();
@@ -491,10 +477,8 @@ TEST(Heat_method, source_in_a_face)
   // Behind a side of the face, the way leads across the side: it is not that over its ends.
   const Grid small(4, 4);
   const Triangulation squares = Delaunay(small.points, small.triangles);
-  IT::Heat_method_options options;
   for (bool keeps_ridges : {true, false}) {
-    options.keeps_ridges = keeps_ridges;
-    IT::Heat_method<> near(squares, options);
+    IT::Heat_method<> near(squares, CGAL::parameters::keeps_ridges(keeps_ridges));
     near.add_source(squares, {squares.connectivity().halfedge(IT::Face_index(0)), {1, 1, 1}});
     for (std::size_t v : {small.number(0, 1), small.number(2, 0), small.number(2, 1)})
       EXPECT_NEAR(near.distances()[v], small.distance(v, 2. / 3, 1. / 3), 0.5) << v << keeps_ridges;
@@ -570,25 +554,21 @@ TEST(Heat_method, what_it_refuses)
   EXPECT_THROW(heat.extend({{Vertex_index(9), 1.}}), IT::Invalid_argument_error);
   EXPECT_FALSE(heat.remove_source(Vertex_index(9)));
   EXPECT_EQ(heat.number_of_sources(), 0);
-  for (double coefficient : {0., -1., infinity, std::numeric_limits<double>::quiet_NaN()}) {
-    IT::Heat_method_options options;
-    options.time_coefficient = coefficient;
-    EXPECT_THROW(IT::Heat_method<>(triangulation, options), IT::Invalid_argument_error);
-  }
+  for (double coefficient : {0., -1., infinity, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(IT::Heat_method<>(triangulation, CGAL::parameters::time_coefficient(coefficient)), IT::Invalid_argument_error);
 }
 
 TEST(Heat_method, asks_before_each_factorization_and_solution)
 {
   const Grid grid(10, 10);
   const Triangulation triangulation = Delaunay(grid.points, grid.triangles);
-  IT::Heat_method_options options;
-  options.boundary = IT::Heat_boundary::AVERAGED;
   bool goes_on = false;
   std::uint64_t questions = 0;
-  options.go_further = [&] {
+  const auto go_further = [&] {
     ++questions;
     return goes_on;
   };
+  const auto options = CGAL::parameters::heat_boundary(IT::Heat_boundary::AVERAGED).visitor(go_further);
   EXPECT_THROW((IT::Heat_method<>(triangulation, options)), IT::Cancelled_error);
   goes_on = true;
   IT::Heat_method<> heat(triangulation, options);

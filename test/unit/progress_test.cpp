@@ -58,18 +58,18 @@ TEST(Progress, overlay)
   const Triangulation t = Delaunay_triangulation(samples::bad_torus(60, 60));
   ASSERT_GT(t.connectivity().number_of_edges(), 10000u);
   const IT::Overlay overlay(t);
-  expect_progress([&](const IT::Progress_function& progress) { IT::Overlay(t, progress); }, 8);
+  expect_progress([&](const IT::Progress_function& progress) { IT::Overlay(t, CGAL::parameters::visitor(progress)); }, 8);
   const auto find_positions = [&](const IT::Progress_function& progress) {
-    IT::Overlay_positions(IT::internal::engine(t), overlay, progress);
+    IT::Overlay_positions(t.connectivity(), IT::internal::engine(t), overlay, CGAL::parameters::visitor(progress));
   };
   expect_progress(find_positions, 3);
-  expect_progress([&](const IT::Progress_function& progress) { IT::Common_subdivision(t, progress); }, 11);
+  expect_progress([&](const IT::Progress_function& progress) { IT::Common_subdivision(t, CGAL::parameters::visitor(progress)); }, 11);
 }
 
 TEST(Progress, circle_pattern)
 {
   const Triangulation t = Delaunay_triangulation(samples::disk_with_spike(16, 10, 1, 0.3));
-  expect_progress([&](const IT::Progress_function& progress) { IT::circle_pattern_parameterization(t, progress); }, 5);
+  expect_progress([&](const IT::Progress_function& progress) { IT::circle_pattern_parameterization(t, CGAL::parameters::visitor(progress)); }, 5);
 }
 
 } // namespace

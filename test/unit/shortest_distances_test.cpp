@@ -46,12 +46,7 @@ IT::Tufted_cover Delaunay_cover(const Points& points, const Triangles& triangles
   return result;
 }
 
-IT::Geodesic_distance_options with_tolerance(double tolerance)
-{
-  IT::Geodesic_distance_options result;
-  result.tolerance = tolerance;
-  return result;
-}
+auto with_tolerance(double tolerance) { return CGAL::parameters::tolerance(tolerance); }
 
 double straight(const Points& points, std::size_t v, std::size_t w)
 {
@@ -163,9 +158,7 @@ TEST(Geodesic_distances, stay_between_line_and_edges_if_the_budget_ends)
   Points points;
   Triangles triangles;
   make_polygon(64, points, triangles);
-  IT::Geodesic_distance_options options;
-  options.maximum_number = 100;
-  const auto found = IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(20)}, options);
+  const auto found = IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(20)}, CGAL::parameters::maximum_number(100));
   EXPECT_FALSE(found.is_complete);
   for (std::size_t v = 0; v < points.size(); ++v) {
     EXPECT_GE(found.distances[v], straight(points, 20, v) * (1 - 1e-15));

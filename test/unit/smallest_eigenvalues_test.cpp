@@ -29,9 +29,7 @@ TEST(Smallest_eigenvalues, sphere)
 {
   const samples::Indexed_triangles sphere = samples::latitude_longitude_sphere(80, 40);
   for (IT::Mass_type mass_type : {IT::Mass_type::LUMPED, IT::Mass_type::GALERKIN}) {
-    IT::Tufted_Laplacian_options options;
-    options.mass_type = mass_type;
-    const IT::Tufted_Laplacian L = IT::tufted_Laplacian(sphere.points, sphere.triangles, options);
+    const IT::Tufted_Laplacian L = IT::tufted_Laplacian(sphere.points, sphere.triangles, CGAL::parameters::mass_type(mass_type));
     const std::vector<double> found = IT::smallest_eigenvalues(L.stiffness, L.mass, 16);
     ASSERT_EQ(found.size(), 16u);
     EXPECT_NEAR(found[0], 0, 1e-8);

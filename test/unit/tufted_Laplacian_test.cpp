@@ -146,8 +146,7 @@ TEST(Tufted_Laplacian, closed_oriented_surfaces_have_the_same_bits_as_the_intrin
     EXPECT_EQ(Dense(found.stiffness), Dense(expected.stiffness));
     EXPECT_EQ(Dense(found.mass), Dense(expected.mass));
     EXPECT_EQ(found.stiffness.nonZeros(), expected.stiffness.nonZeros());
-    IT::Tufted_Laplacian_options options;
-    options.mass_type = IT::Mass_type::GALERKIN;
+    const auto options = CGAL::parameters::mass_type(IT::Mass_type::GALERKIN);
     expect_near(Dense(IT::tufted_Laplacian(surface.points, surface.triangles, options).mass),
                 Dense(IT::Galerkin_mass_matrix(IT::intrinsic_Delaunay_triangulation(mesh).triangulation)), 1e-15);
   }
@@ -279,8 +278,7 @@ TEST(Tufted_Laplacian, the_order_of_everything_is_of_no_importance)
 TEST(Tufted_Laplacian, a_fixed_border_gives_the_operator_of_the_mesh)
 {
   const samples::Indexed_triangles surface = samples::bumpy_dome(12, 8);
-  IT::Tufted_Laplacian_options options;
-  options.cover = IT::Surface_cover::NONE;
+  const auto options = CGAL::parameters::surface_cover(IT::Surface_cover::NONE);
   IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> triangulation(
     IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   IT::flip_to_Delaunay(triangulation);
@@ -329,8 +327,7 @@ TEST(Tufted_Laplacian, vertices_that_triangles_without_area_join_are_merged)
   const IT::Tufted_Laplacian expected =
     IT::tufted_Laplacian(points, Triangles{{0, 3, 2}, {3, 1, 2}, {0, 5, 3}, {3, 5, 1}});
   expect_near(Dense(result.stiffness), Dense(expected.stiffness), 1e-12);
-  IT::Tufted_Laplacian_options options;
-  options.coincident_vertices = IT::Coincident_vertices::ERROR;
+  const auto options = CGAL::parameters::coincident_vertices(IT::Coincident_vertices::ERROR);
   try {
     IT::tufted_Laplacian(points, triangles, options);
     FAIL();
@@ -343,11 +340,9 @@ TEST(Tufted_Laplacian, vertices_that_triangles_without_area_join_are_merged)
 TEST(Tufted_Laplacian, mollification_is_reported)
 {
   const Points points = {{0, 0, 0}, {1, 0, 0}, {0.5, 1e-9, 0}};
-  IT::Tufted_Laplacian_options options;
   const Triangles triangles = {{0, 1, 2}};
-  EXPECT_EQ(IT::tufted_Laplacian(points, triangles, options).report.mollification.number_of_changed_edges, 0u);
-  options.mollification = 1e-3;
-  const IT::Tufted_Laplacian result = IT::tufted_Laplacian(points, triangles, options);
+  EXPECT_EQ(IT::tufted_Laplacian(points, triangles).report.mollification.number_of_changed_edges, 0u);
+  const IT::Tufted_Laplacian result = IT::tufted_Laplacian(points, triangles, CGAL::parameters::mollification(1e-3));
   check_operator(result);
   EXPECT_EQ(result.report.mollification.number_of_changed_edges, 3u);
   EXPECT_GT(result.report.mollification.largest_relative_change, 1e-4);
@@ -355,23 +350,21 @@ TEST(Tufted_Laplacian, mollification_is_reported)
 
 struct Impatient_visitor
 {
-  bool go_further(std::uint64_t, std::uint64_t) { return false; }
-  void after_flip(IT::Edge_index) {}
+  bool go_further(const IT::Progress& progress) { return progress.tests == 0; }
 };
 
 TEST(Tufted_Laplacian, flips_can_be_cancelled)
 {
   const samples::Indexed_triangles surface = samples::bumpy_dome(9, 7);
-  EXPECT_THROW(IT::tufted_Laplacian(surface.points, surface.triangles, {}, CGAL::parameters::visitor(Impatient_visitor())),
+  EXPECT_THROW(IT::tufted_Laplacian(surface.points, surface.triangles, CGAL::parameters::visitor(Impatient_visitor())),
                IT::Cancelled_error);
 }
 
 TEST(Tufted_Laplacian, a_function_ends_it)
 {
   const samples::Indexed_triangles surface = samples::bumpy_dome(9, 7);
-  IT::Tufted_Laplacian_options options;
   bool goes_on = false;
-  options.go_further = [&goes_on] { return goes_on; };
+  const auto options = CGAL::parameters::visitor([&goes_on] { return goes_on; });
   EXPECT_THROW(IT::make_tufted_cover(surface.points, surface.triangles, options), IT::Cancelled_error);
   EXPECT_THROW(IT::tufted_Laplacian(surface.points, surface.triangles, options), IT::Cancelled_error);
   goes_on = true;

@@ -424,9 +424,9 @@ TEST(Vector_heat_method, can_be_cancelled)
   for (const Triangulation& t : {Delaunay(samples::random_diagonal_grid(5, 5)), cone(5, 6, 3)}) {
     bool goes_on = false;
     const auto go_further = [&] { return goes_on; };
-    EXPECT_THROW(IT::Vector_heat_method(t, std::nullopt, go_further), IT::Cancelled_error);
+    EXPECT_THROW(IT::Vector_heat_method(t, CGAL::parameters::visitor(go_further)), IT::Cancelled_error);
     goes_on = true;
-    const IT::Vector_heat_method heat(t, std::nullopt, go_further);
+    const IT::Vector_heat_method heat(t, CGAL::parameters::visitor(go_further));
     std::this_thread::sleep_for(std::chrono::milliseconds(20)); // it asks a hundred times a second
     goes_on = false;
     EXPECT_THROW(heat.log_map(Vertex_index(0)), IT::Cancelled_error);
@@ -520,8 +520,8 @@ TEST(Vector_heat_method, extends_values_to_those_who_are_near)
 TEST(Vector_heat_method, refuses_what_it_cannot_use)
 {
   const Triangulation t = Delaunay(samples::random_diagonal_grid(3, 3));
-  EXPECT_THROW(IT::Vector_heat_method(t, 0), IT::Invalid_argument_error);
-  EXPECT_THROW(IT::Vector_heat_method(t, std::nan("")), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::Vector_heat_method(t, CGAL::parameters::time_coefficient(0)), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::Vector_heat_method(t, CGAL::parameters::time_coefficient(std::nan(""))), IT::Invalid_argument_error);
   const IT::Vector_heat_method heat(t);
   EXPECT_THROW(heat.log_map(Vertex_index(16)), IT::Invalid_argument_error);
   EXPECT_THROW(heat.log_map(Vertex_index()), IT::Invalid_argument_error);

@@ -17,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <CGAL/assertions.h>
@@ -49,11 +50,12 @@ class Overlay_positions
 {
 public:
   /// \cond SKIP_IN_MANUAL
-  // Computes all positions, in O(size of the overlay) arithmetic operations. With threads, `progress` is called only at the beginning. Throws
-  // Undecided_error if an edge is not a straight line over the input triangles, as an inexact number type has flipped a hinge that is not
-  // convex, and Cancelled_error if `progress` returns `false`.
-  template <class ConcurrencyTag = Sequential_tag>
-  Overlay_positions(const internal::Exact_engine& engine, const Overlay& overlay, const Progress_function& progress = {},
+  // Computes all positions, in O(size of the overlay) arithmetic operations. With threads, the visitor is asked only at
+  // the beginning. Throws Undecided_error if an edge is not a straight line over the input triangles, as an inexact
+  // number type has flipped a hinge that is not convex, and Cancelled_error if the visitor says so.
+  template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
+  Overlay_positions(const internal::Exact_engine& engine, const Overlay& overlay,
+                    const NamedParameters& np = parameters::default_values(),
                     ConcurrencyTag = ConcurrencyTag())
     : number_of_input_vertices_(overlay.number_of_input_vertices()),
       number_of_original_vertices_(overlay.number_of_original_vertices()),
@@ -62,6 +64,7 @@ public:
   {
     const internal::Standard_arithmetic arithmetic;
     static constexpr const char* what = "the search for the places of the crossings";
+    const Progress_function progress = internal::progress_function_of(np);
     const Delta_complex &intrinsic = engine.connectivity(), &input = engine.correspondence().input();
     for (size_type v = input.number_of_vertices(); v < intrinsic.number_of_vertices(); ++v)
       locations_.push_back(normalized(input, engine.correspondence().location(Vertex_index(v))));
@@ -228,24 +231,28 @@ public:
   ///
   /// O(size of the overlay) arithmetic operations.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the result is the same,
-  ///   and `progress` is called only a few times
+  ///   and the visitor is asked only a few times
+  /// \param triangulation the triangulation
+  /// \param np as for the constructor of `Overlay`
   /// \pre `triangulation.keeps_input()`
   /// \exception Integer_overflow_error if there are 2^31 segments or more
   /// \exception Undecided_error as the constructor of `Overlay_positions`
-  /// \exception Cancelled_error if `progress` returns `false`
-  template <class Traits, class ConcurrencyTag = Sequential_tag>
+  /// \exception Cancelled_error if the visitor says so
+  template <class Traits, class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
   explicit Common_subdivision(const Intrinsic_triangulation<Traits>& triangulation,
-                              const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : Common_subdivision(internal::Released_engine{internal::engine<ConcurrencyTag>(triangulation), {}}, progress, ConcurrencyTag())
+                              const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
+    : Common_subdivision(internal::Released_engine{internal::engine<ConcurrencyTag>(triangulation), {}},
+                         internal::progress_function_of(np), ConcurrencyTag())
   {}
 
   /// \brief as above, from a triangulation that is given up: nothing of it is copied, and its stored numbers are freed before the
   /// overlay is built.
   /// \tparam ConcurrencyTag as above
-  template <class Traits, class ConcurrencyTag = Sequential_tag>
+  template <class Traits, class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
   explicit Common_subdivision(Intrinsic_triangulation<Traits>&& triangulation,
-                              const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : Common_subdivision(internal::Engine_access::give_up(triangulation), progress, ConcurrencyTag())
+                              const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
+    : Common_subdivision(internal::Engine_access::give_up(triangulation), internal::progress_function_of(np),
+                         ConcurrencyTag())
   {}
 
   /// returns the overlay.
@@ -310,9 +317,14 @@ private:
   template <class ConcurrencyTag>
   Common_subdivision(internal::Released_engine released, const Progress_function& progress, ConcurrencyTag)
     : engine_(std::move(released.engine)), overlay_(build_overlay<ConcurrencyTag>(released.go_further, progress)),
-      positions_(engine_, overlay_, internal::part_of_progress(progress, part_of_graph, 1), ConcurrencyTag())
+      positions_(engine_, overlay_, visitor(progress, part_of_graph, 1), ConcurrencyTag())
   {
     engine_.set_interruption({});
+  }
+
+  static auto visitor(const Progress_function& progress, double begin, double end)
+  {
+    return parameters::visitor(internal::part_of_progress(progress, begin, end));
   }
 
   template <class ConcurrencyTag>
@@ -320,7 +332,7 @@ private:
   {
     engine_.set_interruption(go_further);
     engine_.prepare<ConcurrencyTag>();
-    return Overlay(engine_.connectivity(), engine_.correspondence(), internal::part_of_progress(progress, 0, part_of_graph), ConcurrencyTag());
+    return Overlay(engine_.connectivity(), engine_.correspondence(), visitor(progress, 0, part_of_graph), ConcurrencyTag());
   }
 
   internal::Exact_engine engine_;

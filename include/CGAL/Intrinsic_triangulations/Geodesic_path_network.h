@@ -17,9 +17,10 @@
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Linked_paths.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Wedge.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
@@ -104,8 +105,8 @@ public:
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{visitor}
   ///     \cgalParamDescription{is told of each flip and can cancel; pass `std::ref()` to keep its state}
-  ///     \cgalParamType{a model of `IntrinsicFlipVisitor`}
-  ///     \cgalParamDefault{`Default_flip_visitor`}
+  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+  ///     \cgalParamDefault{`Default_visitor`}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{maximum_number}
   ///     \cgalParamDescription{the number of flips after which the algorithm gives up}
@@ -117,20 +118,19 @@ public:
   /// \return what happened. Triangulation and paths are valid whatever the status, and no path is longer than before. All this is so after
   /// an exception, too; the paths are unfinished then
   /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
-  /// \exception Cancelled_error if the visitor cancels within an exact decision
+  /// \exception Cancelled_error if the visitor says so
   template <class NamedParameters = parameters::Default_named_parameters>
   Geodesic_report shorten(const NamedParameters& np = parameters::default_values())
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
     const internal::Standard_arithmetic arithmetic;
-    auto given = choose_parameter(get_parameter(np, internal_np::visitor), Default_flip_visitor());
-    auto& visitor = internal::unwrapped(given);
+    auto observer = internal::observer_of(np);
     budget_ = choose_parameter(get_parameter(np, internal_np::maximum_number), (std::numeric_limits<std::uint64_t>::max)());
     report_ = {};
     is_stopped_ = false;
-    go_further_ = [&] { return visitor.go_further(report_.tests, report_.flips); };
-    after_flip_ = [&](Edge_index e) { visitor.after_flip(e); };
+    go_further_ = [&] { return observer.go_further(report_.tests, report_.flips); };
+    after_flip_ = [&](Edge_index e) { observer.after_flip(e); };
     const internal::Interruption_scope<Triangulation> scope(triangulation_, go_further_);
     for (Outcome& outcome : outcomes_)
       if (outcome.status != Geodesic_status::CONTRACTIBLE)
@@ -313,8 +313,9 @@ private:
   bool goes_on()
   {
     ++report_.tests;
-    if (!is_stopped_)
-      is_stopped_ = report_.flips >= budget_ || !go_further_();
+    is_stopped_ = is_stopped_ || report_.flips >= budget_;
+    if (!is_stopped_ && !go_further_())
+      throw Cancelled_error("the search for shorter paths was cancelled");
     return !is_stopped_;
   }
 

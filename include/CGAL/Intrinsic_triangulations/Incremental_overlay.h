@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <cstdint>
 #include <string>
@@ -37,7 +38,7 @@ namespace Intrinsic_triangulations {
 ///
 /// Memory: 32 bytes a segment, and that of two `Delta_complex`.
 ///
-/// \cgalModels `IntrinsicFlipVisitor`, to be passed as `std::ref(overlay)`
+/// \cgalModels `IntrinsicTriangulationVisitor`, to be passed as `std::ref(overlay)`
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.3 and figure 5.
 class Incremental_overlay
@@ -69,7 +70,7 @@ public:
   /// \name Visitor
   /// @{
   /// never stops the flips.
-  bool go_further(std::uint64_t /* tests */, std::uint64_t /* flips */) const { return true; }
+  bool go_further(const Progress&) const { return true; }
   /// performs the same flip in the overlay.
   void after_flip(Edge_index e) { flip(e); }
   /// @}

@@ -14,9 +14,9 @@
 #include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 

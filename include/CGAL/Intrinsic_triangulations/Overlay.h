@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_arrays.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_builder.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <CGAL/Iterator_range.h>
@@ -32,7 +33,7 @@ class Intrinsic_triangulation;
 namespace internal {
 class Exact_engine;
 template <class ConcurrencyTag, class Triangulation>
-const Exact_engine& engine(const Triangulation& triangulation);
+const internal::Exact_engine& engine(const Triangulation& triangulation);
 
 struct Overlay_vertex_tag
 {
@@ -104,26 +105,39 @@ public:
   ///
   /// O(size of the overlay), which is that of the surface plus the number of crossings.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the overlay
-  ///   is the same, and `progress` is called only a few times
+  ///   is the same, and the visitor is asked only a few times
+  /// \param triangulation the triangulation
+  /// \param np an optional sequence of named parameters
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{is asked now and then, with the fraction that is done, and can cancel}
+  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+  ///     \cgalParamDefault{`Default_visitor`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
   /// \pre `triangulation.keeps_input()`
   /// \exception Integer_overflow_error if there are 2^31 segments or more
-  /// \exception Cancelled_error if `progress` returns `false`
-  template <class Traits, class ConcurrencyTag = Sequential_tag>
+  /// \exception Cancelled_error if the visitor says so
+  template <class Traits, class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
   explicit Overlay(const Intrinsic_triangulation<Traits>& triangulation,
-                   const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : Overlay(triangulation.connectivity(), internal::engine<ConcurrencyTag>(triangulation).correspondence(), progress,
+                   const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
+    : Overlay(triangulation.connectivity(), internal::engine<ConcurrencyTag>(triangulation).correspondence(), np,
               ConcurrencyTag())
   {}
 
   /// \brief builds the overlay from the current connectivity and its correspondence to the input.
   /// \tparam ConcurrencyTag as above
+  /// \param intrinsic, correspondence those of the triangulation
+  /// \param np as above
   /// \pre `correspondence.is_prepared()`
   /// \exception Integer_overflow_error as above
   /// \exception Cancelled_error as above
-  template <class ConcurrencyTag = Sequential_tag>
+  template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
   Overlay(const Delta_complex& intrinsic, const internal::Correspondence& correspondence,
-          const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : arrays_(internal::build_overlay<ConcurrencyTag>(intrinsic, correspondence, progress))
+          const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
+    : arrays_(internal::build_overlay<ConcurrencyTag>(intrinsic, correspondence, internal::progress_function_of(np)))
   {}
 
   /// \name Size

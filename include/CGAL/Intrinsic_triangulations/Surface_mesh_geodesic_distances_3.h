@@ -19,11 +19,11 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Solver_traits_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 

@@ -17,6 +17,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <CGAL/number_utils.h>
 
@@ -47,24 +49,6 @@ enum class Coincident_vertices {
   ERROR, ///< an exception names them
   MERGE, ///< they become one vertex, and their faces lose a corner
   DROP   ///< the faces at such an edge are left out
-};
-
-/// \ingroup PkgIntrinsicTriangulationsCover
-/// \brief how a cover is made.
-struct Tufted_cover_options
-{
-  /// what is built
-  Surface_cover cover = Surface_cover::TUFTED;
-  /// what is done with edges of length zero
-  Coincident_vertices coincident_vertices = Coincident_vertices::MERGE;
-  /// whether all vertices at the same place become one, whether an edge joins them or not: for triangles that do not
-  /// share their corners
-  bool is_welded = false;
-  /// if positive, lengths are rounded and edges lengthened as by `mollify_lengths()` with this margin; the metric
-  /// changes, and the report says how much
-  double mollification = 0;
-  /// is asked now and then while the cover is built, and while its operator is assembled; if it returns `false`, `Cancelled_error` is thrown
-  std::function<bool()> go_further = {};
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCover
@@ -121,6 +105,23 @@ struct Tufted_cover
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
+struct Cover_options
+{
+  Surface_cover cover;
+  Coincident_vertices coincident_vertices;
+  bool is_welded;
+  double mollification;
+  std::function<bool()> go_further;
+};
+
+template <class NamedParameters>
+Cover_options cover_options_of(const NamedParameters& np)
+{
+  return {value_of<Parameter::SURFACE_COVER>(np, Surface_cover::TUFTED),
+          value_of<Parameter::COINCIDENT_VERTICES>(np, Coincident_vertices::MERGE), value_of<Parameter::IS_WELDED>(np, false),
+          value_of<Parameter::MOLLIFICATION>(np, 0.), go_further_function_of(np)};
+}
+
 template <class PointRange>
 Points copy_points(const PointRange& points)
 {
@@ -156,11 +157,11 @@ std::vector<Index_triangle> copy_triangles(const TriangleRange& triangles, std::
 // As make_tufted_cover().
 // \pre the vertices of all triangles exist
 Tufted_cover build_cover(const Points& points, const std::vector<Index_triangle>& triangles,
-                         const Tufted_cover_options& options);
+                         const Cover_options& options);
 
 // As make_tufted_cover() for a complex.
 Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vector<double>& lengths,
-                                    const Tufted_cover_options& options);
+                                    const Cover_options& options);
 
 } // namespace internal
 /// \endcond
@@ -181,45 +182,76 @@ Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vec
 ///
 /// Faces that name a vertex twice are dropped. So are parts of the cover without area. Other faces without area are flipped
 /// away, which cuts the faces beside them and changes no distance. Where they join vertices at the same place, these are one
-/// point of the cover. `Tufted_cover_options` says what happens then, and to edges of length zero.
+/// point of the cover. The parameter `coincident_vertices` says what happens then, and to edges of length zero.
 ///
 /// \tparam PointRange a range of points whose coordinates are `p[0]`, `p[1]` and `p[2]`; they are rounded to `double`
 /// \tparam TriangleRange a range of random access ranges of three vertex indices each
 ///
 /// \param points the vertices; those without faces may be anywhere
 /// \param triangles the faces
-/// \param options what is built, and what is done with degenerate input
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{surface_cover}
+///     \cgalParamDescription{what is built}
+///     \cgalParamType{`Surface_cover`}
+///     \cgalParamDefault{`Surface_cover::TUFTED`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{coincident_vertices}
+///     \cgalParamDescription{what is done with edges of length zero}
+///     \cgalParamType{`Coincident_vertices`}
+///     \cgalParamDefault{`Coincident_vertices::MERGE`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{is_welded}
+///     \cgalParamDescription{whether all vertices at the same place become one, whether an edge joins them or not: for triangles that do
+///       not share their corners}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{mollification}
+///     \cgalParamDescription{if positive, lengths are rounded and edges lengthened as by `mollify_lengths()` with this margin; the metric
+///       changes, and the report says how much}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is asked now and then, and can cancel}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \return the cover, not flipped: see `flip_to_Delaunay()`, and `tufted_Laplacian()` for its operator
 ///
 /// \exception Invalid_surface_error if there is no face, an index is invalid, the point of a face is not finite or its
 ///   squared lengths leave the range of `double`; if an edge has length zero and `Coincident_vertices::ERROR` is
 ///   chosen; or if `Surface_cover::NONE` is chosen and the faces are not an orientable surface
-/// \exception Cancelled_error if `options.go_further` says so
+/// \exception Cancelled_error if the visitor says so
 ///
 /// Complexity: O(n), and O(k log k) for an edge with k faces.
 ///
 /// Source: N. Sharp, K. Crane, "A Laplacian for nonmanifold triangle meshes", 2020, section 4.
-template <class PointRange, class TriangleRange>
+template <class PointRange, class TriangleRange, class NamedParameters = parameters::Default_named_parameters>
 Tufted_cover make_tufted_cover(const PointRange& points, const TriangleRange& triangles,
-                               const Tufted_cover_options& options = Tufted_cover_options())
+                               const NamedParameters& np = parameters::default_values())
 {
   const internal::Standard_arithmetic arithmetic;
   const internal::Points copied = internal::copy_points(points);
-  return internal::build_cover(copied, internal::copy_triangles(triangles, copied.size()), options);
+  return internal::build_cover(copied, internal::copy_triangles(triangles, copied.size()), internal::cover_options_of(np));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCover
-/// \brief as above, for a surface that is given by lengths: doubled if it has a border.
+/// \brief as `make_tufted_cover()` of points, for a surface that is given by lengths: doubled if it has a border.
 /// \param complex the triangles
 /// \param lengths the length of each edge
-/// \param options `cover` and `mollification` count, as a complex leaves nothing else open
+/// \param np as above; `surface_cover` and `mollification` count, as a complex leaves nothing else open
 /// \exception Invalid_surface_error if a length is not positive and finite, or three violate the triangle inequality. O(n).
-inline Tufted_cover make_tufted_cover(const Delta_complex& complex, const std::vector<double>& lengths,
-                                      const Tufted_cover_options& options = Tufted_cover_options())
+template <class NamedParameters = parameters::Default_named_parameters>
+Tufted_cover make_tufted_cover(const Delta_complex& complex, const std::vector<double>& lengths,
+                               const NamedParameters& np = parameters::default_values())
 {
   const internal::Standard_arithmetic arithmetic;
-  return internal::build_cover_of_complex(complex, lengths, options);
+  return internal::build_cover_of_complex(complex, lengths, internal::cover_options_of(np));
 }
 
 } // namespace Intrinsic_triangulations

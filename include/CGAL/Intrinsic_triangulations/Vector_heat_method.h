@@ -19,6 +19,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/without_obtuse_border.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -28,7 +30,6 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -69,25 +70,42 @@ public:
   ///
   /// The triangulation is not needed any more afterwards.
   /// \param triangulation a Delaunay triangulation; its traits have to use exact geometry
-  /// \param time_coefficient the time for which heat spreads, in units of the squared mean length of the edges of each component. By
-  ///   default 0.05 times the cube root of the number of its vertices, and at least 0.5: with longer times, the ways that heat takes
-  ///   are further from the shortest ones; with shorter times, it prefers those along edges
-  /// \param go_further as in `Heat_method_options`; where several threads call member functions, any of them asks it
+  /// \param np an optional sequence of named parameters
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{time_coefficient}
+  ///     \cgalParamDescription{the time for which heat spreads, in units of the squared mean length of the edges of each component: with
+  ///       longer times, the ways that heat takes are further from the shortest ones; with shorter times, it prefers those along edges}
+  ///     \cgalParamType{`double` or `std::optional<double>`}
+  ///     \cgalParamDefault{0.05 times the cube root of the number of vertices of the component, and at least 0.5}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{is asked before each matrix is factorized or linear system is solved, by the constructor and by all functions,
+  ///       and can cancel; where several threads call member functions, any of them asks it}
+  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+  ///     \cgalParamDefault{`Default_visitor`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
   /// \exception Invalid_argument_error if the time coefficient is not positive and finite
   /// \exception Invalid_surface_error if a length or weight is beyond the range of `double`
   /// \exception Numerical_error if a matrix cannot be factorized
   /// \exception Undecided_error as `angle()`
-  /// \exception Cancelled_error if `go_further` says so, as from all member functions
-  template <class Traits>
-  explicit Vector_heat_method(const Intrinsic_triangulation<Traits>& triangulation, std::optional<double> time_coefficient = std::nullopt,
-                              std::function<bool()> go_further = {})
+  /// \exception Cancelled_error if the visitor says so, as from all member functions
+  template <class Traits, class NamedParameters = parameters::Default_named_parameters>
+  explicit Vector_heat_method(const Intrinsic_triangulation<Traits>& triangulation, const NamedParameters& np = parameters::default_values())
     : number_of_vertices_(triangulation.connectivity().number_of_vertices()),
-      interruption_(std::make_unique<internal::Interruption>(std::move(go_further)))
+      interruption_(std::make_unique<internal::Interruption>(internal::go_further_function_of(np)))
   {
     static_assert(Intrinsic_triangulation<Traits>::uses_exact_geometry,
                   "Vector_heat_method needs traits with exact geometry, as Filtered_edge_length_traits");
-    if (time_coefficient)
-      internal::require_time_coefficient(*time_coefficient);
+    using Time = internal::Parameter_tag<internal::Parameter::TIME_COEFFICIENT>;
+    std::optional<double> time_coefficient;
+    if constexpr (!parameters::is_default_parameter<NamedParameters, Time>::value) {
+      time_coefficient = parameters::get_parameter(np, Time());
+      if (time_coefficient)
+        internal::require_time_coefficient(*time_coefficient);
+    }
     if (const auto refined = internal::without_obtuse_border(triangulation, *interruption_))
       build(*refined, time_coefficient);
     else

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/internal/parameterization/coherent_angles.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -279,21 +280,30 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 /// \param complex the triangles of a disk
 /// \param lengths the length of each edge
 /// \param areas the area of each face
-/// \param progress is called before each iteration of the two minimizations, each of which counts as half
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is asked before each iteration of the two minimizations, each of which counts as half, and can cancel}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \exception Invalid_surface_error if the surface is not a disk, or has an interior vertex with fewer
 ///   than three corners
 /// \exception Numerical_error if there are no coherent angles, or rounding prevents one of the
 ///   minimizations from succeeding
-/// \exception Cancelled_error if `progress` returns `false`
+/// \exception Cancelled_error if the visitor says so
 ///
 /// Sources: L. Kharevych, B. Springborn, P. Schröder, "Discrete conformal mappings via circle
 /// patterns", 2006; Fisher, Springborn, Schroeder, Bobenko (2006), section 3.3.
-inline Circle_pattern circle_pattern_parameterization(const Delta_complex& complex,
-                                                      const std::vector<double>& lengths,
-                                                      const std::vector<double>& areas,
-                                                      const Progress_function& progress = {})
+template <class NamedParameters = parameters::Default_named_parameters>
+Circle_pattern circle_pattern_parameterization(const Delta_complex& complex, const std::vector<double>& lengths,
+                                               const std::vector<double>& areas,
+                                               const NamedParameters& np = parameters::default_values())
 {
+  const Progress_function progress = internal::progress_function_of(np);
   const std::vector<Halfedge_index> boundary = disk_boundary(complex);
   Circle_pattern result;
   const internal::Coherent_angles coherent = internal::find_coherent_angles(
@@ -322,14 +332,13 @@ inline Circle_pattern circle_pattern_parameterization(const Delta_complex& compl
 }
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// as above, for a triangulation; exceptions also as for `face_areas()`.
-template <class Traits>
-Circle_pattern
-circle_pattern_parameterization(const Intrinsic_triangulation<Traits>& triangulation,
-                                const Progress_function& progress = {})
+/// as above, for a triangulation; named parameters as of `circle_pattern_parameterization()` of a complex, exceptions also as for
+/// `face_areas()`.
+template <class Traits, class NamedParameters = parameters::Default_named_parameters>
+Circle_pattern circle_pattern_parameterization(const Intrinsic_triangulation<Traits>& triangulation,
+                                               const NamedParameters& np = parameters::default_values())
 {
-  return circle_pattern_parameterization(triangulation.connectivity(),
-                                         edge_lengths(triangulation), face_areas(triangulation), progress);
+  return circle_pattern_parameterization(triangulation.connectivity(), edge_lengths(triangulation), face_areas(triangulation), np);
 }
 
 } // namespace Intrinsic_triangulations

@@ -144,7 +144,9 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
-/// \brief says that a computation ended early because its `Progress_function` asked for that.
+/// \brief says that a computation ended early because its visitor, or the function given to `set_interruption()`, asked for that.
+///
+/// The object that was worked on is valid, and the call can be repeated.
 class Cancelled_error : public Error
 {
 public:

@@ -14,14 +14,14 @@
 #include <CGAL/Intrinsic_triangulations/internal/flips/Parallel_Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
-#include <boost/core/ref.hpp>
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
@@ -38,22 +38,6 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief the default visitor of `flip_to_Delaunay()`: it does nothing and never cancels.
-///
-/// \cgalModels `IntrinsicFlipVisitor`
-struct Default_flip_visitor
-{
-  /// \cond SKIP_IN_MANUAL
-  using Is_silent = Tag_true;
-  /// \endcond
-  /// is called before each test, with the numbers of tests and flips so far; the
-  /// algorithm stops if it returns `false`.
-  bool go_further(std::uint64_t /* tests */, std::uint64_t /* flips */) { return true; }
-  /// is called after each flip.
-  void after_flip(Edge_index) {}
-};
-
-/// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief returns the default bound on the number of flips for a surface with
 /// `number_of_edges` edges and an inexact number type.
 ///
@@ -65,43 +49,6 @@ inline std::uint64_t default_maximum_number_of_flips(std::size_t number_of_edges
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-
-template <class T>
-T& unwrapped(T& visitor)
-{
-  return visitor;
-}
-template <class T>
-T& unwrapped(std::reference_wrapper<T>& visitor)
-{
-  return visitor.get();
-}
-template <class T>
-T& unwrapped(boost::reference_wrapper<T>& visitor)
-{
-  return visitor.get();
-}
-
-// As long as it lives, exact decisions that take long ask a function whether to go on, after the one that
-// they asked before.
-template <class Triangulation>
-class Interruption_scope
-{
-public:
-  Interruption_scope(Triangulation& triangulation, const std::function<bool()>& go_further)
-    : triangulation_(triangulation)
-  {
-    std::function<bool()> both = [this, go_further] { return (!before_ || before_()) && go_further(); };
-    before_ = triangulation.set_interruption(std::move(both));
-  }
-  Interruption_scope(const Interruption_scope&) = delete;
-  Interruption_scope& operator=(const Interruption_scope&) = delete;
-  ~Interruption_scope() { triangulation_.set_interruption(std::move(before_)); }
-
-private:
-  Triangulation& triangulation_;
-  std::function<bool()> before_;
-};
 
 // \param triangulation a Whole_triangulation, or what has its members
 template <class ConcurrencyTag, class Triangulation, class ConstraintMap, class Visitor>
@@ -143,12 +90,11 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
     get_parameter(np, internal_np::maximum_number),
     is_exact ? (std::numeric_limits<std::uint64_t>::max)()
              : default_maximum_number_of_flips(triangulation.connectivity().number_of_edges()));
-  auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_flip_visitor());
+  auto observer = observer_of(np);
   if constexpr (Traits::Uses_exact_geometry::value &&
-                !parameters::is_default_parameter<NamedParameters, Tie_proof_tag>::value)
-    triangulation.set_tie_proof(get_parameter(np, Tie_proof_tag()));
-  return flip_all<ConcurrencyTag>(Whole_triangulation<Traits>(triangulation), is_constrained, unwrapped(visitor),
-                                  budget);
+                !parameters::is_default_parameter<NamedParameters, Parameter_tag<Parameter::TIE_PROOF>>::value)
+    triangulation.set_tie_proof(get_parameter(np, Parameter_tag<Parameter::TIE_PROOF>()));
+  return flip_all<ConcurrencyTag>(Whole_triangulation<Traits>(triangulation), is_constrained, observer, budget);
 }
 
 } // namespace internal
@@ -186,12 +132,11 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is told of each flip and can cancel; pass `std::ref()` to keep its state}
-///     \cgalParamType{a model of `IntrinsicFlipVisitor`}
-///     \cgalParamDefault{`Default_flip_visitor`}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tie_proof}
-///     \cgalParamDescription{what exact decisions accept as a tie, in this run and later ones; has to be the first
-///       parameter of the sequence. Without exact geometry it changes nothing}
+///     \cgalParamDescription{what exact decisions accept as a tie, in this run and later ones. Without exact geometry it changes nothing}
 ///     \cgalParamType{`Tie_proof`}
 ///     \cgalParamDefault{what was set before, `Tie_proof::PROBABLE_IF_COSTLY` at the beginning}
 ///   \cgalParamNEnd
@@ -203,6 +148,7 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 /// \cgalNamedParamsEnd
 ///
 /// \return what happened. The triangulation is valid whatever the status.
+/// \exception Cancelled_error if the visitor says so
 /// \exception Undecided_error if proofs of ties are demanded (`tie_proof`), and one takes too long. After any exception, that of a
 ///   visitor or `std::bad_alloc` as well, the triangulation is valid, and another call goes on
 ///
@@ -212,11 +158,7 @@ template <class ConcurrencyTag = Sequential_tag, class Traits,
 Flip_report flip_to_Delaunay(Intrinsic_triangulation<Traits>& triangulation,
                              const NamedParameters& np = parameters::default_values())
 {
-  return internal::flip_to_Delaunay_with<ConcurrencyTag>(
-    triangulation,
-    parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
-                                 Static_boolean_property_map<Edge_index, false>()),
-    np);
+  return internal::flip_to_Delaunay_with<ConcurrencyTag>(triangulation, internal::edge_constraints_of(np), np);
 }
 
 } // namespace Intrinsic_triangulations

@@ -16,9 +16,9 @@
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/compare_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/require_vertex.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>

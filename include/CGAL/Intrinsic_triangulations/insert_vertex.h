@@ -23,8 +23,9 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/enum.h>
 #include <CGAL/property_map.h>
 
@@ -142,13 +143,19 @@ inline void check_area(const internal::Exact_engine& engine, const Surface_point
 ///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is constrained}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is asked during decisions that take long, and can cancel}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the new vertex
 /// \exception Invalid_point_error if the point is no such point, or a vertex of the triangulation lies there. The message names
 ///   the face of the input or the vertex
 /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
-/// \exception Undecided_error, Cancelled_error as `sign_of_cotangents()` of `Exact_geometry`
+/// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+/// \exception Cancelled_error if the visitor says so, or as `sign_of_cotangents()` of `Exact_geometry`
 /// \pre `triangulation.keeps_input()`, with traits that use exact geometry
 ///
 /// After any exception the triangulation is valid. If the vertex was inserted, which the number of vertices tells, it is the last one, and edges
@@ -160,8 +167,11 @@ template <class Traits, class NamedParameters = parameters::Default_named_parame
 Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const Surface_point& point,
                            const NamedParameters& np = parameters::default_values())
 {
-  const auto is_constrained = parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
-                                                           Static_boolean_property_map<Edge_index, false>());
+  const auto is_constrained = internal::edge_constraints_of(np);
+  auto observer = internal::observer_of(np);
+  std::optional<internal::Interruption_scope<Intrinsic_triangulation<Traits>>> scope;
+  if constexpr (!decltype(observer)::Is_silent::value)
+    scope.emplace(triangulation, [&observer] { return observer(); });
   const internal::Standard_arithmetic arithmetic;
   const Delta_complex& complex = triangulation.connectivity();
   const internal::Exact_engine& engine = internal::engine(triangulation);
@@ -213,6 +223,11 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
 ///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is constrained}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is asked during decisions that take long, and can cancel}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return what was removed, and thereby which descriptors moved
@@ -220,7 +235,8 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
 ///   input edge, or if flips leave other edges at it than three, as can happen where edges lead from `v` around a handle
 ///   back to `v`. The triangulation has the same vertices then, and is Delaunay
 /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
-/// \exception Undecided_error, Cancelled_error as `sign_of_cotangents()` of `Exact_geometry`
+/// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+/// \exception Cancelled_error if the visitor says so, or as `sign_of_cotangents()` of `Exact_geometry`
 /// \pre `triangulation.keeps_input()`, with traits that use exact geometry
 ///
 /// After any exception but the first, the triangulation is valid, but may not be Delaunay near `v`, nor near the edges opposite to it. If `v` was removed
@@ -231,9 +247,12 @@ template <class Traits, class NamedParameters = parameters::Default_named_parame
 Removed_elements remove_vertex(Intrinsic_triangulation<Traits>& triangulation, Vertex_index v,
                                const NamedParameters& np = parameters::default_values())
 {
-  const auto is_constrained = parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
-                                                           Static_boolean_property_map<Edge_index, false>());
-  if (v.idx() >= triangulation.connectivity().number_of_vertices() || !internal::engine(triangulation).correspondence().is_inserted(v))
+  const auto is_constrained = internal::edge_constraints_of(np);
+  auto observer = internal::observer_of(np);
+  std::optional<internal::Interruption_scope<Intrinsic_triangulation<Traits>>> scope;
+  if constexpr (!decltype(observer)::Is_silent::value)
+    scope.emplace(triangulation, [&observer] { return observer(); });
+  if (v.idx() >= triangulation.connectivity().number_of_vertices() || !triangulation.is_inserted(v))
     throw Invalid_removal_error("vertex " + std::to_string(v.idx()) + " was not inserted: only inserted vertices can be removed");
   return internal::Vertex_remover<Traits, std::decay_t<decltype(is_constrained)>>(triangulation, v, is_constrained).remove();
 }

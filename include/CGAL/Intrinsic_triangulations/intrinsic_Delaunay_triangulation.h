@@ -21,9 +21,9 @@
 #include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>

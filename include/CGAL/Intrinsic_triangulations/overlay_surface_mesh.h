@@ -15,9 +15,9 @@
 #include <CGAL/Intrinsic_triangulations/internal/overlay/convex_polygon_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/find_property_map.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/Euler_operations.h>

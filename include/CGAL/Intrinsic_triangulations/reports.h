@@ -9,14 +9,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_REPORTS_H
 
 #include <CGAL/Intrinsic_triangulations/internal/Index.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
-
-#include <CGAL/Named_function_parameters.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -25,13 +21,12 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief how a run of `flip_to_Delaunay()` ended.
 enum class Flip_status {
-  DELAUNAY,         ///< every edge that is not constrained is Delaunay
-  NOT_FLIPPABLE,    ///< some edge is not Delaunay, but its hinge has no other diagonal
-  INCONSISTENT,     ///< some edge is not Delaunay although it was just flipped: rounded decisions
-                    ///< contradict each other near a tie
-  UNDECIDED,        ///< the number type could not decide some edge
-  BUDGET_EXHAUSTED, ///< the flip budget did not suffice
-  CANCELLED         ///< the visitor cancelled the run
+  DELAUNAY,        ///< every edge that is not constrained is Delaunay
+  NOT_FLIPPABLE,   ///< some edge is not Delaunay, but its hinge has no other diagonal
+  INCONSISTENT,    ///< some edge is not Delaunay although it was just flipped: rounded decisions
+                   ///< contradict each other near a tie
+  UNDECIDED,       ///< the number type could not decide some edge
+  BUDGET_EXHAUSTED ///< the flip budget did not suffice
 };
 
 /// \ingroup PkgIntrinsicTriangulationsRef
@@ -47,28 +42,13 @@ struct Flip_report
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
-/// \brief which triangles `refine_Delaunay()` makes smaller.
-struct Refinement_criteria
-{
-  double minimum_angle = 25;                                               ///< no corner is to be smaller, in degrees; at most 30
-  double maximum_circumradius = (std::numeric_limits<double>::infinity)(); ///< no circumradius is to be larger, in the unit of the input
-  double maximum_edge_length = (std::numeric_limits<double>::infinity)();  ///< no edge is to be longer, in the unit of the input
-  /// whether edges that are not flipped are split until no angle opposite to them is obtuse: first of all, whether a face needs it or not.
-  /// No cotangent weight of the border is negative then
-  bool splits_encroached_edges = false;
-  /// no vertex is inserted for a face whose shortest side is shorter, in the unit of the input: so refinement ends soon where sheets, tubes
-  /// or slivers are far thinner than what matters
-  double minimum_size = 0;
-};
-
-/// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief why a face does not meet the criteria.
 enum class Refinement_obstacle {
   CONE,              ///< a corner at a vertex with so small an angle sum, or a point that would be too close to one
   SMALL_INPUT_ANGLE, ///< a corner between two edges that must not be flipped, or between points on two such edges
   UNREPRESENTABLE,   ///< doubles are too coarse for the point that the face needs
   TOO_SMALL,         ///< a side is shorter than the smallest size
-  BUDGET             ///< the budget did not suffice, or the run was cancelled
+  BUDGET             ///< the budget did not suffice
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
@@ -95,9 +75,8 @@ struct Refinement_progress
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief how a run of `refine_Delaunay()` ended.
 enum class Refinement_status {
-  REFINED,          ///< all faces meet the criteria but those that are listed with a reason other than `BUDGET`
-  BUDGET_EXHAUSTED, ///< the largest number of new vertices was reached
-  CANCELLED         ///< the visitor cancelled the run. If that was within a step, no faces are listed
+  REFINED,         ///< all faces meet the criteria but those that are listed with a reason other than `BUDGET`
+  BUDGET_EXHAUSTED ///< the largest number of new vertices was reached
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
@@ -118,7 +97,7 @@ enum class Geodesic_status {
   CONTRACTIBLE,   ///< a closed curve that was shrunk to a point
   BLOCKED,        ///< it can only be shortened over an edge of the network, or over edges that cannot be flipped
   NOT_IMPROVABLE, ///< a loop of one edge that is no geodesic, for which no shorter path of edges was found
-  UNFINISHED      ///< the budget did not suffice, or the visitor cancelled the run
+  UNFINISHED      ///< the budget did not suffice, or an exception ended the run
 };
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
@@ -186,30 +165,7 @@ enum class Tie_proof {
   PROVEN
 };
 
-/// \cond SKIP_IN_MANUAL
-namespace internal {
-struct Tie_proof_tag
-{};
-} // namespace internal
-/// \endcond
-
 } // namespace Intrinsic_triangulations
-
-namespace parameters {
-
-/// \ingroup PkgIntrinsicTriangulationsMetric
-/// \brief the named parameter `tie_proof`: what exact decisions accept as a tie.
-///
-/// It has to be the first of a sequence: `parameters::tie_proof(…).visitor(…)`.
-inline Named_function_parameters<Intrinsic_triangulations::Tie_proof,
-                                 Intrinsic_triangulations::internal::Tie_proof_tag>
-tie_proof(Intrinsic_triangulations::Tie_proof value)
-{
-  return Named_function_parameters<Intrinsic_triangulations::Tie_proof,
-                                   Intrinsic_triangulations::internal::Tie_proof_tag>(value);
-}
-
-} // namespace parameters
 } // namespace CGAL
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_REPORTS_H

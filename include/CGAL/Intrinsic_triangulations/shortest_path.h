@@ -22,6 +22,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Window_propagation.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <CGAL/number_utils.h>
@@ -197,14 +199,14 @@ private:
 ///
 /// \param triangulation a triangulation, best a Delaunay one: its faces are the least to cross. It is flipped along the path
 /// \param source, target vertices
-/// \param options as of `geodesic_distances()`; the tolerance plays no part
+/// \param np the named parameters of `geodesic_distances()`; the tolerance plays no part
 /// \return the path; one without edges if both vertices are the same
 /// \exception Invalid_argument_error if there is no such vertex, or no path
-/// \exception Cancelled_error as the options say
+/// \exception Cancelled_error if the visitor says so
 /// \exception Undecided_error as `flip()` of `Intrinsic_triangulation`
-template <class Traits>
+template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vertex_index source, Vertex_index target,
-                            const Geodesic_distance_options& options = Geodesic_distance_options())
+                            const NamedParameters& np = parameters::default_values())
 {
   const Delta_complex& complex = triangulation.connectivity();
   const internal::Row_of_vertex row(complex);
@@ -215,8 +217,8 @@ Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vert
     return result;
   const internal::Laid_out_faces faces(triangulation, row);
   internal::Window_propagation windows(faces, 0);
-  const internal::Interruption interruption(options.go_further);
-  result.is_complete = windows.run({source.idx()}, internal::number_of_ways(options, complex), interruption);
+  const internal::Interruption interruption(internal::go_further_function_of(np));
+  result.is_complete = windows.run({source.idx()}, internal::number_of_ways(np, complex), interruption);
   result.distance = std::ldexp(windows.distances()[target.idx()], faces.exponent());
   internal::Way_back<Traits> way(triangulation, faces, windows, interruption);
   for (Vertex_index v = target; v != source; v = complex.target(result.halfedges.back())) {

@@ -11,8 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 

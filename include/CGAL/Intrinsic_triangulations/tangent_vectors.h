@@ -256,7 +256,7 @@ template <class Traits, class PointRange>
 std::vector<Vertex_frame> vertex_frames(const Intrinsic_triangulation<Traits>& triangulation, const PointRange& points)
 {
   static_assert(Intrinsic_triangulation<Traits>::uses_exact_geometry,
-                "vertex_frames() needs traits with exact geometry, as Filtered_edge_length_traits");
+                "vertex_frames() needs traits with exact engine, as Filtered_edge_length_traits");
   const internal::Correspondence& correspondence = internal::engine(triangulation).correspondence();
   const Delta_complex& input = correspondence.input();
   using internal::Space_vector;

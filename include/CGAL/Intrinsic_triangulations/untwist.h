@@ -16,9 +16,10 @@
 #include <CGAL/Intrinsic_triangulations/internal/twists/exact_gluing_io.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
@@ -77,8 +78,8 @@ std::vector<Rational> squared_lengths(const std::vector<double>& lengths);
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{`go_further(tests, flips)` is asked now and then, with the numbers of tubes so far and of flips made one by one, and ends the function with `false`.
 ///       `after_flip()` is not called}
-///     \cgalParamType{a model of `IntrinsicFlipVisitor`}
-///     \cgalParamDefault{`Default_flip_visitor`}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -102,10 +103,9 @@ Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_length
   if constexpr (is_default_parameter<NamedParameters, internal_np::visitor_t>::value) {
     return internal::untwist(complex, squared_lengths, is_constrained, {});
   } else {
-    auto visitor = get_parameter(np, internal_np::visitor);
-    return internal::untwist(complex, squared_lengths, is_constrained, [&visitor](std::uint64_t tests, std::uint64_t flips) {
-      return internal::unwrapped(visitor).go_further(tests, flips);
-    });
+    auto observer = internal::observer_of(np);
+    return internal::untwist(complex, squared_lengths, is_constrained,
+                             [&observer](std::uint64_t tests, std::uint64_t flips) { return observer.go_further(tests, flips); });
   }
 }
 
@@ -123,9 +123,6 @@ struct Gluing_triangulation
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-
-struct Fast_forward_tag
-{};
 
 // Passes everything on, and counts crossings.
 template <class Visitor>
@@ -195,9 +192,9 @@ auto intrinsic_Delaunay_triangulation(const Exact_gluing& gluing, const NamedPar
   using Triangulation = Intrinsic_triangulation<Traits>;
   static_assert(Triangulation::uses_exact_geometry, "needs traits that use exact geometry");
   const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
-  const bool is_fast = choose_parameter(get_parameter(np, internal::Fast_forward_tag()), false);
+  const bool is_fast = choose_parameter(get_parameter(np, internal::Parameter_tag<internal::Parameter::FAST_FORWARD>()), false);
   const auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained), Static_boolean_property_map<Edge_index, false>());
-  auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_flip_visitor());
+  auto observer = internal::observer_of(np);
   const std::uint64_t budget = choose_parameter(get_parameter(np, internal_np::maximum_number), (std::numeric_limits<std::uint64_t>::max)());
 
   Untwisting untwisting;
@@ -212,36 +209,19 @@ auto intrinsic_Delaunay_triangulation(const Exact_gluing& gluing, const NamedPar
     if (is_fast)
       untwisting = internal::untwist(
         complex, squares, [&](Edge_index e) { return bool(get(is_constrained, e)); },
-        [&](std::uint64_t tests, std::uint64_t flips) { return internal::unwrapped(visitor).go_further(tests, flips); });
+        [&](std::uint64_t tests, std::uint64_t flips) { return observer.go_further(tests, flips); });
     return Triangulation::from_metric(std::move(complex), metric_from_squared_lengths(std::move(squares)), traits);
   };
   Gluing_triangulation<Traits> result{triangulation(), {}, {}};
   result.untwisting = std::move(untwisting);
-  if (!result.untwisting.is_complete) {
-    result.report.status = Flip_status::CANCELLED;
-    return result;
-  }
-  using Visitor = std::decay_t<decltype(internal::unwrapped(visitor))>;
-  internal::Counting_visitor<Visitor> counting(internal::unwrapped(visitor), result.triangulation.connectivity(), result.untwisting.crossings);
+  if (!result.untwisting.is_complete)
+    throw Cancelled_error("the flips within tubes were cancelled");
+  internal::Counting_visitor<decltype(observer)> counting(observer, result.triangulation.connectivity(), result.untwisting.crossings);
   result.report = internal::flip_all<Sequential_tag>(internal::Whole_triangulation<Traits>(result.triangulation), is_constrained, counting, budget);
   return result;
 }
 
 } // namespace Intrinsic_triangulations
-
-namespace parameters {
-
-/// \ingroup PkgIntrinsicTriangulationsTwists
-/// \brief the named parameter `fast_forward` of `intrinsic_Delaunay_triangulation()` of a gluing: whether tubes are untwisted first.
-///
-/// It has to be the first of a sequence: `parameters::fast_forward(true).visitor(…)`.
-inline Named_function_parameters<bool, Intrinsic_triangulations::internal::Fast_forward_tag>
-fast_forward(bool value)
-{
-  return Named_function_parameters<bool, Intrinsic_triangulations::internal::Fast_forward_tag>(value);
-}
-
-} // namespace parameters
 } // namespace CGAL
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED

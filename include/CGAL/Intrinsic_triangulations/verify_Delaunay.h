@@ -14,8 +14,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -216,8 +216,7 @@ typename Traits::Boolean is_Delaunay(const Intrinsic_triangulation<Traits>& tria
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  const auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                               Static_boolean_property_map<Edge_index, false>());
+  const auto is_constrained = internal::edge_constraints_of(np);
   typename Traits::Boolean result = true;
   for (Edge_index e : triangulation.connectivity().edges()) {
     if (get(is_constrained, e))

@@ -90,9 +90,9 @@ struct Stop_watch_visitor
 {
   const std::function<bool()>& ask;
   std::vector<IT::Edge_index> flipped;
-  bool go_further(std::uint64_t tests, std::uint64_t)
+  bool go_further(const IT::Progress& progress)
   {
-    return !ask || tests % 256 != 0 || ask();
+    return !ask || progress.tests % 256 != 0 || ask();
   }
   void after_flip(IT::Edge_index e) { flipped.push_back(e); }
 };
@@ -179,10 +179,16 @@ public:
       return result_;
     }
     Stop_watch_visitor visitor{options_.go_further, {}};
-    const IT::Flip_report report = IT::flip_to_Delaunay(
-      triangulation, CGAL::parameters::visitor(std::ref(visitor))
-                       .maximum_number(options_.maximum_number_of_flips)
-                       .edge_is_constrained_map(Constraint_map{&options_.is_constrained}));
+    IT::Flip_report report;
+    try {
+      report = IT::flip_to_Delaunay(
+        triangulation, CGAL::parameters::visitor(std::ref(visitor))
+                         .maximum_number(options_.maximum_number_of_flips)
+                         .edge_is_constrained_map(Constraint_map{&options_.is_constrained}));
+    } catch (const IT::Cancelled_error&) {
+      report.status = IT::Flip_status::BUDGET_EXHAUSTED;
+      report.flips = visitor.flipped.size();
+    }
     result_.flips = report.flips;
     if (report.status != IT::Flip_status::DELAUNAY)
       complain("status", "the package's run ended with status " + std::to_string(int(report.status)) + " after " +

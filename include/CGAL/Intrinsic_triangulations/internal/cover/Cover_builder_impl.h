@@ -47,7 +47,7 @@ struct Cleaned_triangles
 class Triangle_cleaner
 {
 public:
-  Triangle_cleaner(const Points& points, std::vector<Index_triangle> triangles, const Tufted_cover_options& options)
+  Triangle_cleaner(const Points& points, std::vector<Index_triangle> triangles, const Cover_options& options)
     : points_(points), options_(options)
   {
     result_.triangles = std::move(triangles);
@@ -175,7 +175,7 @@ private:
   }
 
   const Points& points_;
-  const Tufted_cover_options& options_;
+  const Cover_options& options_;
   Cleaned_triangles result_;
 };
 
@@ -187,7 +187,7 @@ class Cover_builder
   static constexpr Index null = (std::numeric_limits<Index>::max)();
 
 public:
-  Cover_builder(const Points& points, Cleaned_triangles&& cleaned, const Tufted_cover_options& options)
+  Cover_builder(const Points& points, Cleaned_triangles&& cleaned, const Cover_options& options)
     : points_(points), cleaned_(std::move(cleaned)), options_(options), interruption_(options.go_further),
       sides_(points.size(), cleaned_.triangles)
   {}
@@ -448,7 +448,7 @@ private:
 
   const Points& points_;
   Cleaned_triangles cleaned_;
-  const Tufted_cover_options& options_;
+  const Cover_options& options_;
   const Interruption interruption_;
   Sides_by_edge sides_;
   std::vector<bool> is_doubled_, is_turned_; // of each triangle
@@ -459,7 +459,7 @@ private:
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Tufted_cover build_cover(const Points& points, const std::vector<Index_triangle>& triangles,
-                         const Tufted_cover_options& options)
+                         const Cover_options& options)
 {
   std::vector<Vertex_number_pair> merged, coincident;
   for (;;) {

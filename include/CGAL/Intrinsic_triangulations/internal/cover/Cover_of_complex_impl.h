@@ -86,7 +86,7 @@ private:
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vector<double>& lengths,
-                                    const Tufted_cover_options& options)
+                                    const Cover_options& options)
 {
   CGAL_precondition(lengths.size() == complex.number_of_edges());
   using Triangulation = Intrinsic_triangulation<Filtered_edge_length_traits>;

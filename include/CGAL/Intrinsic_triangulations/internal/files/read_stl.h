@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/File_blocks.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
-#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
 
 #include <algorithm>
 #include <array>

@@ -59,18 +59,12 @@ public:
   }
 
   // Settles those of the edges, each of which is given once and marked as a candidate, that are found to be Delaunay, and removes them from
-  // the list. Returns whether to go on; if not, the report of the flipper says why.
-  bool settle_Delaunay(std::vector<Edge_index>& edges)
+  // the list.
+  // \exception Cancelled_error if the visitor or the interruption says so
+  void settle_Delaunay(std::vector<Edge_index>& edges)
   {
     answers_.assign(edges.size(), Answer::OPEN);
-    try {
-      test_by_stages(edges);
-    } catch (const Cancelled_error&) {
-      Flip_report report;
-      report.status = Flip_status::CANCELLED;
-      flipper_.add(report);
-      return false;
-    }
+    test_by_stages(edges);
     std::size_t number_of_others = 0;
     for (std::size_t i = 0; i < edges.size(); ++i) {
       if (answers_[i] == Answer::DELAUNAY)
@@ -79,7 +73,6 @@ public:
         edges[number_of_others++] = edges[i];
     }
     edges.resize(number_of_others);
-    return true;
   }
 
 private:
@@ -167,8 +160,7 @@ private:
   {
     if (std::exchange(is_stopped_, true))
       return;
-    if (!flipper_.goes_further())
-      throw Cancelled_error("the flips were cancelled");
+    flipper_.ask();
     interruption_.check();
     is_stopped_ = false;
   }

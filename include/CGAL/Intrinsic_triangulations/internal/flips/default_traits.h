@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
@@ -35,8 +36,8 @@ namespace internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template Flip_report
 flip_all<Sequential_tag, Whole_triangulation<Filtered_edge_length_traits>, Static_boolean_property_map<Edge_index, false>,
-         Default_flip_visitor>(Whole_triangulation<Filtered_edge_length_traits>,
-                               const Static_boolean_property_map<Edge_index, false>&, Default_flip_visitor&, std::uint64_t);
+         Observer<Default_visitor>>(Whole_triangulation<Filtered_edge_length_traits>,
+                                    const Static_boolean_property_map<Edge_index, false>&, Observer<Default_visitor>&, std::uint64_t);
 
 CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template void
 Face_measurer<Sequential_tag, Filtered_edge_length_traits>::measure(std::size_t, std::size_t, Findings&) const;

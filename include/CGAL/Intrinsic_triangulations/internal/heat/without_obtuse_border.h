@@ -10,13 +10,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/reports.h>
-
-#include <CGAL/Named_function_parameters.h>
 
 #include <cstdint>
 #include <optional>
@@ -24,19 +21,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
-
-// Asks before each step of a refinement.
-struct Asking_visitor : Default_refinement_visitor
-{
-  explicit Asking_visitor(const Interruption& interruption) : interruption(interruption) {}
-  bool go_further(std::uint64_t, std::uint64_t)
-  {
-    interruption.check();
-    return true;
-  }
-
-  const Interruption& interruption;
-};
 
 template <class Traits>
 bool has_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation)
@@ -59,13 +43,12 @@ std::optional<Intrinsic_triangulation<Traits>> without_obtuse_border(const Intri
   if (!has_obtuse_border(triangulation))
     return std::nullopt;
   std::optional<Intrinsic_triangulation<Traits>> result(triangulation);
-  Refinement_criteria none;
-  none.minimum_angle = 0;
-  none.splits_encroached_edges = true;
+  const auto ask = [&interruption] {
+    interruption.check();
+    return true;
+  };
   const std::uint64_t most = 10 * std::uint64_t(triangulation.connectivity().number_of_vertices()) + 1000;
-  const Refinement_report report = refine_Delaunay(*result, none, parameters::maximum_number(most).visitor(Asking_visitor(interruption)));
-  if (report.status == Refinement_status::CANCELLED)
-    throw Cancelled_error("the computation was cancelled");
+  refine_Delaunay(*result, parameters::minimum_angle(0.).splits_encroached_edges(true).maximum_number(most).visitor(ask));
   return result;
 }
 

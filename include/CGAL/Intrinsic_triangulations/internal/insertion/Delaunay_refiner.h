@@ -22,6 +22,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/point_on_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/number_type_config.h>
@@ -43,6 +44,16 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// Which triangles are made smaller; `refine_Delaunay()` says what the members mean.
+struct Refinement_criteria
+{
+  double minimum_angle = 25;
+  double maximum_circumradius = (std::numeric_limits<double>::infinity)();
+  double maximum_edge_length = (std::numeric_limits<double>::infinity)();
+  bool splits_encroached_edges = false;
+  double minimum_size = 0;
+};
+
 // Segments are the edges that are not flipped: on the border, or constrained.
 template <class Traits, class Visitor>
 class Delaunay_refiner
@@ -60,22 +71,12 @@ public:
 
   Refinement_report operator()()
   {
-    try {
-      refine_all();
-    } catch (const Cancelled_error&) {
-      if (report_.status != Refinement_status::CANCELLED) // it was not the visitor
-        throw;
-    }
+    refine_all();
     return std::move(report_);
   }
 
   // Asks the visitor once more within a step.
-  bool asks_further()
-  {
-    if (!visitor_.go_further(report_.insertions + report_.segment_splits, report_.flips))
-      report_.status = Refinement_status::CANCELLED;
-    return report_.status != Refinement_status::CANCELLED;
-  }
+  bool asks_further() { return visitor_.go_further(Progress{0, 0, report_.flips, report_.insertions + report_.segment_splits}); }
 
 private:
   void refine_all()
@@ -134,7 +135,9 @@ private:
   {
     if (report_.status != Refinement_status::REFINED)
       return false;
-    if (asks_further() && report_.insertions + report_.segment_splits >= maximum_number_ && has_candidates())
+    if (!asks_further())
+      throw Cancelled_error("the refinement was cancelled");
+    if (report_.insertions + report_.segment_splits >= maximum_number_ && has_candidates())
       report_.status = Refinement_status::BUDGET_EXHAUSTED;
     return report_.status == Refinement_status::REFINED;
   }
