@@ -33,4 +33,8 @@ public:
   /// is called after each flip, when connectivity and metric have changed; the edge has the
   /// descriptor that it had before.
   void after_flip(CGAL::Intrinsic_triangulations::Edge_index e);
+
+  /// is called after each test, with the answer, a `Boolean` of the traits. Optional: with it, each edge is tested by itself, and the
+  /// algorithm runs on one thread.
+  void after_test(CGAL::Intrinsic_triangulations::Edge_index e, Boolean is_Delaunay);
 };

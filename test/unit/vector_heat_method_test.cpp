@@ -6,8 +6,8 @@
 #include "samples/sample_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
 #include <CGAL/Intrinsic_triangulations/connection_Laplacian.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/halfedge_vectors.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>

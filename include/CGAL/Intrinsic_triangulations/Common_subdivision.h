@@ -15,13 +15,16 @@
 #include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/convex_polygon_triangulation.h>
 
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -172,6 +175,18 @@ private:
   Overlay overlay_;
   Overlay_positions positions_;
 };
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
+/// \brief returns the triangles of a convex polygon, such as a face of the overlay, so that the smallest has the largest area.
+/// \param corners the polygon, counterclockwise; three at least
+/// \return three indices of corners for each triangle, counterclockwise. O(n³)
+inline std::vector<std::array<std::size_t, 3>> triangulate_convex_polygon(const std::vector<std::array<double, 3>>& corners)
+{
+  std::vector<std::array<std::size_t, 3>> result;
+  internal::Convex_polygon_triangulation(corners).for_each_triangle(
+    [&](std::size_t a, std::size_t b, std::size_t c) { result.push_back({a, b, c}); });
+  return result;
+}
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

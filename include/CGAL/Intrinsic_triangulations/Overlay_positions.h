@@ -191,7 +191,7 @@ private:
   static Surface_point normalized(const Delta_complex& input, const Surface_point& point)
   {
     const Halfedge_index side = point.dimension() == 1 ? internal::side_of(input, point) : point.halfedge;
-    Surface_point result{side, internal::coordinates_from(input, point, side)};
+    Surface_point result{side, coordinates_from(input, point, side)};
     const double sum = result.coordinates[0] + result.coordinates[1] + result.coordinates[2];
     for (double& x : result.coordinates)
       x /= sum;

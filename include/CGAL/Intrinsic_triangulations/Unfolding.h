@@ -117,7 +117,7 @@ public:
   Vector vector_to(const Surface_point& point, Halfedge_index h, const Edge_beginning& u, std::int64_t position) const
   {
     if (position == 0)
-      return position_in_face(u.reference, internal::coordinates_from(input_, point, u.reference)) - u.source;
+      return position_in_face(u.reference, coordinates_from(input_, point, u.reference)) - u.source;
     const bool starts_inside = is_inserted(complex_.source(h));
     const Vector end = end_of_strip(crossed(h), std::size_t(position), &point).vector;
     return starts_inside ? end - u.source : end;
@@ -249,16 +249,16 @@ private:
         return frame.real(metric_.constant(0));
       return position_in_face(reference, coordinates_of_source(h, reference));
     }
-    return position_in_face(reference, internal::coordinates_from(input_, location_of_source(h), reference));
+    return position_in_face(reference, coordinates_from(input_, location_of_source(h), reference));
   }
 
   // The coordinates of the source of h relative to a halfedge of the input face into which h leaves it.
   std::array<double, 3> coordinates_of_source(Halfedge_index h, Halfedge_index reference) const
   {
     if (is_inserted(complex_.source(h)))
-      return internal::coordinates_from(input_, location_of_source(h), reference);
+      return coordinates_from(input_, location_of_source(h), reference);
     const Halfedge_index side = input_.next(input_.opposite(correspondence_.input_halfedge(h)));
-    return internal::coordinates_from(input_, Surface_point{side, {1, 0, 0}}, reference);
+    return coordinates_from(input_, Surface_point{side, {1, 0, 0}}, reference);
   }
 
   // As edge_vector(), where an end is no vertex of the input.

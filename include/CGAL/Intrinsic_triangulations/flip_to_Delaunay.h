@@ -148,8 +148,12 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
   if constexpr (Traits::Uses_exact_geometry::value &&
                 !parameters::is_default_parameter<NamedParameters, Tie_proof_tag>::value)
     triangulation.set_tie_proof(get_parameter(np, Tie_proof_tag()));
-  return flip_all<ConcurrencyTag>(Whole_triangulation<Traits>(triangulation), is_constrained, unwrapped(visitor),
-                                  budget);
+  auto& visits = unwrapped(visitor);
+  using Visitor = std::remove_reference_t<decltype(visits)>;
+  if constexpr (Sees_tests<Visitor, typename Traits::Boolean>::value)
+    return flip_all<Sequential_tag>(Watched_triangulation<Traits, Visitor>(triangulation, visits), is_constrained, visits, budget);
+  else
+    return flip_all<ConcurrencyTag>(Whole_triangulation<Traits>(triangulation), is_constrained, visits, budget);
 }
 
 } // namespace internal
