@@ -36,6 +36,10 @@ public:
   /// has the descriptor that it had before.
   void after_flip(CGAL::Intrinsic_triangulations::Edge_index e);
 
+  /// is called after each test of `flip_to_Delaunay()`, with the answer, a `Boolean` of the traits. With it, each edge is tested by itself, and
+  /// the algorithm runs on one thread.
+  void after_test(CGAL::Intrinsic_triangulations::Edge_index e, Boolean is_Delaunay);
+
   /// is called before each face that `refine_Delaunay()` refines, with what is left to do.
   void before_step(const CGAL::Intrinsic_triangulations::Refinement_progress& progress);
 

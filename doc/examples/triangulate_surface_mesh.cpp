@@ -6,6 +6,7 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 
@@ -37,11 +38,9 @@ int main()
             << ", flips " << report.flips << '\n';
 
   // An edge keeps its number: it is the edge of the mesh, or what flips have made of that.
-  double longest = 0, smallest_weight = 1;
-  for (IT::Edge_index e : idt.connectivity().edges()) {
-    longest = (std::max)(longest, idt.length(e));
-    smallest_weight = (std::min)(smallest_weight, idt.cotangent_weight(e));
-  }
+  const IT::Element_numbers numbers = IT::element_numbers(idt);
+  const double longest = *std::max_element(numbers.lengths.begin(), numbers.lengths.end()),
+               smallest_weight = *std::min_element(numbers.cotangent_weights.begin(), numbers.cotangent_weights.end());
   std::cout << "longest edge " << longest << ", smallest weight " << smallest_weight << '\n';
 
   // Connectivity and lengths as a Surface_mesh, for algorithms that work on one.

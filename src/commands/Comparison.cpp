@@ -6,7 +6,7 @@
 #include "system/Interruption.h"
 #include "system/Stopwatch.h"
 #include "system/child_process.h"
-#include "kernels/Kernel.h"
+#include "number_types/run.h"
 #include "input/repair.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -116,9 +116,9 @@ double largest_length_error(const Outcome& outcome)
   return result;
 }
 
-Kernel_options kernel_options(const Compared_type& type, const Requested_results& wanted)
+Run_options make_run_options(const Compared_type& type, const Requested_results& wanted)
 {
-  Kernel_options options;
+  Run_options options;
   options.number_type = type.number_type;
   if (type.precision)
     options.precision = *type.precision;
@@ -154,7 +154,7 @@ private:
     wanted.crossings = wanted.tessellation = wanted.exact_lengths = true;
     const auto goes_on = [](std::uint64_t, std::uint64_t) { return !is_interrupted(); };
     const Outcome exact =
-      idt::run({surface_, kernel_options({Number_type::FILTERED, {}}, wanted), goes_on, has_time_to_decide, {}});
+      idt::run({surface_, make_run_options({Number_type::FILTERED, {}}, wanted), goes_on, has_time_to_decide, {}});
     if (!exact.failure.empty())
       throw IT::Undecided_error(surface_.path + ": " + exact.failure);
     if (exact.report.status != IT::Flip_status::DELAUNAY)
@@ -173,7 +173,7 @@ private:
     const auto goes_on = [&](std::uint64_t, std::uint64_t) {
       return !is_interrupted() && stopwatch.seconds() < options_.time_limit;
     };
-    return idt::run({surface_, kernel_options(type, wanted), goes_on, has_time_to_decide, {}});
+    return idt::run({surface_, make_run_options(type, wanted), goes_on, has_time_to_decide, {}});
   }
 
   // In a process of its own, for a decision can take for ever with some number types, and

@@ -6,7 +6,7 @@
 #ifndef IDT_COMPARISON_H
 #define IDT_COMPARISON_H
 
-#include "kernels/Number_type.h"
+#include "number_types/Number_type.h"
 #include "input/Surface.h"
 
 #include <nlohmann/json_fwd.hpp>

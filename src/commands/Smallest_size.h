@@ -7,7 +7,7 @@
 #define IDT_SMALLEST_SIZE_H
 
 #include "input/Surface.h"
-#include "kernels/Kernel.h"
+#include "number_types/run.h"
 
 #include <cstdint>
 #include <functional>

@@ -10,7 +10,7 @@
 #include "input/Triangle_soup.h"
 #include "input/gluing_file.h"
 #include "input/mesh_file.h"
-#include "kernels/make_triangulation.h"
+#include "number_types/make_triangulation.h"
 #include "output/Output_file.h"
 #include "output/write_distances.h"
 #include "output/write_json.h"

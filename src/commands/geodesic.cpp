@@ -8,7 +8,7 @@
 #include "input/Surface.h"
 #include "input/formats/vtp.h"
 #include "input/mesh_file.h"
-#include "kernels/make_triangulation.h"
+#include "number_types/make_triangulation.h"
 #include "output/Output_file.h"
 #include "output/write_json.h"
 #include "system/Interruption.h"

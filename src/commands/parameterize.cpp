@@ -97,27 +97,27 @@ void find_map(const Parameterize_options& options, Result& result,
   const Outcome& outcome = result.triangulation.outcome;
   const IT::Delta_complex& complex =
     is_intrinsic ? outcome.connectivity : result.triangulation.surface.connectivity;
-  const Numbers& numbers = is_intrinsic ? outcome.numbers : outcome.input_numbers;
+  const IT::Element_numbers& numbers = is_intrinsic ? outcome.numbers : outcome.input_numbers;
   if (options.method == "circle-pattern") {
     result.pattern =
       IT::circle_pattern_parameterization(complex, numbers.lengths, numbers.areas, CGAL::parameters::visitor(std::ref(progress)));
     result.uv = result.pattern->uv;
     return;
   }
-  require_finite_weights(result.triangulation.surface, complex, numbers.weights);
+  require_finite_weights(result.triangulation.surface, complex, numbers.cotangent_weights);
   if (options.boundary == "natural") {
     result.uv =
-      IT::natural_parameterization(complex, numbers.weights, numbers.lengths, numbers.areas);
+      IT::natural_parameterization(complex, numbers.cotangent_weights, numbers.lengths, numbers.areas);
     return;
   }
   std::vector<double> lengths;
   for (IT::Halfedge_index h : IT::disk_boundary(complex))
     lengths.push_back(numbers.lengths[complex.edge(h).idx()]);
   result.uv =
-    IT::harmonic_parameterization(complex, numbers.weights, IT::positions_on_circle(lengths));
+    IT::harmonic_parameterization(complex, numbers.cotangent_weights, IT::positions_on_circle(lengths));
 }
 
-Quality quality(const IT::Delta_complex& complex, const Numbers& numbers,
+Quality quality(const IT::Delta_complex& complex, const IT::Element_numbers& numbers,
                 const IT::Planar_points& uv)
 {
   Quality quality;
@@ -149,7 +149,7 @@ Json json_value(const std::optional<IT::Circle_pattern>& pattern)
           {"iterations", pattern->iterations}};
 }
 
-Json json_value(const std::optional<Weight_summary>& weights)
+Json json_value(const std::optional<IT::Weight_summary>& weights)
 {
   Json json;
   json["min_weight"] = weights->smallest ? number(*weights->smallest) : Json(nullptr);
@@ -273,14 +273,14 @@ Exit_status run_parameterize(Parameterize_options options)
 {
   check(options);
   Result result;
-  Kernel_options kernel;
-  kernel.wanted = Requested_results::nothing();
-  kernel.wanted.weights = kernel.wanted.lengths = kernel.wanted.numbers =
-    kernel.wanted.input_numbers = true;
-  kernel.wanted.crossings = kernel.wanted.overlay =
+  Run_options run_options;
+  run_options.wanted = Requested_results::nothing();
+  run_options.wanted.weights = run_options.wanted.lengths = run_options.wanted.numbers =
+    run_options.wanted.input_numbers = true;
+  run_options.wanted.crossings = run_options.wanted.overlay =
     !options.uv_path.empty() || !options.distortion_path.empty();
   const Exit_status status = for_each_input({options.input}, [&](const std::string& path) {
-    result.triangulation = triangulate(load_surface(path, {std::nullopt, options.is_repaired}), kernel);
+    result.triangulation = triangulate(load_surface(path, {std::nullopt, options.is_repaired}), run_options);
     const Exit_status status = exit_status(result.triangulation.outcome);
     if (status != Exit_status::DONE) {
       std::cerr << "idt: " << path << ": " << describe_status(result.triangulation) << std::endl;

@@ -87,11 +87,11 @@ std::uint64_t budget(const Surface& surface, const Refine_options& options)
 }
 
 // Begins anew with a larger smallest size where that was not given and is too small.
-Triangulation_result refine_surface(Surface surface, Kernel_options kernel, const Refine_options& options)
+Triangulation_result refine_surface(Surface surface, Run_options run_options, const Refine_options& options)
 {
   Smallest_size chosen(surface);
   Budget_warning warning(surface.path, budget(surface, options));
-  Refinement_options& refinement = *kernel.refinement;
+  Refinement_options& refinement = *run_options.refinement;
   const std::vector<bool> is_constrained =
     options.constraints.empty() ? std::vector<bool>() : read_constraints(options.constraints, surface);
   refinement.gives_up = [&](const CGAL::Intrinsic_triangulations::Refinement_progress& progress, const std::function<Short_side()>& where) {
@@ -106,7 +106,7 @@ Triangulation_result refine_surface(Surface surface, Kernel_options kernel, cons
     refinement.is_constrained = is_constrained;
     if (options.constrained_angle)
       constrain_sharp_edges(surface, *options.constrained_angle, refinement);
-    Triangulation_result result = triangulate(std::move(surface), kernel);
+    Triangulation_result result = triangulate(std::move(surface), run_options);
     if (!result.outcome.refinement || !result.outcome.refinement->is_given_up) {
       result.smallest_size = options.minimum_size ? in_short(*options.minimum_size) : chosen.text();
       return result;
@@ -123,13 +123,13 @@ Exit_status refine_file(const std::string& path, const Refine_options& options)
   options.files.check_surface(surface);
   if (!options.flattened.empty() && !surface.has_points())
     throw Usage_error(path + ": --flatten needs a surface in space, and this one has edge lengths alone");
-  Kernel_options kernel;
-  kernel.refinement = options.refinement;
-  options.files.add_to(kernel.wanted);
-  kernel.wanted.overlay = kernel.wanted.overlay || !options.flattened.empty();
-  kernel.wanted.shapes = true;
-  kernel.wanted.verification = options.is_verified;
-  Triangulation_result result = refine_surface(std::move(surface), kernel, options);
+  Run_options run_options;
+  run_options.refinement = options.refinement;
+  options.files.add_to(run_options.wanted);
+  run_options.wanted.overlay = run_options.wanted.overlay || !options.flattened.empty();
+  run_options.wanted.shapes = true;
+  run_options.wanted.verification = options.is_verified;
+  Triangulation_result result = refine_surface(std::move(surface), run_options, options);
   result.flat_tolerance = options.flat_tolerance;
   result.flat_deviation = deviation;
   if (!options.flattened.empty() && result.outcome.subdivision) {

@@ -42,7 +42,7 @@ struct Operator_summary
 {
   IT::Extreme_eigenvalues eigenvalues;
   IT::Weight_histogram histogram;
-  Weight_summary weights;
+  IT::Weight_summary weights;
 };
 
 struct Row
@@ -172,7 +172,7 @@ void write_table(std::ostream& os, const std::vector<Row>& rows)
 }
 
 Operator_summary summarize(const Surface& surface, const IT::Delta_complex& complex, const std::vector<double>& weights,
-                           const Weight_summary& weight_summary)
+                           const IT::Weight_summary& weight_summary)
 {
   require_finite_weights(surface, complex, weights);
   // A weight of an equilateral triangulation is 1.15; far out, only slivers are to be counted.
@@ -187,8 +187,8 @@ void find_condition(const Triangulation_result& result, Row& row)
   try {
     const Progress progress(result.surface.path, "factoring, and finding eigenvalues");
     row.before =
-      summarize(result.surface, result.surface.connectivity, outcome.input_numbers.weights, *outcome.weights_before);
-    row.after = summarize(result.surface, outcome.connectivity, outcome.numbers.weights, *outcome.weights_after);
+      summarize(result.surface, result.surface.connectivity, outcome.input_numbers.cotangent_weights, *outcome.weights_before);
+    row.after = summarize(result.surface, outcome.connectivity, outcome.numbers.cotangent_weights, *outcome.weights_after);
   } catch (const IT::Error& error) {
     std::cerr << "idt: " << result.surface.path << ": no condition number: " << error.what()
               << "; --without-condition leaves it out" << std::endl;
@@ -198,16 +198,16 @@ void find_condition(const Triangulation_result& result, Row& row)
 Exit_status run_table(const Table_options& options)
 {
   check_output_paths({options.json_path}, options.inputs);
-  Kernel_options kernel_options;
-  kernel_options.wanted = Requested_results::nothing();
-  kernel_options.wanted.crossings = kernel_options.wanted.shapes = true;
-  kernel_options.wanted.weights = kernel_options.wanted.numbers =
-    kernel_options.wanted.input_numbers = !options.without_condition;
+  Run_options run_options;
+  run_options.wanted = Requested_results::nothing();
+  run_options.wanted.crossings = run_options.wanted.shapes = true;
+  run_options.wanted.weights = run_options.wanted.numbers =
+    run_options.wanted.input_numbers = !options.without_condition;
   std::vector<Row> rows;
   const Exit_status status = for_each_input(options.inputs, [&](const std::string& path) {
     rows.emplace_back();
     rows.back().model = std::filesystem::path(path).stem().string();
-    const Triangulation_result result = triangulate(load_surface(path, {std::nullopt, options.is_repaired}), kernel_options);
+    const Triangulation_result result = triangulate(load_surface(path, {std::nullopt, options.is_repaired}), run_options);
     Row& row = rows.back();
     row.vertices = result.counts.vertices;
     row.flips = result.outcome.report.flips;

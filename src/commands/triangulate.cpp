@@ -39,9 +39,9 @@ struct Triangulate_options
   Result_files files;
 };
 
-Kernel_options kernel_options(const Triangulate_options& options)
+Run_options make_run_options(const Triangulate_options& options)
 {
-  Kernel_options result;
+  Run_options result;
   result.number_type = *find_number_type(options.number_type);
   result.precision = options.precision;
   result.maximum_number_of_flips = options.maximum_number_of_flips;
@@ -66,13 +66,13 @@ void check(const Triangulate_options& options)
 }
 
 Exit_status triangulate_file(const std::string& path, const Triangulate_options& options,
-                             const Kernel_options& kernel, const Load_options& load, bool& is_first)
+                             const Run_options& run_options, const Load_options& load, bool& is_first)
 {
   Surface surface = load_surface(path, load);
   options.files.check_surface(surface);
   if (options.is_fast)
     untwist(surface);
-  Triangulation_result result = triangulate(std::move(surface), kernel);
+  Triangulation_result result = triangulate(std::move(surface), run_options);
   options.files.write(result);
   if (!is_first)
     std::cout << '\n';
@@ -92,7 +92,7 @@ bool may_end_the_process(Number_type number_type)
 }
 
 // Runs it in a child process, so that an abort ends only that.
-Exit_status run_in_subprocess(const std::string& path, const Kernel_options& kernel,
+Exit_status run_in_subprocess(const std::string& path, const Run_options& run_options,
                               const std::function<Exit_status()>& triangulate_input, bool& is_first)
 {
   constexpr int has_report = 256;
@@ -109,7 +109,7 @@ Exit_status run_in_subprocess(const std::string& path, const Kernel_options& ker
     throw CGAL::Intrinsic_triangulations::Cancelled_error(path + ": cancelled");
   if (!end)
     throw CGAL::Intrinsic_triangulations::Undecided_error(
-      path + ": as " + name(kernel.number_type) + ": the number type cannot go on with these numbers; " +
+      path + ": as " + name(run_options.number_type) + ": the number type cannot go on with these numbers; " +
       name(Number_type::FILTERED) + " can");
   is_first = is_first && *end < has_report;
   return static_cast<Exit_status>(*end % has_report);
@@ -118,7 +118,7 @@ Exit_status run_in_subprocess(const std::string& path, const Kernel_options& ker
 Exit_status run_triangulate(const Triangulate_options& options)
 {
   check(options);
-  const Kernel_options kernel = kernel_options(options);
+  const Run_options run_options = make_run_options(options);
   Load_options load;
   load.is_repaired = options.is_repaired;
   if (options.mollification)
@@ -126,9 +126,9 @@ Exit_status run_triangulate(const Triangulate_options& options)
 
   bool is_first = true;
   return for_each_input(options.inputs, [&](const std::string& path) {
-    const auto triangulate_input = [&] { return triangulate_file(path, options, kernel, load, is_first); };
-    return may_end_the_process(kernel.number_type) ? run_in_subprocess(path, kernel, triangulate_input, is_first)
-                                                   : triangulate_input();
+    const auto triangulate_input = [&] { return triangulate_file(path, options, run_options, load, is_first); };
+    return may_end_the_process(run_options.number_type) ? run_in_subprocess(path, run_options, triangulate_input, is_first)
+                                                        : triangulate_input();
   });
 }
 
@@ -146,7 +146,7 @@ std::string number_type_help()
 
 } // namespace
 
-Triangulation_result triangulate(Surface surface, const Kernel_options& options)
+Triangulation_result triangulate(Surface surface, const Run_options& options)
 {
   Triangulation_result result;
   result.options = options;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An input surface as the kernels take it, whatever kind of file it came from.
+// An input surface as the number types take it, whatever kind of file it came from.
 
 #ifndef IDT_SURFACE_H
 #define IDT_SURFACE_H

@@ -8,7 +8,7 @@
 #define IDT_TEXTURED_MESH_H
 
 #include "input/Surface.h"
-#include "kernels/Kernel.h"
+#include "number_types/run.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>

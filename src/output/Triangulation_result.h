@@ -9,7 +9,7 @@
 
 #include "system/Exit_status.h"
 #include "input/Surface.h"
-#include "kernels/Kernel.h"
+#include "number_types/run.h"
 #include "output/flatten.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -28,7 +28,7 @@ namespace idt {
 struct Triangulation_result
 {
   Surface surface;
-  Kernel_options options;
+  Run_options options;
   Outcome outcome;
   std::string smallest_size;                                // of a refinement, and why it was chosen
   std::optional<double> flat_tolerance;                     // how far the removal of flat vertices might move the surface, if at all

@@ -168,7 +168,7 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   const Surface_counts& counts = result.counts;
   const Outcome& outcome = result.outcome;
   const std::optional<Crossing_summary>& crossings = outcome.crossing_summary;
-  const std::optional<Weight_summary>&before = outcome.weights_before, &after = outcome.weights_after;
+  const std::optional<IT::Weight_summary>&before = outcome.weights_before, &after = outcome.weights_after;
 
   Json json;
   json["vertices"] = counts.vertices;
@@ -191,10 +191,10 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   json["multiple_edges"] = counts.multiple_edges;
   json["min_weight_before"] = before ? number(before->smallest) : Json(nullptr);
   json["min_weight_after"] = after ? number(after->smallest) : Json(nullptr);
-  json["negative_weights_before"] = member(before, &Weight_summary::negative);
-  json["negative_weights_after"] = member(after, &Weight_summary::negative);
-  json["infinite_weights_before"] = member(before, &Weight_summary::infinite);
-  json["infinite_weights_after"] = member(after, &Weight_summary::infinite);
+  json["negative_weights_before"] = member(before, &IT::Weight_summary::negative);
+  json["negative_weights_after"] = member(after, &IT::Weight_summary::negative);
+  json["infinite_weights_before"] = member(before, &IT::Weight_summary::infinite);
+  json["infinite_weights_after"] = member(after, &IT::Weight_summary::infinite);
   if (result.surface.untwisting)
     json["fast_forward"] = fast_forward(result);
   json["verification"] = verification(outcome);

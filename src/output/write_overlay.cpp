@@ -8,7 +8,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay/convex_polygon_triangulation.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -219,9 +218,8 @@ private:
     const Corners corners = corners_of(f);
     if (!are_triangles_ || corners.size() == 3)
       return visit(corners);
-    IT::internal::Convex_polygon_triangulation(places(corners)).for_each_triangle([&](std::size_t a, std::size_t b, std::size_t c) {
+    for (const auto& [a, b, c] : IT::triangulate_convex_polygon(places(corners)))
       visit(Corners{corners[a], corners[b], corners[c]});
-    });
   }
 
   // Calls `write(text, f, corners)` for each face of the file, a part of face f of the overlay.

@@ -33,7 +33,7 @@ void write_points(std::ostream& os, const Triangulation_result& result)
   for (const IT::Surface_point& point : result.outcome.refinement->points) {
     const IT::Face_index f = surface.connectivity.face(point.halfedge);
     os << vertex++ << ',' << f.idx();
-    for (double x : IT::internal::coordinates_from(surface.connectivity, point, surface.connectivity.halfedge(f)))
+    for (double x : IT::coordinates_from(surface.connectivity, point, surface.connectivity.halfedge(f)))
       os << ',' << in_full(x);
     if (surface.has_points())
       for (double x : place(surface, point))

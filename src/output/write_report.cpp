@@ -38,7 +38,7 @@ std::string stages_text(const CGAL::Intrinsic_triangulations::Stage_counts& coun
          with_separators(counts[Stage::MODULAR]) + " in finite fields";
 }
 
-std::string weights_text(const Weight_summary& summary)
+std::string weights_text(const CGAL::Intrinsic_triangulations::Weight_summary& summary)
 {
   std::string text = summary.smallest ? "smallest " + in_short(*summary.smallest) + ", " +
                                           with_separators(summary.negative) + " negative"
@@ -71,7 +71,7 @@ std::string shapes_text(const Outcome& outcome)
   return text + ", largest circumradius " + in_short(shapes.maximum_circumradius);
 }
 
-std::string number_type_text(const Kernel_options& options)
+std::string number_type_text(const Run_options& options)
 {
   std::string text = name(options.number_type);
   if (options.number_type == Number_type::MPFR)
@@ -117,16 +117,11 @@ std::string times_text(const Triangulation_result& result)
   return times;
 }
 
-} // namespace
-
-void write_report(std::ostream& os, const Triangulation_result& result, bool is_verbose)
+// What was read, and what was done to it before the flips.
+void write_surface(Report_writer& report, const Triangulation_result& result, bool is_verbose)
 {
   const Surface_counts& counts = result.counts;
-  const Outcome& outcome = result.outcome;
   const Surface& surface = result.surface;
-
-  os << surface.path << '\n';
-  Report_writer report(os);
   report.line("surface", counted(counts.vertices, "vertex", "vertices") + ", " +
                            counted(counts.edges, "edge", "edges") + ", " +
                            counted(counts.faces, "face", "faces"));
@@ -151,6 +146,12 @@ void write_report(std::ostream& os, const Triangulation_result& result, bool is_
   if (surface.untwisting)
     report.line("fast forward", surface.untwisting->number_of_flips.str() + (surface.untwisting->number_of_flips == 1 ? " flip in " : " flips in ") +
                                   counted(surface.untwisting->twists.size(), "twist", "twists"));
+}
+
+// Flips and new vertices.
+void write_changes(Report_writer& report, const Triangulation_result& result)
+{
+  const Outcome& outcome = result.outcome;
   report.line("flips", with_separators(outcome.report.flips) + " in " +
                          with_separators(outcome.report.tests) + " tests");
   if (outcome.refinement)
@@ -167,6 +168,17 @@ void write_report(std::ostream& os, const Triangulation_result& result, bool is_
                                (result.flattened->number_of_other_faces > 0
                                   ? "; without " + counted(result.flattened->number_of_other_faces, "face", "faces") + " with two equal corners"
                                   : ""));
+}
+
+} // namespace
+
+void write_report(std::ostream& os, const Triangulation_result& result, bool is_verbose)
+{
+  const Outcome& outcome = result.outcome;
+  os << result.surface.path << '\n';
+  Report_writer report(os);
+  write_surface(report, result, is_verbose);
+  write_changes(report, result);
   if (is_verbose)
     write_details(report, result);
   if (outcome.weights_before)
@@ -176,7 +188,8 @@ void write_report(std::ostream& os, const Triangulation_result& result, bool is_
   if (outcome.verification)
     report.line("verification", describe_verification(outcome));
 
-  report.line("time", (is_verbose ? times_text(result) + "; " : "") + seconds_text(surface.stopwatch.seconds()) + (is_verbose ? " in all" : ""));
+  report.line("time", (is_verbose ? times_text(result) + "; " : "") + seconds_text(result.surface.stopwatch.seconds()) +
+                        (is_verbose ? " in all" : ""));
   if (is_verbose)
     report.line("peak memory", in_short(double(peak_memory_bytes()) / (1 << 20)) + " MiB");
   report.line("status", describe_status(result));

@@ -28,7 +28,7 @@ public:
               CGAL::Intrinsic_triangulations::Halfedge_index first_side)
   {
     faces_.push_back(complex.face(first_side).idx());
-    for (double x : CGAL::Intrinsic_triangulations::internal::coordinates_from(complex, point, first_side))
+    for (double x : CGAL::Intrinsic_triangulations::coordinates_from(complex, point, first_side))
       coordinates_.push_back(x);
   }
 

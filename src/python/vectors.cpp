@@ -73,7 +73,7 @@ py::tuple frames(Surface& surface, const Doubles& points)
 {
   const auto p = copied_rows(points);
   const std::vector<IT::Vertex_frame> found = surface.use([&](const Triangulation& t) {
-    if (p.size() != IT::internal::engine(t).correspondence().input().number_of_vertices())
+    if (p.size() != t.input().number_of_vertices())
       throw IT::Invalid_argument_error("there is not a point for each vertex");
     return IT::vertex_frames(t, p);
   });

@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
@@ -385,12 +385,18 @@ TEST(Parallel_results, weights_areas_and_matrices)
 {
   for (const auto& [name, t] : surfaces()) {
     SCOPED_TRACE(name);
-    const std::vector<double> weights = IT::cotangent_weights(t), areas = IT::face_areas(t);
+    const std::vector<double> weights = IT::cotangent_weights(t), areas = IT::face_areas(t), cotangents = IT::cotangents(t);
+    const IT::Element_numbers numbers = IT::element_numbers(t);
     const Matrix stiffness = IT::stiffness_matrix(t), lumped = IT::lumped_mass_matrix(t),
                  Galerkin = IT::Galerkin_mass_matrix(t);
     for_each_number_of_threads([&, &t = t] {
       EXPECT_TRUE(are_same(IT::cotangent_weights<Parallel_tag>(t), weights));
       EXPECT_TRUE(are_same(IT::face_areas<Parallel_tag>(t), areas));
+      EXPECT_TRUE(are_same(IT::cotangents<Parallel_tag>(t), cotangents));
+      const IT::Element_numbers parallel = IT::element_numbers<Parallel_tag>(t);
+      EXPECT_TRUE(are_same(parallel.lengths, numbers.lengths));
+      EXPECT_TRUE(are_same(parallel.areas, numbers.areas));
+      EXPECT_TRUE(are_same(parallel.cotangent_weights, numbers.cotangent_weights));
       expect_same_matrix(stiffness, IT::stiffness_matrix<Parallel_tag>(t));
       expect_same_matrix(lumped, IT::lumped_mass_matrix<Parallel_tag>(t));
       expect_same_matrix(Galerkin, IT::Galerkin_mass_matrix<Parallel_tag>(t));

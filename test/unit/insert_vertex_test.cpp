@@ -8,7 +8,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
@@ -90,6 +90,18 @@ private:
 public:
   Triangulation triangulation;
 };
+
+TEST(Surface_point, has_coordinates_from_each_side_of_its_face)
+{
+  const samples::Indexed_triangles surface = samples::torus(6, 5);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
+  const IT::Halfedge_index h = complex.halfedge(IT::Face_index(7));
+  const IT::Surface_point point{h, {0.5, 0.25, 0.125}};
+  using Coordinates = std::array<double, 3>;
+  EXPECT_EQ(IT::coordinates_from(complex, point, h), (Coordinates{0.5, 0.25, 0.125}));
+  EXPECT_EQ(IT::coordinates_from(complex, point, complex.next(h)), (Coordinates{0.25, 0.125, 0.5}));
+  EXPECT_EQ(IT::coordinates_from(complex, point, complex.prev(h)), (Coordinates{0.125, 0.5, 0.25}));
+}
 
 TEST(Insert_vertex, lengths_in_a_plane_are_distances)
 {

@@ -265,7 +265,7 @@ TEST(Triangulate_overlay_faces, keeps_the_properties_of_corners_and_faces)
     materials[f].number = maps.input_face[f];
     const IT::Halfedge_index first = complex.halfedge(IT::Face_index(maps.input_face[f]));
     for (auto h : halfedges_around_face(mesh.halfedge(f), mesh)) {
-      const auto [a, b, c] = IT::internal::coordinates_from(complex, maps.input_point[h], first);
+      const auto [a, b, c] = IT::coordinates_from(complex, maps.input_point[h], first);
       uv[h] = Kernel::Point_2(2 * maps.input_face[f] + b / (a + b + c), c / (a + b + c));
     }
   }
@@ -284,6 +284,23 @@ TEST(Triangulate_overlay_faces, keeps_the_properties_of_corners_and_faces)
     sum += image;
   }
   EXPECT_NEAR(sum, input.number_of_faces() / 2., 1e-9 * sum);
+}
+
+TEST(Triangulate_convex_polygon, covers_it_without_flat_triangles)
+{
+  // The middle of a side is a corner, too.
+  const std::vector<std::array<double, 3>> polygon{{0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {2, 1, 1}, {0, 1, 1}};
+  const auto triangles = IT::triangulate_convex_polygon(polygon);
+  ASSERT_EQ(triangles.size(), 3u);
+  double sum = 0;
+  for (const auto& [a, b, c] : triangles) {
+    const auto& p = polygon[a];
+    const double area = ((polygon[b][0] - p[0]) * (polygon[c][1] - p[1]) - (polygon[b][1] - p[1]) * (polygon[c][0] - p[0])) / 2;
+    EXPECT_GE(area, 0.5);
+    sum += area;
+  }
+  EXPECT_EQ(sum, 2);
+  EXPECT_EQ(IT::triangulate_convex_polygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).size(), 1u);
 }
 
 TEST(Triangulate_overlay_faces, makes_no_triangle_of_zero_area_where_it_can)

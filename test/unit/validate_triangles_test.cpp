@@ -14,9 +14,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -458,6 +460,16 @@ TEST(Validate_triangles, the_quick_question_has_the_same_answer)
   compare(points, triangles);
   EXPECT_GT(plain, 30u);
   EXPECT_GT(ugly, 1000u);
+}
+
+TEST(Turned_triangles, make_neighbors_agree)
+{
+  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}};
+  // The second triangle runs against the first, the third with it; the last is a part of its own.
+  std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 3, 2}, {1, 4, 2}, {5, 7, 6}};
+  EXPECT_EQ(IT::turned_triangles(points, triangles), (std::vector<std::size_t>{1}));
+  std::swap(triangles[1][0], triangles[1][2]);
+  EXPECT_TRUE(IT::turned_triangles(points, triangles).empty());
 }
 
 } // namespace

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/convex_polygon_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
@@ -187,7 +188,7 @@ private:
   static Surface_point normalized(const Delta_complex& input, const Surface_point& point)
   {
     const Halfedge_index side = point.dimension() == 1 ? internal::side_of(input, point) : point.halfedge;
-    Surface_point result{side, internal::coordinates_from(input, point, side)};
+    Surface_point result{side, coordinates_from(input, point, side)};
     const double sum = result.coordinates[0] + result.coordinates[1] + result.coordinates[2];
     for (double& x : result.coordinates)
       x /= sum;
@@ -339,6 +340,18 @@ private:
   Overlay overlay_;
   Overlay_positions positions_;
 };
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
+/// \brief returns the triangles of a convex polygon, such as a face of the overlay, so that the smallest has the largest area.
+/// \param corners the polygon, counterclockwise; three at least
+/// \return three indices of corners for each triangle, counterclockwise. O(n³)
+inline std::vector<std::array<std::size_t, 3>> triangulate_convex_polygon(const std::vector<std::array<double, 3>>& corners)
+{
+  std::vector<std::array<std::size_t, 3>> result;
+  internal::Convex_polygon_triangulation(corners).for_each_triangle(
+    [&](std::size_t a, std::size_t b, std::size_t c) { result.push_back({a, b, c}); });
+  return result;
+}
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

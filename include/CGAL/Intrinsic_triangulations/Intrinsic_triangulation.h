@@ -153,6 +153,17 @@ public:
     return t;
   }
 
+  /// \brief as above, with lengths of any number type, which are rounded to `FT` if it cannot hold them.
+  template <class LengthRange>
+  static Intrinsic_triangulation from_lengths(Delta_complex connectivity, const LengthRange& lengths, const Traits& traits = Traits())
+  {
+    std::vector<FT> converted_lengths;
+    converted_lengths.reserve(std::size_t(std::distance(lengths.begin(), lengths.end())));
+    for (const auto& length : lengths)
+      converted_lengths.push_back(internal::convert_number<FT>(length));
+    return from_lengths(std::move(connectivity), std::move(converted_lengths), traits);
+  }
+
   /// \brief constructs the triangulation of a surface from its exact metric, as `metric_from_squared_lengths()`
   /// returns it for rational coordinates.
   ///

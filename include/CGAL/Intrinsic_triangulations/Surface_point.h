@@ -56,10 +56,9 @@ struct Surface_direction
   std::array<double, 2> displacement;
 };
 
-/// \cond SKIP_IN_MANUAL
-namespace internal {
-
-// The coordinates of a point relative to another halfedge of its face.
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief returns the coordinates of `point` relative to another halfedge of its face.
+/// \pre `first` is a side of the face of `point.halfedge`
 inline std::array<double, 3> coordinates_from(const Delta_complex& complex, const Surface_point& point, Halfedge_index first)
 {
   const auto& [a, b, c] = point.coordinates;
@@ -70,6 +69,9 @@ inline std::array<double, 3> coordinates_from(const Delta_complex& complex, cons
   CGAL_assertion(first == complex.prev(point.halfedge));
   return {c, a, b};
 }
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
 
 // The side of its face that a point on an edge lies on.
 inline Halfedge_index side_of(const Delta_complex& complex, const Surface_point& point)

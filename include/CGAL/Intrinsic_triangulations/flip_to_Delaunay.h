@@ -94,7 +94,11 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
   if constexpr (Traits::Uses_exact_geometry::value &&
                 !parameters::is_default_parameter<NamedParameters, Parameter_tag<Parameter::TIE_PROOF>>::value)
     triangulation.set_tie_proof(get_parameter(np, Parameter_tag<Parameter::TIE_PROOF>()));
-  return flip_all<ConcurrencyTag>(Whole_triangulation<Traits>(triangulation), is_constrained, observer, budget);
+  if constexpr (decltype(observer)::template sees_tests<typename Traits::Boolean>)
+    return flip_all<Sequential_tag>(Watched_triangulation<Traits, decltype(observer)>(triangulation, observer), is_constrained,
+                                    observer, budget);
+  else
+    return flip_all<ConcurrencyTag>(Whole_triangulation<Traits>(triangulation), is_constrained, observer, budget);
 }
 
 } // namespace internal

@@ -111,6 +111,13 @@ class Observer
   struct Has_after_insertion<V, std::void_t<decltype(std::declval<V&>().after_insertion(Vertex_index()))>> : std::true_type
   {};
 
+  template <class V, class Boolean, class = void>
+  struct Has_after_test : std::false_type
+  {};
+  template <class V, class Boolean>
+  struct Has_after_test<V, Boolean, std::void_t<decltype(std::declval<V&>().after_test(Edge_index(), std::declval<Boolean>()))>> : std::true_type
+  {};
+
   using Visitor = std::remove_reference_t<decltype(unwrapped(std::declval<Given&>()))>;
   static_assert(Is_visitor<Visitor>::value || std::is_invocable_r_v<bool, Visitor&, const Progress&> ||
                   std::is_invocable_r_v<bool, Visitor&, double> || std::is_invocable_r_v<bool, Visitor&>,
@@ -119,6 +126,9 @@ class Observer
 
 public:
   using Is_silent = Boolean_tag<std::is_same<std::remove_const_t<Visitor>, Default_visitor>::value>;
+
+  template <class Boolean>
+  static constexpr bool sees_tests = Has_after_test<Visitor, Boolean>::value;
 
   explicit Observer(Given given) : given_(std::move(given)) {}
 
@@ -143,6 +153,11 @@ public:
   {
     if constexpr (Has_after_flip<Visitor>::value)
       unwrapped(given_).after_flip(e);
+  }
+  template <class Boolean>
+  void after_test(Edge_index e, const Boolean& is_Delaunay)
+  {
+    unwrapped(given_).after_test(e, is_Delaunay);
   }
   void before_step([[maybe_unused]] const Refinement_progress& progress)
   {

@@ -16,6 +16,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -87,6 +88,31 @@ public:
 
 private:
   Triangulation& triangulation_;
+};
+
+// A triangulation whose edges all come to the test, of which a visitor is told.
+template <class Traits_, class Visitor>
+class Watched_triangulation : public Whole_triangulation<Traits_>
+{
+  using Base = Whole_triangulation<Traits_>;
+
+public:
+  Watched_triangulation(typename Base::Triangulation& triangulation, Visitor& visitor)
+    : Base(triangulation), visitor_(visitor)
+  {}
+
+  bool is_known_Delaunay(Edge_index) const { return false; }
+  unsigned are_known_Delaunay(Edge_index) const { return 0; }
+  void count_as_tested(std::uint64_t) {}
+  typename Base::Boolean test_and_recompute(Edge_index e)
+  {
+    const typename Base::Boolean answer = Base::test_and_recompute(e);
+    visitor_.after_test(e, answer);
+    return answer;
+  }
+
+private:
+  Visitor& visitor_;
 };
 
 } // namespace internal

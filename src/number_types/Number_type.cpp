@@ -1,7 +1,10 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "kernels/Number_type.h"
+#include "number_types/Number_type.h"
+
+#include <cstddef>
+#include <iterator>
 
 namespace idt {
 namespace {
@@ -40,10 +43,12 @@ const char* description(Number_type number_type)
 
 const std::vector<Number_type>& number_types()
 {
-  static const std::vector<Number_type> all = {
-    Number_type::FILTERED, Number_type::DOUBLE, Number_type::FLOAT,
-    Number_type::LONG_DOUBLE, Number_type::FLOAT128, Number_type::INTERVAL,
-    Number_type::MPFR, Number_type::CORE, Number_type::HALF_ANGLE_DOUBLE, Number_type::HALF_ANGLE_CORE};
+  static const std::vector<Number_type> all = [] {
+    std::vector<Number_type> result;
+    for (std::size_t i = 0; i < std::size(entries); ++i)
+      result.push_back(static_cast<Number_type>(i));
+    return result;
+  }();
   return all;
 }
 

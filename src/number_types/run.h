@@ -1,23 +1,22 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The one interface behind which each number type is compiled by itself: a surface goes
-// in, its intrinsic Delaunay triangulation comes out as plain numbers.
+// A surface goes in, its intrinsic Delaunay triangulation comes out as plain numbers, whatever number type made it.
 
-#ifndef IDT_KERNELS_KERNEL_H
-#define IDT_KERNELS_KERNEL_H
+#ifndef IDT_NUMBER_TYPES_RUN_H
+#define IDT_NUMBER_TYPES_RUN_H
 
-#include "kernels/Number_type.h"
 #include "input/Surface.h"
+#include "number_types/Number_type.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/untwist.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
-#include <CGAL/Intrinsic_triangulations/reports.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <array>
@@ -85,7 +84,7 @@ struct Refinement_options
   std::function<bool(const CGAL::Intrinsic_triangulations::Refinement_progress&, const std::function<Short_side()>&)> gives_up;
 };
 
-struct Kernel_options
+struct Run_options
 {
   Number_type number_type = default_number_type;
   int precision = 128; // bits at least, for MPFR alone
@@ -105,7 +104,7 @@ using Continue_refining_function = std::function<bool(const CGAL::Intrinsic_tria
 struct Job
 {
   const Surface& surface;
-  Kernel_options options;
+  Run_options options;
   Continue_function go_further;
   // Is asked during exact decisions that take long, which end if it says no: what they were for is not
   // found out then, or taken from the stored numbers.
@@ -113,14 +112,6 @@ struct Job
   // Is asked during the construction of the overlay, which is left out if it says no, and once right after the flips.
   CGAL::Intrinsic_triangulations::Progress_function overlay_progress;
   Continue_refining_function refine_further = {};
-};
-
-// The smallest cotangent weight of an interior edge, and how many are negative.
-struct Weight_summary
-{
-  std::optional<double> smallest; // of those that are finite
-  std::size_t negative = 0;
-  std::size_t infinite = 0; // of all edges, the boundary too: those beside a face of zero area
 };
 
 // What the normal coordinates tell.
@@ -163,22 +154,14 @@ struct Shape_summary
   double maximum_circumradius = 0;             // infinite beside a face of zero area
 };
 
-// The numbers that belong to a triangulation.
-struct Numbers
-{
-  std::vector<double> lengths; // for each edge
-  std::vector<double> weights; // for each edge, cot + cot
-  std::vector<double> areas;   // for each face
-};
-
 // No number is NaN. A weight beside a face of zero area is infinite. What was not wanted,
 // or could not be found out, is empty.
 struct Outcome
 {
   CGAL::Intrinsic_triangulations::Delta_complex connectivity;
-  Numbers numbers;                     // of the result
-  Numbers input_numbers;               // before the flips
-  std::vector<std::int64_t> crossings; // for each edge: -1 if it is an input edge
+  CGAL::Intrinsic_triangulations::Element_numbers numbers;       // of the result
+  CGAL::Intrinsic_triangulations::Element_numbers input_numbers; // before the flips
+  std::vector<std::int64_t> crossings;                           // for each edge: -1 if it is an input edge
   // For each edge, where the surface was untwisted: how often it crosses edges of the surface before that.
   std::optional<CGAL::Intrinsic_triangulations::Crossing_counts> original_crossings;
   std::vector<double> exact_lengths; // for each edge, correctly rounded but for one unit
@@ -189,8 +172,8 @@ struct Outcome
   bool is_interrupted = false;      // something was left out because the caller said no, beside flips
   // How many tests each stage decided, for the number type that has stages.
   std::optional<CGAL::Intrinsic_triangulations::Stage_counts> stages;
-  std::optional<Weight_summary> weights_before;
-  std::optional<Weight_summary> weights_after;
+  std::optional<CGAL::Intrinsic_triangulations::Weight_summary> weights_before;
+  std::optional<CGAL::Intrinsic_triangulations::Weight_summary> weights_after;
   std::optional<Crossing_summary> crossing_summary;
   std::optional<CGAL::Intrinsic_triangulations::Common_subdivision> subdivision;
   std::optional<Tessellation_summary> tessellation;
@@ -210,18 +193,6 @@ struct Outcome
 // \exception Undecided_error if it cannot decide something that the construction needs
 Outcome run(const Job& job);
 
-// One for each number type, each in a file of its own.
-Outcome run_filtered(const Job& job);
-Outcome run_double(const Job& job);
-Outcome run_float(const Job& job);
-Outcome run_long_double(const Job& job);
-Outcome run_float128(const Job& job);
-Outcome run_interval(const Job& job);
-Outcome run_mpfr(const Job& job);
-Outcome run_core(const Job& job);
-Outcome run_half_angle_double(const Job& job);
-Outcome run_half_angle_core(const Job& job);
-
 } // namespace idt
 
-#endif // IDT_KERNELS_KERNEL_H
+#endif // IDT_NUMBER_TYPES_RUN_H

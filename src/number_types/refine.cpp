@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "kernels/refine.h"
+#include "number_types/refine.h"
 
 #include "system/Stopwatch.h"
 

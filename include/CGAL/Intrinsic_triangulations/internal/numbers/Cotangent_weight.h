@@ -3,11 +3,11 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Cotangent weights and areas of a whole triangulation as doubles, at the speed of the stored
-// numbers where these are good enough, and exactly where they are not.
+// Cotangent weights and areas for matrices: at the speed of the stored numbers where these are good enough, and from the input where
+// they are not.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COTANGENT_WEIGHTS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_COTANGENT_WEIGHTS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_COTANGENT_WEIGHT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_COTANGENT_WEIGHT_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
@@ -17,8 +17,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_with_bound.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/prefetch.h>
 
@@ -38,8 +38,6 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
-
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 [[noreturn]] inline void throw_no_cotangent(Face_index f)
@@ -48,6 +46,17 @@ namespace internal {
                               "face " + std::to_string(f.idx()) +
                                 " has no area, so that its cotangents are infinite: remove it, "
                                 "or mollify the lengths first");
+}
+
+// Decided, where the traits can.
+template <class Triangulation>
+bool has_positive_area(const Triangulation& triangulation, Face_index f)
+{
+  if constexpr (Triangulation::uses_exact_geometry) // the stored bound mostly knows
+    return triangulation.traits().has_positive_area_object()(triangulation.face_data(f)) ||
+           internal::engine(triangulation).sign_of_area(f) == POSITIVE;
+  else
+    return certainly(triangulation.area(f) > typename Triangulation::FT(0));
 }
 
 // Throws unless the faces beside an edge have positive area.
@@ -59,12 +68,7 @@ void require_positive_areas(const Triangulation& triangulation, Edge_index e)
   for (Halfedge_index side : {h, complex.opposite(h)}) {
     if (complex.is_border(side))
       continue;
-    const Face_index f = complex.face(side);
-    if constexpr (Triangulation::uses_exact_geometry) {
-      if (!triangulation.traits().has_positive_area_object()(triangulation.face_data(f)) &&
-          internal::engine(triangulation).sign_of_area(f) != POSITIVE)
-        throw_no_cotangent(f);
-    } else if (!certainly(triangulation.area(f) > typename Triangulation::FT(0)))
+    if (const Face_index f = complex.face(side); !has_positive_area(triangulation, f))
       throw_no_cotangent(f);
   }
 }
@@ -137,7 +141,7 @@ public:
   Known_cotangents& operator=(const Known_cotangents&) = delete;
 
   // Opposite to h; zero on the border.
-  Number operator()(const internal::Exact_engine& engine, Halfedge_index h)
+  Number operator()(const Exact_engine& engine, Halfedge_index h)
   {
   const Delta_complex& complex = engine.connectivity();
     if (complex.is_border(h))
@@ -233,7 +237,7 @@ private:
                                           const Bounded_double& stored_l) const
   {
     if constexpr (Triangulation::uses_exact_geometry) {
-      const internal::Exact_engine& engine = internal::engine(triangulation_);
+      const Exact_engine& engine = internal::engine(triangulation_);
       const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
       double weight;
       if (!is_sign_alone) {
@@ -319,63 +323,7 @@ private:
 };
 
 } // namespace internal
-/// \endcond
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-/// \brief returns the cotangent weight of each edge, in the order of the edges: the sum of the
-/// cotangents of the one or two opposite angles, without a factor and dimensionless.
-///
-/// With `Filtered_edge_length_traits` each weight is within `2^-32 (1 + |cot k| + |cot l|)` of
-/// the exact one and has its sign, and the weight of a tie is exactly zero. So on an exact intrinsic
-/// Delaunay triangulation no weight of an interior edge is negative. The exact geometry is used only
-/// where the stored numbers are not accurate enough. With other traits
-/// the weights are those of their number type, and none is negative if its test says that
-/// the edge is Delaunay. A border edge has one angle, which may be obtuse.
-///
-/// \exception Invalid_surface_error if a face has zero area
-///
-/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the weights are
-///   the same
-///
-/// O(size), except for the edges that need the exact geometry.
-/// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 3.1.
-template <class ConcurrencyTag = Sequential_tag, class Traits>
-std::vector<double> cotangent_weights(const Intrinsic_triangulation<Traits>& triangulation)
-{
-  return internal::numbers_of_elements<ConcurrencyTag, Edge_index>(
-    triangulation.connectivity().number_of_edges(), internal::Cotangent_weight<Traits>(triangulation));
-}
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-/// \brief returns the area of each face, in the order of the faces and in the unit of the
-/// input.
-///
-/// With `Filtered_edge_length_traits` the relative error is at most `2^-32`; with other traits
-/// the areas are those of the number type. O(size), except for the faces that need the exact geometry.
-/// \exception Invalid_surface_error if the unit of the input is so large that an area is beyond the
-///   range of `double`, or, with `Filtered_edge_length_traits`, so small that it is below
-/// \tparam ConcurrencyTag as for `cotangent_weights()`
-template <class ConcurrencyTag = Sequential_tag, class Traits>
-std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulation)
-{
-  return internal::numbers_of_elements<ConcurrencyTag, Face_index>(
-    triangulation.connectivity().number_of_faces(), internal::Face_area<Traits>(triangulation));
-}
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-/// \brief returns the length of each edge, in the order of the edges and in the unit of the
-/// input, as returned by `Intrinsic_triangulation::length()`.
-template <class Traits>
-std::vector<double> edge_lengths(const Intrinsic_triangulation<Traits>& triangulation)
-{
-  std::vector<double> result;
-  result.reserve(triangulation.connectivity().number_of_edges());
-  for (Edge_index e : triangulation.connectivity().edges())
-    result.push_back(CGAL::to_double(triangulation.length(e)));
-  return result;
-}
-
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_COTANGENT_WEIGHTS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_COTANGENT_WEIGHT_H

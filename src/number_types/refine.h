@@ -3,10 +3,10 @@
 //
 // Delaunay refinement, compiled once: it needs exact geometry.
 
-#ifndef IDT_KERNELS_REFINE_H
-#define IDT_KERNELS_REFINE_H
+#ifndef IDT_NUMBER_TYPES_REFINE_H
+#define IDT_NUMBER_TYPES_REFINE_H
 
-#include "kernels/Kernel.h"
+#include "number_types/run.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
@@ -40,4 +40,4 @@ std::vector<bool> constrained_parts(const Filtered_triangulation& triangulation,
 
 } // namespace idt
 
-#endif // IDT_KERNELS_REFINE_H
+#endif // IDT_NUMBER_TYPES_REFINE_H

@@ -3,8 +3,8 @@
 //
 // The number types that a user can choose, and what they are called.
 
-#ifndef IDT_NUMBER_TYPE_H
-#define IDT_NUMBER_TYPE_H
+#ifndef IDT_NUMBER_TYPES_NUMBER_TYPE_H
+#define IDT_NUMBER_TYPES_NUMBER_TYPE_H
 
 #include <optional>
 #include <string>
@@ -42,4 +42,4 @@ std::vector<std::string> number_type_names();
 
 } // namespace idt
 
-#endif // IDT_NUMBER_TYPE_H
+#endif // IDT_NUMBER_TYPES_NUMBER_TYPE_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "kernels/Core_diagnostics.h"
+#include "number_types/Core_diagnostics.h"
 
 #include "system/system_calls.h"
 

@@ -3,8 +3,8 @@
 //
 // Keeps CORE from writing to the folder of the user.
 
-#ifndef IDT_KERNELS_CORE_DIAGNOSTICS_H
-#define IDT_KERNELS_CORE_DIAGNOSTICS_H
+#ifndef IDT_NUMBER_TYPES_CORE_DIAGNOSTICS_H
+#define IDT_NUMBER_TYPES_CORE_DIAGNOSTICS_H
 
 #include <string>
 
@@ -28,4 +28,4 @@ private:
 
 } // namespace idt
 
-#endif // IDT_KERNELS_CORE_DIAGNOSTICS_H
+#endif // IDT_NUMBER_TYPES_CORE_DIAGNOSTICS_H
