@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -212,6 +213,17 @@ bool is_clean(const Delta_complex& complex, const PointRange& points)
   }
   return true;
 }
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief returns which triangles to turn over, by exchanging two corners, so that neighbors agree; in increasing order.
+///
+/// The first triangle of each part that edges join stays as it is. Where an even number of triangles meets at an edge,
+/// directions alternate around it, as they do around solids that touch. A surface that is one-sided is cut open
+/// somewhere.
+/// \param points the positions of the vertices
+/// \param triangles three different vertices for each triangle
+std::vector<std::size_t> turned_triangles(const std::vector<std::array<double, 3>>& points,
+                                          const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
