@@ -11,7 +11,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>

@@ -43,8 +43,7 @@ py::array turned_faces(const Doubles& points, const Indices& triangles)
   const auto faces = copied_rows(triangles);
   return to_array(without_lock([&] {
     const std::vector<std::size_t> turned = IT::turned_triangles(rows, faces);
-    const std::vector<std::int64_t> result(turned.begin(), turned.end());
-    return result;
+    return std::vector<std::int64_t>(turned.begin(), turned.end());
   }));
 }
 

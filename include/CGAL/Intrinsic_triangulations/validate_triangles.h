@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Length_range.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
@@ -24,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -217,20 +217,13 @@ bool is_clean(const Delta_complex& complex, const PointRange& points)
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief returns which triangles to turn over, by exchanging two corners, so that neighbors agree; in increasing order.
 ///
-/// The first triangle of each part that edges join stays as it is. Where an even number of triangles meets at an edge, directions
-/// alternate around it, as they do around solids that touch. A surface that is one-sided is cut open somewhere.
+/// The first triangle of each part that edges join stays as it is. Where an even number of triangles meets at an edge,
+/// directions alternate around it, as they do around solids that touch. A surface that is one-sided is cut open
+/// somewhere.
 /// \param points the positions of the vertices
 /// \param triangles three different vertices for each triangle
-inline std::vector<std::size_t> turned_triangles(const std::vector<std::array<double, 3>>& points,
-                                                 const std::vector<std::array<std::uint32_t, 3>>& triangles)
-{
-  const internal::Surface_gluer gluer(internal::Points(points.begin(), points.end()), triangles);
-  std::vector<std::size_t> result;
-  for (std::size_t f = 0; f < triangles.size(); ++f)
-    if (gluer.is_turned(f))
-      result.push_back(f);
-  return result;
-}
+std::vector<std::size_t> turned_triangles(const std::vector<std::array<double, 3>>& points,
+                                          const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

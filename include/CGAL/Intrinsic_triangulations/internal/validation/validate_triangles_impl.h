@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VALIDATE_TRIANGLES_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VALIDATE_TRIANGLES_IMPL_H
 
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
 
@@ -15,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -544,6 +546,19 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void throw_if_fatal(const Surface_report& r
   if (fatal != nullptr)
     throw Invalid_surface_error(fatal->defect, fatal->elements.empty() ? 0 : fatal->elements.front(),
                                 fatal->count, message(report, name));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::vector<std::size_t> turned_triangles(const std::vector<std::array<double, 3>>& points,
+                                          const std::vector<std::array<std::uint32_t, 3>>& triangles)
+{
+  const internal::Points places(points.begin(), points.end());
+  const internal::Surface_gluer gluer(places, triangles);
+  std::vector<std::size_t> result;
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    if (gluer.is_turned(f))
+      result.push_back(f);
+  return result;
 }
 
 } // namespace Intrinsic_triangulations
