@@ -23,7 +23,6 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
-#include <vector>
 
 namespace idt {
 
@@ -95,17 +94,27 @@ private:
   std::uint64_t number_of_wrong_ = 0;
 };
 
-template <class Traits, class Visitor, class NamedParameters>
-void flip(IT::Intrinsic_triangulation<Traits>& triangulation, const Job& job, Visitor& visitor, const NamedParameters& parameters,
-          Outcome& outcome)
+template <class Traits, class Visitor>
+IT::Flip_report flip_with(IT::Intrinsic_triangulation<Traits>& triangulation, const Job& job, Visitor& visitor)
 {
   const std::uint64_t budget = job.options.maximum_number_of_flips.value_or(
     Traits::Has_exact_decisions::value
       ? (std::numeric_limits<std::uint64_t>::max)()
       : IT::default_maximum_number_of_flips(triangulation.connectivity().number_of_edges()));
+  const auto parameters = CGAL::parameters::visitor(std::ref(visitor)).maximum_number(budget);
+  if constexpr (Traits::Uses_exact_geometry::value)
+    if (job.options.refinement)
+      return IT::flip_to_Delaunay(triangulation,
+                                  parameters.edge_is_constrained_map(Edge_flags{&job.options.refinement->is_constrained}));
+  return IT::flip_to_Delaunay(triangulation, parameters);
+}
+
+template <class Traits, class Visitor>
+void flip(IT::Intrinsic_triangulation<Traits>& triangulation, const Job& job, Visitor& visitor, Outcome& outcome)
+{
   const Stopwatch stopwatch;
   try {
-    outcome.report = IT::flip_to_Delaunay(triangulation, parameters.visitor(std::ref(visitor)).maximum_number(budget));
+    outcome.report = flip_with(triangulation, job, visitor);
   } catch (const IT::Invalid_surface_error&) {
     throw;
   } catch (const IT::Cancelled_error&) {
@@ -126,16 +135,13 @@ void flip(IT::Intrinsic_triangulation<Traits>& triangulation, const Job& job, Vi
 template <class Traits>
 void flip(IT::Intrinsic_triangulation<Traits>& triangulation, const Job& job, Outcome& outcome)
 {
-  const std::vector<bool> none;
-  const auto constraints =
-    CGAL::parameters::edge_is_constrained_map(Edge_flags{job.options.refinement ? &job.options.refinement->is_constrained : &none});
   if (job.options.wanted.wrong_decisions) {
     Decision_counter<Traits> counter(triangulation, job.go_further, outcome.original_crossings);
-    flip(triangulation, job, counter, constraints, outcome);
+    flip(triangulation, job, counter, outcome);
     outcome.wrong_decisions = counter.number_of_wrong();
   } else {
     Asking_visitor<Traits> visitor(triangulation, job.go_further, outcome.original_crossings);
-    flip(triangulation, job, visitor, constraints, outcome);
+    flip(triangulation, job, visitor, outcome);
   }
 }
 

@@ -88,6 +88,9 @@ private:
     if (complex_.is_border(h))
       return true;
     const Face_index f = complex_.face(h);
+    if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry)
+      if (triangulation_.traits().has_positive_area_object()(triangulation_.face_data(f))) // mostly known, and sooner than by memory
+        return true;
     std::int8_t& answer = has_area_[f.idx()];
     if (answer == unknown)
       answer = has_positive_area(triangulation_, f);
