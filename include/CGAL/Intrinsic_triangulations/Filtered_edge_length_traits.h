@@ -53,12 +53,13 @@ struct Two_bounded_areas
   Bounded_area first() const { return {value.first(), error.first()}; }
   Bounded_area second() const { return {value.second(), error.second()}; }
 };
-inline Two_bounded_areas two(const Bounded_area& a, const Bounded_area& b)
+
+} // namespace internal
+
+inline internal::Two_bounded_areas two(const Bounded_area& a, const Bounded_area& b)
 {
   return {{a.value, b.value}, {a.error, b.error}};
 }
-
-} // namespace internal
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
