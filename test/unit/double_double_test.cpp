@@ -3,10 +3,9 @@
 //
 // Sums of two doubles, and doubles, against rational numbers: no result is farther from the truth than its bound says.
 
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Disk.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_with_bound.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 
 #include <gtest/gtest.h>

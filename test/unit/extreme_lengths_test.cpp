@@ -81,13 +81,14 @@ void expect_bound(const IT::Bounded_area& area, const Rational& square)
 
 TEST(Extreme_lengths, AreasStayWithinTheirBoundsWhereProductsUnderflow)
 {
+  using Point_data = IT::Filtered_edge_length_traits::Point_data;
   const IT::Filtered_edge_length_traits traits;
   for (double scale = 1; scale > 1e-150; scale *= 0x1.8p-3) {
     const double a = 1.25 * scale, b = 1.5 * scale, c = 1.75 * scale;
     expect_bound(traits.construct_face_data_object().from_lengths(a, b, c),
                  IT::squared_four_areas(Rational(a) * Rational(a), Rational(b) * Rational(b), Rational(c) * Rational(c)));
     // A right angle between sides a and b.
-    expect_bound(traits.construct_face_data_object()({0, 0, 0}, {a, 0, 0}, {0, b, 0}),
+    expect_bound(traits.construct_face_data_object()(Point_data{0, 0, 0}, Point_data{a, 0, 0}, Point_data{0, b, 0}),
                  Rational(4) * Rational(a) * Rational(a) * Rational(b) * Rational(b));
   }
 }

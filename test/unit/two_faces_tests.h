@@ -149,10 +149,10 @@ TYPED_TEST(Two_faces, have_the_numbers_of_each)
     const auto both = [&](int i) {
       return IT::internal::Two_points{Two_doubles(s[i][0], t[i][0]), Two_doubles(s[i][1], t[i][1]), Two_doubles(s[i][2], t[i][2])};
     };
-    const Two_doubles pq = edge.of_two(both(0), both(1)), qr = edge.of_two(both(1), both(2)),
-                      pr = edge.of_two(both(0), both(2));
-    const auto areas = face.of_two(both(0), both(1), both(2));
-    const auto of_corners = bounds.of_two(areas, pq, qr, pr);
+    const Two_doubles pq = edge(both(0), both(1)), qr = edge(both(1), both(2)),
+                      pr = edge(both(0), both(2));
+    const auto areas = face(both(0), both(1), both(2));
+    const auto of_corners = bounds(areas, pq, qr, pr);
     int number = 0;
     for (const auto& u : {s, t}) {
       const auto of_face = face(u[0], u[1], u[2]);

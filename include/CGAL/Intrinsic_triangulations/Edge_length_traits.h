@@ -64,24 +64,17 @@ public:
   using Has_exact_decisions = typename Algebraic_structure_traits<FT>::Is_exact;
   /// no decision needs more than the data of the hinge
   using Uses_exact_geometry = Tag_false;
-  /// \cond SKIP_IN_MANUAL
-  using Takes_two_faces = std::conditional_t<std::is_same<FT_, double>::value, Edge_length_traits, void>;
-  /// \endcond
 
   /// makes the data of an edge from its end points or its length.
   struct Construct_edge_data
   {
-    /// makes the edge from `p` to `q`.
-    Edge_data operator()(const Point_data& p, const Point_data& q) const
+    /// \brief makes the edge from `p` to `q`.
+    /// \tparam Number `FT`, or two numbers for two edges
+    template <class Number>
+    Number operator()(const std::array<Number, 3>& p, const std::array<Number, 3>& q) const
     {
       return internal::squared_distance_3(p, q);
     }
-    /// \cond SKIP_IN_MANUAL
-    internal::Two_doubles of_two(const internal::Two_points& p, const internal::Two_points& q) const
-    {
-      return internal::squared_distance_3(p, q);
-    }
-    /// \endcond
     /// makes the edge of this length.
     Edge_data from_length(const FT& length) const { return length * length; }
   };
@@ -89,18 +82,13 @@ public:
   /// makes the data of a face from its corners, or from the lengths of its edges.
   struct Construct_face_data
   {
-    /// makes the face with these corners.
-    Face_data operator()(const Point_data& p, const Point_data& q, const Point_data& r) const
+    /// \brief makes the face with these corners.
+    /// \tparam Number `FT`, or two numbers for two faces
+    template <class Number>
+    Number operator()(const std::array<Number, 3>& p, const std::array<Number, 3>& q, const std::array<Number, 3>& r) const
     {
       return internal::four_areas_3(p, q, r);
     }
-    /// \cond SKIP_IN_MANUAL
-    internal::Two_doubles of_two(const internal::Two_points& p, const internal::Two_points& q,
-                                 const internal::Two_points& r) const
-    {
-      return internal::four_areas_3(p, q, r);
-    }
-    /// \endcond
     /// makes the face with sides of these lengths.
     /// \pre the lengths obey the triangle inequality
     Face_data from_lengths(const FT& ij, const FT& jk, const FT& ki) const
@@ -183,15 +171,10 @@ public:
     {
       return internal::rounded(internal::cotangent_bounds(ij, jk, ki, ijk));
     }
-    std::array<internal::Two_doubles, 3> of_two(const internal::Two_doubles& ijk, const internal::Two_doubles& ij,
-                                                const internal::Two_doubles& jk, const internal::Two_doubles& ki) const
+    std::array<internal::Two_doubles, 3> operator()(const internal::Two_doubles& ijk, const internal::Two_doubles& ij,
+                                                    const internal::Two_doubles& jk, const internal::Two_doubles& ki) const
     {
       return internal::cotangent_bounds(ij, jk, ki, ijk);
-    }
-    std::array<internal::Two_doubles, 3> of_two(double ijk, double other, const internal::Two_doubles& ij,
-                                                const internal::Two_doubles& jk, const internal::Two_doubles& ki) const
-    {
-      return of_two({ijk, other}, ij, jk, ki);
     }
   };
   // What is computed in float can be too far from what it stands for to be bounded in float,

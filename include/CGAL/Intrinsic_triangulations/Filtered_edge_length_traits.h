@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_FILTERED_EDGE_LENGTH_TRAITS_H
 
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
@@ -55,6 +55,11 @@ struct Two_bounded_areas
 };
 
 } // namespace internal
+
+inline internal::Two_bounded_areas two(const Bounded_area& a, const Bounded_area& b)
+{
+  return {{a.value, b.value}, {a.error, b.error}};
+}
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
@@ -112,25 +117,18 @@ public:
   using Has_exact_decisions = Tag_true;
   /// undecided tests are passed on to the `Exact_geometry` of the triangulation
   using Uses_exact_geometry = Tag_true;
-  /// \cond SKIP_IN_MANUAL
-  using Takes_two_faces = Filtered_edge_length_traits;
-  /// \endcond
 
   /// makes the squared length of an edge, with a relative error of at most 6 u.
   struct Construct_edge_data
   {
     // Each difference, square and sum adds at most u, and nothing cancels: right up to 6 u.
-    /// makes the edge from p to q.
-    Edge_data operator()(const Point_data& p, const Point_data& q) const
+    /// \brief makes the edge from p to q.
+    /// \tparam Number `double`, or two of them for two edges
+    template <class Number>
+    Number operator()(const std::array<Number, 3>& p, const std::array<Number, 3>& q) const
     {
       return internal::squared_distance_3(p, q);
     }
-    /// \cond SKIP_IN_MANUAL
-    internal::Two_doubles of_two(const internal::Two_points& p, const internal::Two_points& q) const
-    {
-      return internal::squared_distance_3(p, q);
-    }
-    /// \endcond
     /// makes the edge of this length.
     Edge_data from_length(double length) const { return length * length; }
   };
@@ -142,18 +140,15 @@ public:
     // the absolute values of their two terms, the vector by at most 4 √2 u |v| |w|; norm
     // and root add less than 3 u a. With a <= 2 |v| |w| <= v² + w², 9 u (v² + w²) covers
     // the error of a = 2 |v × w|. Hence (2), and (1) as 1.5 · 6 < 14.
-    /// makes the face with these corners.
-    Face_data operator()(const Point_data& p, const Point_data& q, const Point_data& r) const
+    /// \brief makes the face with these corners.
+    /// \tparam Number `double`, or two of them for two faces
+    template <class Number>
+    auto operator()(const std::array<Number, 3>& p, const std::array<Number, 3>& q, const std::array<Number, 3>& r) const
     {
-      return {internal::four_areas_3(p, q, r), initial_error(p, q, r)};
+      using Areas = std::conditional_t<std::is_same<Number, double>::value, Bounded_area, internal::Two_bounded_areas>;
+      const Number sum = internal::squared_distance_3(p, q) + internal::squared_distance_3(q, r) + internal::squared_distance_3(p, r);
+      return Areas{internal::four_areas_3(p, q, r), initial_error(sum)};
     }
-    /// \cond SKIP_IN_MANUAL
-    internal::Two_bounded_areas of_two(const internal::Two_points& p, const internal::Two_points& q,
-                                       const internal::Two_points& r) const
-    {
-      return {internal::four_areas_3(p, q, r), initial_error(p, q, r)};
-    }
-    /// \endcond
     // Kahan's formula: each factor is right up to 2 u, a up to 10 u, and 15 / √3 < 14.
     /// makes the face with sides of these lengths.
     Face_data from_lengths(double ij, double jk, double ki) const
@@ -167,12 +162,6 @@ public:
     static N initial_error(const N& sum_of_sides)
     {
       return N(14 * u) * sum_of_sides + N(tiny_root);
-    }
-    template <class N>
-    static N initial_error(const std::array<N, 3>& p, const std::array<N, 3>& q, const std::array<N, 3>& r)
-    {
-      return initial_error(N(internal::squared_distance_3(p, q) + internal::squared_distance_3(q, r) +
-                             internal::squared_distance_3(p, r)));
     }
   };
 
@@ -285,21 +274,14 @@ public:
       return internal::rounded(internal::cotangent_bounds(ij, jk, ki, ijk.value));
     }
     /// \cond SKIP_IN_MANUAL
-    std::array<internal::Two_doubles, 3>
-    of_two(const internal::Two_bounded_areas& ijk, const internal::Two_doubles& ij,
-           const internal::Two_doubles& jk, const internal::Two_doubles& ki) const
+    std::array<internal::Two_doubles, 3> operator()(const internal::Two_bounded_areas& ijk, const internal::Two_doubles& ij,
+                                                    const internal::Two_doubles& jk, const internal::Two_doubles& ki) const
     {
       std::array<internal::Two_doubles, 3> bounds = internal::cotangent_bounds(ij, jk, ki, ijk.value);
       const internal::Two_doubles least = 0x1p25 * ijk.error;
       for (internal::Two_doubles& bound : bounds)
         bound = if_greater(ijk.value, least, bound, -std::numeric_limits<double>::infinity());
       return bounds;
-    }
-    std::array<internal::Two_doubles, 3> of_two(const Face_data& ijk, const Face_data& other,
-                                                const internal::Two_doubles& ij, const internal::Two_doubles& jk,
-                                                const internal::Two_doubles& ki) const
-    {
-      return of_two({{ijk.value, other.value}, {ijk.error, other.error}}, ij, jk, ki);
     }
     /// \endcond
   };

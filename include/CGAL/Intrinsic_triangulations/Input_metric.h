@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 
 #include <array>
 #include <cstdint>

@@ -8,8 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DISK_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DISK_H
 
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_with_bound.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 
 #include <cmath>
 

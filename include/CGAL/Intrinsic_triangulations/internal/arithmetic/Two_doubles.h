@@ -107,15 +107,10 @@ private:
 
 using Two_points = std::array<Two_doubles, 3>;
 
-// Whether the functors of traits have `of_two()`, for two edges or faces at once: then `Takes_two_faces` names the
-// traits. Traits that are derived from such inherit the name, but may have other functors, and do not count.
-template <class Traits, class = void>
-struct Takes_two_faces : std::false_type
-{};
-template <class Traits>
-struct Takes_two_faces<Traits, std::void_t<typename Traits::Takes_two_faces>>
-  : std::is_same<typename Traits::Takes_two_faces, Traits>
-{};
+inline Two_doubles two(double first, double second)
+{
+  return {first, second};
+}
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

@@ -15,8 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/reports.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_with_bound.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Scratch_pool.h>

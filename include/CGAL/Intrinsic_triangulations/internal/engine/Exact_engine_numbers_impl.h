@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_NUMBERS_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Double_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_fallback.h>

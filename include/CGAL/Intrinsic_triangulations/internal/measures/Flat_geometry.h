@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_FLAT_GEOMETRY_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>

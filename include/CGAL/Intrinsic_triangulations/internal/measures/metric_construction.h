@@ -35,6 +35,7 @@
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -82,6 +83,18 @@ template <class PointVector>
       offenders.and_more());
 }
 
+// Whether the functors of traits take two edges or faces at once.
+template <class Traits, class = void>
+struct Takes_two_faces : std::false_type
+{};
+template <class Traits>
+struct Takes_two_faces<
+  Traits, std::void_t<decltype(std::declval<Traits>().compute_cotangent_bounds_object()(
+            std::declval<Traits>().construct_face_data_object()(Two_points(), Two_points(), Two_points()),
+            std::declval<Traits>().construct_edge_data_object()(Two_points(), Two_points()), Two_doubles(), Two_doubles()))>>
+  : std::true_type
+{};
+
 // Bounds the corners of the face of h, whose sides from h on are given.
 template <class Traits>
 void bound_corners(const Traits& traits, Halfedge_index h, Halfedge_index next, Halfedge_index prev,
@@ -106,8 +119,8 @@ void bound_corners_of_flipped(const Traits& traits, const Hinge_halfedges& aroun
 {
   const auto& [ij, jk, ki, ji, il, lj] = around;
   if constexpr (Takes_two_faces<Traits>::value) {
-    const auto bound = traits.compute_cotangent_bounds_object().of_two(
-      flipped.ilk, flipped.jkl, Two_doubles(flipped.kl), Two_doubles(old.ki, old.lj),
+    const auto bound = traits.compute_cotangent_bounds_object()(
+      two(flipped.ilk, flipped.jkl), Two_doubles(flipped.kl), Two_doubles(old.ki, old.lj),
       Two_doubles(old.il, old.jk));
     bounds.set(ij, ji, bound[0]);
     bounds.set(ki, lj, bound[1]);
@@ -196,14 +209,14 @@ public:
   {
     const auto edge = traits_.construct_edge_data_object();
     const Two_points p = corners(one.prev, two.prev), q = corners(one.h, two.h), r = corners(one.next, two.next);
-    const Two_doubles pq = edge.of_two(p, q), qr = edge.of_two(q, r), pr = edge.of_two(p, r);
+    const Two_doubles pq = edge(p, q), qr = edge(q, r), pr = edge(p, r);
     store(one.h, two.h, pq);
     store(one.next, two.next, qr);
     store(one.prev, two.prev, pr);
-    const auto areas = traits_.construct_face_data_object().of_two(p, q, r);
+    const auto areas = traits_.construct_face_data_object()(p, q, r);
     faces_[one.face.idx()] = areas.first();
     faces_[two.face.idx()] = areas.second();
-    const auto bounds = traits_.compute_cotangent_bounds_object().of_two(areas, pq, qr, pr);
+    const auto bounds = traits_.compute_cotangent_bounds_object()(areas, pq, qr, pr);
     bounds_.set(one.h, two.h, bounds[0]);
     bounds_.set(one.next, two.next, bounds[1]);
     bounds_.set(one.prev, two.prev, bounds[2]);

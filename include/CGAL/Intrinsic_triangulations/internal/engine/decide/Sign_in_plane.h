@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_SIGN_IN_PLANE_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>

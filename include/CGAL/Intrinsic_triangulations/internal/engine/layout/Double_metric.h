@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Disk.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_with_bound.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>

@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_PLANE_FRAME_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>

@@ -9,9 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_TWO_STRAIGHT_FACES_H
 
 #include <CGAL/Intrinsic_triangulations/internal/Index.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 

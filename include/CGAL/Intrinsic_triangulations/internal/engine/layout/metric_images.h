@@ -13,9 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Disk.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Mpfr_disk.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Mpfr_interval.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Multiquadratic.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>

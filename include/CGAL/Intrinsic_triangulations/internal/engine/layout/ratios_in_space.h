@@ -9,10 +9,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_RATIOS_IN_SPACE_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Disk.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 
