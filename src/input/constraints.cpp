@@ -5,7 +5,7 @@
 
 #include "input/formats/vtp.h"
 
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <algorithm>

@@ -19,7 +19,6 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>

@@ -5,7 +5,7 @@
 
 #include "system/text.h"
 
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
 namespace idt {
 

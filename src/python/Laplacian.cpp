@@ -7,7 +7,7 @@
 #include "python/arrays.h"
 #include "python/bindings.h"
 
-#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 namespace idt_python {

@@ -9,7 +9,7 @@
 #include "python/arrays.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
 #include <array>
 #include <cstdint>

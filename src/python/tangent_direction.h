@@ -8,7 +8,7 @@
 #define INTRINSIC_TRIANGULATIONS_PYTHON_TANGENT_DIRECTION_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <CGAL/number_type_config.h>

@@ -9,7 +9,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <CGAL/enum.h>
 

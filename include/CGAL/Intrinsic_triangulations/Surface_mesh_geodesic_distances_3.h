@@ -19,7 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Solver_traits_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Dynamic_property_map.h>

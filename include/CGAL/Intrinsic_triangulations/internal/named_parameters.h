@@ -5,8 +5,8 @@
 //
 // The named parameters of the package, beside those that it shares with CGAL.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_NAMED_PARAMETERS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_NAMED_PARAMETERS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NAMED_PARAMETERS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NAMED_PARAMETERS_H
 
 #include <CGAL/Intrinsic_triangulations/internal/Index.h>
 
@@ -246,4 +246,4 @@ auto edge_constraints_of(const NamedParameters& np)
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_NAMED_PARAMETERS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NAMED_PARAMETERS_H

@@ -5,8 +5,8 @@
 //
 // A point of a triangulated surface, a direction there, and the value that vertex data take there.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_POINT_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_POINT_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_SURFACE_POINT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_SURFACE_POINT_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/Index.h>
@@ -121,4 +121,4 @@ auto interpolate(const Delta_complex& complex, const VertexValues& values,
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_POINT_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_SURFACE_POINT_H
