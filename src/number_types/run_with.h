@@ -284,7 +284,7 @@ void find_overlay(Triangulation&& triangulation, const IT::Progress_function& pr
     return !progress || progress(fraction);
   };
   try {
-    outcome.subdivision.emplace(IT::Common_subdivision(std::move(triangulation), note_time));
+    outcome.subdivision.emplace(IT::Common_subdivision(std::move(triangulation), CGAL::parameters::visitor(note_time)));
     outcome.crossing_summary->position_seconds = stopwatch.seconds() - graph_seconds;
     outcome.crossing_summary->seconds += graph_seconds;
   } catch (const IT::Error& error) {

@@ -27,7 +27,7 @@ class Subdivision
 {
 public:
   Subdivision(const Triangulation& triangulation, std::vector<IT::Halfedge_index> input_sides)
-    : subdivision_(triangulation, [](double) { return Signal_watch::goes_on(); }), location_(subdivision_),
+    : subdivision_(triangulation, CGAL::parameters::visitor([] { return Signal_watch::goes_on(); })), location_(subdivision_),
       input_sides_(std::move(input_sides))
   {}
 

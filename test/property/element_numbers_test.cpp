@@ -111,14 +111,14 @@ TYPED_TEST(Element_numbers, progress_is_reported_and_cancels)
 {
   const auto t = triangulation<TypeParam>(from_triangles("torus", samples::torus(8, 6)));
   double last = -1;
-  const IT::Element_numbers numbers = IT::element_numbers(t, [&](double fraction) {
+  const IT::Element_numbers numbers = IT::element_numbers(t, CGAL::parameters::visitor([&](double fraction) {
     EXPECT_TRUE(fraction >= last && fraction <= 1);
     last = fraction;
     return true;
-  });
+  }));
   EXPECT_GE(last, 0);
   EXPECT_EQ(numbers.lengths, IT::edge_lengths(t));
-  const auto no = [](double) { return false; };
+  const auto no = CGAL::parameters::visitor([](double) { return false; });
   EXPECT_THROW(IT::element_numbers(t, no), IT::Cancelled_error);
   EXPECT_THROW(IT::edge_lengths(t, no), IT::Cancelled_error);
   EXPECT_THROW(IT::cotangents(t, no), IT::Cancelled_error);
@@ -196,9 +196,8 @@ TEST(Exact_edge_lengths, do_not_depend_on_the_number_type)
 }
 
 // Is told of each test, and of nothing else.
-struct Watcher : IT::Default_flip_visitor
+struct Watcher : IT::Default_visitor
 {
-  using Is_silent = CGAL::Tag_false;
   void after_test(IT::Edge_index, CGAL::Uncertain<bool> is_Delaunay)
   {
     ++tests;

@@ -457,7 +457,7 @@ TEST(Parallel_results, can_be_cancelled)
     EXPECT_THROW(IT::Overlay(t, CGAL::parameters::visitor(progress), Parallel_tag()), IT::Cancelled_error);
   }
   EXPECT_THROW(IT::Overlay_positions(
-                 t.connectivity(), IT::internal::engine(t), overlay, CGAL::parameters::visitor([] { return false; }), Parallel_tag()),
+                 IT::internal::engine(t), overlay, CGAL::parameters::visitor([] { return false; }), Parallel_tag()),
                IT::Cancelled_error);
 }
 

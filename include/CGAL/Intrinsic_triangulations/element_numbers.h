@@ -90,13 +90,24 @@ struct Element_numbers
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the numbers are the same.
 ///   Without exact geometry there is one thread
 /// \param triangulation the triangulation
-/// \param progress is told of the progress, by the calling thread
-/// \exception Invalid_surface_error as `area()` of `Exact_geometry`
-/// \exception Cancelled_error if `progress` or the function that was given to `set_interruption()` says so
-template <class ConcurrencyTag = Sequential_tag, class Traits>
-Element_numbers element_numbers(const Intrinsic_triangulation<Traits>& triangulation, const Progress_function& progress = {})
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told of the progress by the calling thread, and can cancel}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \exception Invalid_surface_error as `area()` of `Intrinsic_triangulation`
+/// \exception Cancelled_error if the visitor or the function that was given to `set_interruption()` says so
+template <class ConcurrencyTag = Sequential_tag, class Traits,
+          class NamedParameters = parameters::Default_named_parameters>
+Element_numbers element_numbers(const Intrinsic_triangulation<Traits>& triangulation,
+                                const NamedParameters& np = parameters::default_values())
 {
-  internal::Element_measurer<ConcurrencyTag, Traits> measurer(triangulation, progress);
+  internal::Element_measurer<ConcurrencyTag, Traits> measurer(triangulation, internal::progress_function_of(np));
   Element_numbers result;
   result.lengths = measurer.lengths();
   result.cotangent_weights = measurer.weights();
@@ -106,10 +117,12 @@ Element_numbers element_numbers(const Intrinsic_triangulation<Traits>& triangula
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the length of each edge, as `element_numbers()`.
-template <class ConcurrencyTag = Sequential_tag, class Traits>
-std::vector<double> edge_lengths(const Intrinsic_triangulation<Traits>& triangulation, const Progress_function& progress = {})
+template <class ConcurrencyTag = Sequential_tag, class Traits,
+          class NamedParameters = parameters::Default_named_parameters>
+std::vector<double> edge_lengths(const Intrinsic_triangulation<Traits>& triangulation,
+                                 const NamedParameters& np = parameters::default_values())
 {
-  return internal::Element_measurer<ConcurrencyTag, Traits>(triangulation, progress).lengths();
+  return internal::Element_measurer<ConcurrencyTag, Traits>(triangulation, internal::progress_function_of(np)).lengths();
 }
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
@@ -132,10 +145,12 @@ std::vector<double> exact_edge_lengths(const Intrinsic_triangulation<Traits>& tr
 /// \brief returns the cotangent of the angle opposite to each halfedge, in the order of the halfedges; 0 for border halfedges.
 ///
 /// As `element_numbers()`: up to `2^-50 (1 + |cot|)` with traits that use exact geometry. In a face of zero area it is infinite.
-template <class ConcurrencyTag = Sequential_tag, class Traits>
-std::vector<double> cotangents(const Intrinsic_triangulation<Traits>& triangulation, const Progress_function& progress = {})
+template <class ConcurrencyTag = Sequential_tag, class Traits,
+          class NamedParameters = parameters::Default_named_parameters>
+std::vector<double> cotangents(const Intrinsic_triangulation<Traits>& triangulation,
+                               const NamedParameters& np = parameters::default_values())
 {
-  return internal::Element_measurer<ConcurrencyTag, Traits>(triangulation, progress).cotangents();
+  return internal::Element_measurer<ConcurrencyTag, Traits>(triangulation, internal::progress_function_of(np)).cotangents();
 }
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
@@ -231,14 +246,15 @@ double angle(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_inde
 /// As `angle()`, with the same bounds, and otherwise as `element_numbers()`.
 /// \param triangulation the triangulation
 /// \param relative_error what is enough, if that is more than the error of `angle()`: among slivers, multiple precision takes most of the time
-/// \param progress as for `element_numbers()`
+/// \param np as for `element_numbers()`
 /// \tparam ConcurrencyTag as for `element_numbers()`
 /// \exception Undecided_error as `angle()`
-template <class ConcurrencyTag = Sequential_tag, class Traits>
+template <class ConcurrencyTag = Sequential_tag, class Traits,
+          class NamedParameters = parameters::Default_named_parameters>
 std::vector<double> opposite_angles(const Intrinsic_triangulation<Traits>& triangulation, double relative_error = 0x1p-49,
-                                    const Progress_function& progress = {})
+                                    const NamedParameters& np = parameters::default_values())
 {
-  return internal::Element_measurer<ConcurrencyTag, Traits>(triangulation, progress)
+  return internal::Element_measurer<ConcurrencyTag, Traits>(triangulation, internal::progress_function_of(np))
     .angles(relative_error, [&](Halfedge_index h) { return angle(triangulation, h); });
 }
 
