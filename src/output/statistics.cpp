@@ -44,6 +44,7 @@ Json stages(const Outcome& outcome)
           {"unfolding", counts[Stage::UNFOLDING]},
           {"multiprecision", counts[Stage::MULTIPRECISION]},
           {"algebraic", counts[Stage::ALGEBRAIC]},
+          {"congruence", counts[Stage::CONGRUENCE]},
           {"modular", counts[Stage::MODULAR]}};
 }
 

@@ -35,6 +35,7 @@ std::string stages_text(const CGAL::Intrinsic_triangulations::Stage_counts& coun
          with_separators(counts[Stage::UNFOLDING]) + " by unfolding, " +
          with_separators(counts[Stage::MULTIPRECISION]) + " in multiple precision, " +
          with_separators(counts[Stage::ALGEBRAIC]) + " algebraic, " +
+         with_separators(counts[Stage::CONGRUENCE]) + " by symmetry, " +
          with_separators(counts[Stage::MODULAR]) + " in finite fields";
 }
 

@@ -77,7 +77,7 @@ TEST_F(Triangulate_command, writes_the_keys_of_the_statistics_in_order)
   for (const auto& item : json["stages"].items())
     keys.push_back(item.key());
   EXPECT_EQ(keys, (std::vector<std::string>{"filter", "coplanar", "unfolding", "multiprecision",
-                                            "algebraic", "modular"}));
+                                            "algebraic", "congruence", "modular"}));
   EXPECT_EQ(json["stages"]["filter"], json["tests"]);
   EXPECT_EQ(json["negative_weights_before"], 1);
   EXPECT_EQ(json["negative_weights_after"], 0);

@@ -44,7 +44,7 @@ struct Family
 const std::vector<Family>& families()
 {
   static const std::vector<Family> result{
-    {"mirrored", [](int folds) { return symmetric_surfaces::mirrored_sheet(folds); }, IT::Stage::MODULAR},
+    {"mirrored", [](int folds) { return symmetric_surfaces::mirrored_sheet(folds); }, IT::Stage::CONGRUENCE},
     {"mirrored, with cuts", [](int folds) { return symmetric_surfaces::mirrored_sheet(folds, true); }, IT::Stage::MODULAR},
     {"quarter turns", symmetric_surfaces::quarter_turns, IT::Stage::MODULAR},
     {"sixth turns", symmetric_surfaces::sixth_turns, IT::Stage::MODULAR},

@@ -119,11 +119,12 @@ enum class Stage {
   UNFOLDING,      ///< the unfolding over the input triangles, in double-doubles with error bounds
   MULTIPRECISION, ///< the unfolding in MPFR intervals
   ALGEBRAIC,      ///< the unfolding in exact numbers: most often a proof of zero
+  CONGRUENCE,     ///< a tie: both halves of the quadrilateral run over mirror images in the input
   MODULAR         ///< a tie, with an error below 2<sup>-128</sup>: zero in several finite fields
 };
 /// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief the number of stages.
-constexpr std::size_t number_of_stages = 6;
+constexpr std::size_t number_of_stages = 7;
 
 /// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief how many Delaunay tests each stage decided, and how many were ties.

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Level_line.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Mirror_symmetry.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 
@@ -69,8 +70,13 @@ public:
       return c.k.p * c.l.four_areas + c.l.p * c.k.four_areas;
     };
     if (is_level(corners))
-      return decided({ZERO, Stage::ALGEBRAIC}, corners);
-    return decided(exact_sign_of(sum, [&] { return name(corners) + ": that the sum of their angles is pi"; }), corners);
+      return decided({ZERO, Stage::CONGRUENCE}, corners);
+    const auto is_symmetric = [&] {
+      return is_edge(corners) &&
+             Mirror_symmetry(complex_, correspondence_, surface_)(complex_.edge(corners.opposite_to_k)) &&
+             has_positive_area(corners.opposite_to_k) && has_positive_area(corners.opposite_to_l);
+    };
+    return decided(exact_sign_of(sum, is_symmetric, [&] { return name(corners) + ": that the sum of their angles is pi"; }), corners);
   }
 
   // The sign of the area of the face of h.
@@ -88,7 +94,7 @@ public:
   bool has_length_zero(Edge_index e)
   {
     const auto squared_length = [&](auto& metric) { return unfolding(metric).squared_length(e); };
-    return exact_sign_of(squared_length, [&] {
+    return exact_sign_of(squared_length, has_no_other_proof, [&] {
              return "edge " + std::to_string(e.idx()) + ": that its length is zero";
            }).sign == ZERO;
   }
@@ -228,10 +234,10 @@ private:
     return Unfolding<Metric>(complex_, correspondence_, metric);
   }
 
-  template <class Evaluate, class Describe>
-  Decision exact_sign_of(const Evaluate& evaluate, const Describe& what)
+  template <class Evaluate, class ProvesZero, class Describe>
+  Decision exact_sign_of(const Evaluate& evaluate, const ProvesZero& proves_zero, const Describe& what)
   {
-    return Exact_sign<Evaluate>(surface_, evaluate)(what);
+    return Exact_sign<Evaluate>(surface_, evaluate)(proves_zero, what);
   }
 
   template <class Evaluate>
@@ -244,6 +250,11 @@ private:
   }
 
   bool has_positive_area(Halfedge_index h) { return sign_of_area(h) == POSITIVE; }
+
+  bool is_edge(const Two_corners& corners) const
+  {
+    return complex_.opposite(corners.opposite_to_k) == corners.opposite_to_l;
+  }
 
   std::string name(const Two_corners& corners) const
   {

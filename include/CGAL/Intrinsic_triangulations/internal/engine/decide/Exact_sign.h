@@ -33,7 +33,7 @@ struct Exact_decision
 
 // The stages that follow on double-doubles. `evaluate(metric)` gives the number in any image of the
 // metric. A value that double-doubles leave open is more likely zero than not, and where no root is irrational
-// that is seen at once. What 128 bits do not tell from zero, finite fields do:
+// that is seen at once; then the proof that takes least is tried. What 128 bits do not tell from zero, finite fields do:
 // for other numbers multiple precision comes to an end, however small they are. Of what is zero there, an expansion is tried.
 template <class Evaluate>
 class Exact_sign
@@ -43,12 +43,15 @@ public:
     : surface_(surface), evaluate_(evaluate)
   {}
 
+  // \param proves_zero tries a proof of zero that is particular to the number
   // \param what gives the beginning of the message where a proof is demanded and there is none
-  template <class Describe>
-  Exact_decision operator()(const Describe& what) const
+  template <class ProvesZero, class Describe>
+  Exact_decision operator()(const ProvesZero& proves_zero, const Describe& what) const
   {
     if (const std::optional<Sign> sign = rational_sign())
       return {*sign, Stage::ALGEBRAIC, true};
+    if (proves_zero())
+      return {ZERO, Stage::CONGRUENCE};
     if (const auto sign = approximate_sign(128); is_certain(sign))
       return {get_certain(sign), Stage::MULTIPRECISION};
     if (!is_zero_in_finite_fields())
@@ -131,6 +134,8 @@ private:
   const Evaluate& evaluate_;
 };
 
+inline bool has_no_other_proof() { return false; }
+
 // The sign, from the first stage on: double-doubles.
 template <class Evaluate, class Describe>
 Sign exact_sign(Input_surface& surface, const Evaluate& evaluate, const Describe& what)
@@ -138,7 +143,7 @@ Sign exact_sign(Input_surface& surface, const Evaluate& evaluate, const Describe
   Double_double_metric metric(surface);
   const Uncertain<Sign> sign = evaluate(metric).sign();
   return is_certain(sign) ? get_certain(sign)
-                          : Exact_sign<Evaluate>(surface, evaluate)(what).sign;
+                          : Exact_sign<Evaluate>(surface, evaluate)(has_no_other_proof, what).sign;
 }
 
 } // namespace internal
