@@ -20,8 +20,8 @@ namespace internal {
 // HalfedgeOf names the halfedge of the triangulation that a part belongs to, or none, and
 // FaceOf the face of the triangulation that contains a face of the overlay.
 template <class HalfedgeOf, class FaceOf>
-Delta_complex read_triangulation(const Overlay& overlay, std::uint32_t number_of_vertices, std::uint32_t number_of_edges,
-                                 const HalfedgeOf& halfedge_of, const FaceOf& face_of)
+Delta_complex read_triangulation(const Overlay& overlay, std::uint32_t number_of_vertices,
+                                 std::uint32_t number_of_edges, const HalfedgeOf& halfedge_of, const FaceOf& face_of)
 {
   using Part = Overlay::Halfedge;
   std::uint32_t number_of_faces = 0;
@@ -29,8 +29,7 @@ Delta_complex read_triangulation(const Overlay& overlay, std::uint32_t number_of
     if (face_of(f).idx() >= number_of_faces)
       number_of_faces = face_of(f).idx() + 1;
   Delta_complex::Halfedge_vector records(2 * std::size_t(number_of_edges));
-  Delta_complex::Descriptor_vector vertex_halfedges(number_of_vertices),
-    face_halfedges(number_of_faces);
+  Delta_complex::Descriptor_vector vertex_halfedges(number_of_vertices), face_halfedges(number_of_faces);
   for (Part first : overlay.halfedges()) {
     const Halfedge_index h = halfedge_of(first);
     if (!h.is_valid() || overlay.source(first).idx() >= number_of_vertices)

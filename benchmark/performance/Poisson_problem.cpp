@@ -205,8 +205,8 @@ void print_row(const char* name, const char* kind, const Triangulation& t, const
       largest = std::max(largest, angle);
     }
   const Errors e = errors(t, plane, solve(t, plane));
-  std::printf("| %s | %s | %zu | %.2f | %.2f | %.2e | %.2e |\n", name, kind, std::size_t(complex.number_of_vertices()), smallest, largest,
-              e.L2, e.H1);
+  std::printf("| %s | %s | %zu | %.2f | %.2f | %.2e | %.2e |\n", name, kind, std::size_t(complex.number_of_vertices()),
+              smallest, largest, e.L2, e.H1);
 }
 
 void study(const char* name, const Flat_surface& surface)
@@ -224,8 +224,9 @@ void study(const char* name, const Flat_surface& surface)
 
 int main()
 {
-  std::printf("| surface | triangulation | vertices | smallest angle | largest angle | error of u | error of its gradient |\n"
-              "| --- | --- | ---: | ---: | ---: | ---: | ---: |\n");
+  std::printf(
+    "| surface | triangulation | vertices | smallest angle | largest angle | error of u | error of its gradient |\n"
+    "| --- | --- | ---: | ---: | ---: | ---: | ---: |\n");
   study("flat triangles", flat_triangles(20, 800));
   study("folded sheet", folded_sheet(80, 12));
   study("sheared squares", sheared_squares(30, 4));

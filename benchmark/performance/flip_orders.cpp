@@ -63,9 +63,8 @@ public:
     double weight = 0;
     if (c.is_flippable(e))
       for (IT::Halfedge_index h : {c.halfedge(e), c.opposite(c.halfedge(e))})
-        weight += t.traits().compute_cotangent_object()(
-          t.face_data(c.face(h)), t.edge_data(c.edge(h)), t.edge_data(c.edge(c.next(h))),
-          t.edge_data(c.edge(c.prev(h))));
+        weight += t.traits().compute_cotangent_object()(t.face_data(c.face(h)), t.edge_data(c.edge(h)),
+                                                        t.edge_data(c.edge(c.next(h))), t.edge_data(c.edge(c.prev(h))));
     edges_.push({-weight, e.idx()});
   }
   bool is_empty() const { return edges_.empty(); }
@@ -141,12 +140,11 @@ Run flip_as_the_package(Triangulation& t)
   return {report.flips, report.tests, 0};
 }
 
-const std::pair<const char*, Run (*)(Triangulation&)> orders[] = {
-  {"flip_to_Delaunay", flip_as_the_package},
-  {"stack", flip_in_order<Line<true>>},
-  {"queue", flip_in_order<Line<false>>},
-  {"worst first", flip_in_order<Worst_first>},
-  {"sweeps", flip_in_sweeps}};
+const std::pair<const char*, Run (*)(Triangulation&)> orders[] = {{"flip_to_Delaunay", flip_as_the_package},
+                                                                  {"stack", flip_in_order<Line<true>>},
+                                                                  {"queue", flip_in_order<Line<false>>},
+                                                                  {"worst first", flip_in_order<Worst_first>},
+                                                                  {"sweeps", flip_in_sweeps}};
 
 Mesh surface(const std::string& name)
 {
@@ -169,9 +167,8 @@ void compare(const std::string& name, const Mesh& mesh)
     Run run = flip(t);
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const double flips = double(run.flips == 0 ? 1 : run.flips);
-    std::printf("| %s | %s | %llu | %.1f | %.0f |\n", name.c_str(), order,
-                static_cast<unsigned long long>(run.flips), double(run.tests) / flips,
-                1e9 * run.seconds / flips);
+    std::printf("| %s | %s | %llu | %.1f | %.0f |\n", name.c_str(), order, static_cast<unsigned long long>(run.flips),
+                double(run.tests) / flips, 1e9 * run.seconds / flips);
     std::fflush(stdout);
   }
 }

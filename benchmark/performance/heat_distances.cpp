@@ -88,7 +88,10 @@ Mesh octahedral_sphere(int n)
   return mesh_of(result);
 }
 
-double straight(const Mesh& mesh, Vertex v, Vertex w) { return std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w))); }
+double straight(const Mesh& mesh, Vertex v, Vertex w)
+{
+  return std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)));
+}
 
 void set_exact(Problem& problem, const std::function<double(Vertex, Vertex)>& distance)
 {
@@ -136,7 +139,9 @@ template <class Distances>
 void measure(const Problem& problem, const char* method)
 {
   using Clock = std::chrono::steady_clock;
-  const auto seconds = [](Clock::time_point since) { return std::chrono::duration<double>(Clock::now() - since).count(); };
+  const auto seconds = [](Clock::time_point since) {
+    return std::chrono::duration<double>(Clock::now() - since).count();
+  };
   Mesh mesh = problem.mesh;
   auto map = mesh.add_property_map<Vertex, double>("v:distance", 0).first;
   double first = 1e9, further = 1e9;
@@ -166,23 +171,26 @@ void measure(const Problem& problem, const char* method)
     if (exact > 0)
       least_part = (std::min)(least_part, map[v] / exact);
   }
-  std::printf("| %s | %s | %.2f %% | %.2f %% | %.3f | %.3f s | %.4f s |\n", problem.name.c_str(), method, 100 * mean / scale,
-              100 * largest / scale, least_part, first, further);
+  std::printf("| %s | %s | %.2f %% | %.2f %% | %.3f | %.3f s | %.4f s |\n", problem.name.c_str(), method,
+              100 * mean / scale, 100 * largest / scale, least_part, first, further);
   std::fflush(stdout);
 }
 
 void measure_all(const Problem& problem)
 {
   measure<Theirs::Surface_mesh_geodesic_distances_3<Mesh, Theirs::Direct>>(problem, "CGAL, `Direct`");
-  measure<Theirs::Surface_mesh_geodesic_distances_3<Mesh, Theirs::Intrinsic_Delaunay>>(problem, "CGAL, `Intrinsic_Delaunay`");
-  measure<Ours::Surface_mesh_geodesic_distances_3<Mesh, Ours::Intrinsic_Delaunay>>(problem, "here, `Intrinsic_Delaunay`");
+  measure<Theirs::Surface_mesh_geodesic_distances_3<Mesh, Theirs::Intrinsic_Delaunay>>(problem,
+                                                                                       "CGAL, `Intrinsic_Delaunay`");
+  measure<Ours::Surface_mesh_geodesic_distances_3<Mesh, Ours::Intrinsic_Delaunay>>(problem,
+                                                                                   "here, `Intrinsic_Delaunay`");
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  std::puts("| surface | method | mean error | largest error | least part of the distance | first distances | another source |\n"
+  std::puts("| surface | method | mean error | largest error | least part of the distance | first distances | another "
+            "source |\n"
             "| --- | --- | ---: | ---: | ---: | ---: | ---: |");
   namespace IT = CGAL::Intrinsic_triangulations;
   measure_all(on_sphere("sphere of 10,002 vertices", octahedral_sphere(50)));

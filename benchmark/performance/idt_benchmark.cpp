@@ -79,10 +79,7 @@ Run run_package(const Mesh& mesh)
 {
   Run run{};
   const auto t = timed(
-    [&] {
-      return IT::intrinsic_Delaunay_triangulation<ConcurrencyTag>(
-        mesh, CGAL::parameters::geom_traits(Traits()));
-    },
+    [&] { return IT::intrinsic_Delaunay_triangulation<ConcurrencyTag>(mesh, CGAL::parameters::geom_traits(Traits())); },
     run.seconds);
   run.flips = t.report.flips;
   return run;
@@ -191,8 +188,7 @@ void report(benchmark::State& state, Comparison& comparison, std::size_t method)
     state.SetIterationTime(comparison.median(method).seconds);
   state.counters["edges"] = double(comparison.number_of_edges());
   state.counters["flips"] = double(comparison.median(method).flips);
-  state.counters["ns_per_edge"] =
-    1e9 * comparison.median(method).seconds / double(comparison.number_of_edges());
+  state.counters["ns_per_edge"] = 1e9 * comparison.median(method).seconds / double(comparison.number_of_edges());
   state.counters["times_as_fast"] = comparison.ratio(method);
 }
 
@@ -214,10 +210,9 @@ int main(int argc, char** argv)
     comparisons.emplace_back(std::move(each));
   for (Comparison& comparison : comparisons)
     for (std::size_t method = 0; method < methods.size(); ++method)
-      benchmark::RegisterBenchmark((comparison.name() + "/" + methods[method].name).c_str(),
-                                   [&comparison, method](benchmark::State& state) {
-                                     report(state, comparison, method);
-                                   })
+      benchmark::RegisterBenchmark(
+        (comparison.name() + "/" + methods[method].name).c_str(),
+        [&comparison, method](benchmark::State& state) { report(state, comparison, method); })
         ->UseManualTime()
         ->Iterations(1)
         ->Unit(benchmark::kMillisecond);
@@ -225,6 +220,6 @@ int main(int argc, char** argv)
   benchmark::Shutdown();
   for (Comparison& comparison : comparisons)
     for (std::size_t method = 0; comparison.is_measured() && method + 1 < methods.size(); ++method)
-      std::fprintf(stderr, "%-24s %-28s %6.2f times as fast as %s\n", comparison.name().c_str(),
-                   methods[method].name, comparison.ratio(method), methods.back().name);
+      std::fprintf(stderr, "%-24s %-28s %6.2f times as fast as %s\n", comparison.name().c_str(), methods[method].name,
+                   comparison.ratio(method), methods.back().name);
 }

@@ -62,7 +62,9 @@ int main(int argc, char** argv)
   } else if (is("positions")) {
     const auto t = triangulate<Filtered>(torus).triangulation;
     const IT::Overlay overlay(t);
-    result = counted([&] { return IT::Overlay_positions(IT::internal::engine(t), overlay); }).on_input_edge(*overlay.crossings().begin()) > 0;
+    result = counted([&] {
+               return IT::Overlay_positions(IT::internal::engine(t), overlay);
+             }).on_input_edge(*overlay.crossings().begin()) > 0;
   } else if (is("stiffness")) {
     const auto t = triangulate<Filtered>(torus).triangulation;
     result = counted([&] { return std::size_t(IT::stiffness_matrix(t).nonZeros()); });

@@ -72,8 +72,7 @@ struct Costs
 double seconds_in_double(const Mesh& mesh, bool notes_flips)
 {
   return seconds([&] {
-    auto t = IT::intrinsic_triangulation(
-      mesh, CGAL::parameters::geom_traits(IT::Edge_length_traits<double>()));
+    auto t = IT::intrinsic_triangulation(mesh, CGAL::parameters::geom_traits(IT::Edge_length_traits<double>()));
     if (notes_flips) // for integers, which need no metric
       t.keep_input(IT::Input_metric::from_points({}));
     IT::flip_to_Delaunay(t);
@@ -122,12 +121,12 @@ Costs measure(const Mesh& mesh, int rounds, bool with_heat_method)
     graph.push_back(seconds([&] { overlay.emplace(*t); }));
     std::optional<IT::Overlay_positions> crossings;
     positions.push_back(seconds([&] { crossings.emplace(IT::internal::engine(*t), *overlay); }));
-    costs.elements = double(overlay->number_of_vertices()) + overlay->number_of_segments() +
-                     overlay->number_of_faces();
+    costs.elements = double(overlay->number_of_vertices()) + overlay->number_of_segments() + overlay->number_of_faces();
     if (with_heat_method)
       heat_method.push_back(seconds([&] { const Heat_method_triangulation h(mesh); }));
     if (round == 0) // does not count: caches and memory are cold
-      for (std::vector<double>* values : {&graph, &positions, &triangulation, &without, &with, &integers, &input, &heat_method})
+      for (std::vector<double>* values :
+           {&graph, &positions, &triangulation, &without, &with, &integers, &input, &heat_method})
         values->clear();
   }
   costs.graph = median(graph);
@@ -146,12 +145,10 @@ void report(const std::string& name, const Costs& costs)
   const double per_element = 1e9 / costs.elements;
   std::printf("%-20s %11.0f %9.2f %7.1f %9.1f %9.2f %9.2f", name.c_str(), costs.elements,
               1e3 * (costs.graph + costs.positions), per_element * costs.graph,
-              per_element * (costs.graph + costs.positions),
-              1 + costs.integers / (costs.triangulation - costs.journal),
+              per_element * (costs.graph + costs.positions), 1 + costs.integers / (costs.triangulation - costs.journal),
               costs.input / costs.triangulation);
   if (costs.heat_method > 0)
-    std::printf(" %9.2f %9.2f", costs.graph / costs.heat_method,
-                (costs.graph + costs.positions) / costs.heat_method);
+    std::printf(" %9.2f %9.2f", costs.graph / costs.heat_method, (costs.graph + costs.positions) / costs.heat_method);
   std::printf("\n");
   std::fflush(stdout);
 }
@@ -164,13 +161,13 @@ int main(int argc, char** argv)
   const int rounds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 7;
   std::printf("elements: of the overlay; ms: graph and positions; ns: for each element; integers: time\n"
               "of triangulation and integers over what it were without them; input: integers and input\n"
-              "connectivity afterwards, over the time of the triangulation; heat: over the time that the class of CGAL's Heat_method_3\n"
+              "connectivity afterwards, over the time of the triangulation; heat: over the time that the class of "
+              "CGAL's Heat_method_3\n"
               "takes for its triangulation\n\n"
               "%-20s %11s %9s %7s %9s %9s %9s %9s %9s\n",
-              "surface", "elements", "ms", "ns", "ns with",
-              "integers", "input", "heat", "heat with");
-  std::printf("%-20s %11s %9s %7s %9s %9s %9s %9s %9s\n", "", "", "", "graph", "positions", "", "",
-              "graph", "positions");
+              "surface", "elements", "ms", "ns", "ns with", "integers", "input", "heat", "heat with");
+  std::printf("%-20s %11s %9s %7s %9s %9s %9s %9s %9s\n", "", "", "", "graph", "positions", "", "", "graph",
+              "positions");
   report("prism 2880", measure(mesh_of(samples::prism(2880)), rounds, true));
   report("prism 2880, rotated", measure(mesh_of(samples::prism(2880, 1)), rounds, true));
   if (const std::optional<Mesh> horse = read_horse())
@@ -196,6 +193,6 @@ int main(int argc, char** argv)
     const double n = double(points.size());
     return (n * xy - x * y) / (n * xx - x * x);
   };
-  std::printf("\nslope of log time over log elements: graph %.3f, with positions %.3f\n",
-              slope(graph), slope(with_positions));
+  std::printf("\nslope of log time over log elements: graph %.3f, with positions %.3f\n", slope(graph),
+              slope(with_positions));
 }

@@ -52,17 +52,14 @@ void measure(const char* name, const Mesh& mesh)
     std::ofstream("/proc/self/clear_refs") << "5"; // the peak begins anew
     const double before = resident("VmRSS:");
     const auto start = std::chrono::steady_clock::now();
-    const auto t = IT::intrinsic_Delaunay_triangulation<ConcurrencyTag>(
-      mesh, CGAL::parameters::geom_traits(Traits()));
-    seconds.push_back(
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    const auto t = IT::intrinsic_Delaunay_triangulation<ConcurrencyTag>(mesh, CGAL::parameters::geom_traits(Traits()));
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     flips = double(t.report.flips);
     peak = (std::max)(peak, resident("VmHWM:") - before);
   }
   std::nth_element(seconds.begin(), seconds.begin() + rounds / 2, seconds.end());
-  std::printf("| %zu | %s | %.0f | %.2f | %.1f | %.0f |\n", std::size_t(mesh.number_of_vertices()),
-              name, edges, flips / edges, 1e9 * seconds[std::size_t(rounds / 2)] / edges,
-              peak / edges);
+  std::printf("| %zu | %s | %.0f | %.2f | %.1f | %.0f |\n", std::size_t(mesh.number_of_vertices()), name, edges,
+              flips / edges, 1e9 * seconds[std::size_t(rounds / 2)] / edges, peak / edges);
   std::fflush(stdout);
 }
 

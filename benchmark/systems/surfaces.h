@@ -33,8 +33,7 @@ inline Surface surface_of(const samples::Indexed_triangles& mesh)
   Surface surface;
   surface.number_of_vertices = mesh.points.size();
   surface.points = mesh.points;
-  surface.triangles =
-    triangles_of(IT::make_Delta_complex_from_triangles(mesh.points.size(), mesh.triangles));
+  surface.triangles = triangles_of(IT::make_Delta_complex_from_triangles(mesh.points.size(), mesh.triangles));
   return surface;
 }
 
@@ -130,9 +129,7 @@ inline std::vector<Named_surface> generated_surfaces()
 {
   using namespace internal;
   std::vector<Named_surface> result;
-  const auto add = [&result](const std::string& name, const auto& mesh) {
-    result.push_back({name, surface_of(mesh)});
-  };
+  const auto add = [&result](const std::string& name, const auto& mesh) { result.push_back({name, surface_of(mesh)}); };
   for (const samples::Sample& sample : samples::sample_names())
     std::visit([&](const auto& mesh) { add(sample.name, mesh); }, samples::make_sample(sample.name));
 

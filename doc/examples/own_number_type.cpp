@@ -26,10 +26,7 @@ struct Dual
   Dual(double x = 0, double d = 0) : value(x), derivative(d) {}
   friend Dual operator+(Dual a, Dual b) { return {a.value + b.value, a.derivative + b.derivative}; }
   friend Dual operator-(Dual a, Dual b) { return {a.value - b.value, a.derivative - b.derivative}; }
-  friend Dual operator*(Dual a, Dual b)
-  {
-    return {a.value * b.value, a.derivative * b.value + a.value * b.derivative};
-  }
+  friend Dual operator*(Dual a, Dual b) { return {a.value * b.value, a.derivative * b.value + a.value * b.derivative}; }
   friend Dual operator/(Dual a, Dual b)
   {
     return {a.value / b.value, (a.derivative - a.value / b.value * b.derivative) / b.value};
@@ -43,8 +40,7 @@ struct Dual
 // What CGAL has to know of a number type.
 namespace CGAL {
 template <>
-class Algebraic_structure_traits<Dual>
-  : public Algebraic_structure_traits_base<Dual, Field_with_sqrt_tag>
+class Algebraic_structure_traits<Dual> : public Algebraic_structure_traits_base<Dual, Field_with_sqrt_tag>
 {
 public:
   using Is_exact = Tag_false;

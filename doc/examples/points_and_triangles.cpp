@@ -35,8 +35,9 @@ int main(int argc, char** argv)
       sources.push_back(complex.source(complex.halfedge(e)).idx());
       targets.push_back(complex.target(complex.halfedge(e)).idx());
     }
-    std::cout << points.size() << " vertices, " << weights.size() << " edges, " << report.flips << " flips; edge 0 joins "
-              << sources[0] << " and " << targets[0] << ", its weight is " << weights[0] << '\n';
+    std::cout << points.size() << " vertices, " << weights.size() << " edges, " << report.flips
+              << " flips; edge 0 joins " << sources[0] << " and " << targets[0] << ", its weight is " << weights[0]
+              << '\n';
   } catch (const IT::Invalid_surface_error& error) {
     std::cerr << error.what() << '\n'; // the file, the element at fault, and what to do
     return EXIT_FAILURE;

@@ -51,8 +51,8 @@ private:
 int main()
 {
   const samples::Indexed_triangles sample = samples::pillow(400); // its flips are quadratic in number
-  Triangulation triangulation(
-    IT::make_Delta_complex_from_triangles(sample.points.size(), sample.triangles), sample.points);
+  Triangulation triangulation(IT::make_Delta_complex_from_triangles(sample.points.size(), sample.triangles),
+                              sample.points);
 
   // A visitor is copied unless it is passed by std::ref().
   bool is_cancelled = false;

@@ -55,7 +55,8 @@ int main()
   const IT::Refinement_report report = IT::refine_Delaunay(t, CGAL::parameters::minimum_angle(25));
   std::cout << "refined        " << smallest_angle(t) << ", with " << report.insertions << " vertices in faces and "
             << report.segment_splits << " on the border\n";
-  const bool is_refined = report.status == IT::Refinement_status::REFINED && report.unrefined.empty() && smallest_angle(t) >= 25;
+  const bool is_refined =
+    report.status == IT::Refinement_status::REFINED && report.unrefined.empty() && smallest_angle(t) >= 25;
 
   // In the middle of face 0 of the input. The coordinates need not sum to 1.
   const IT::Delta_complex& input = t.input();

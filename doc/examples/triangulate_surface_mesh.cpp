@@ -34,8 +34,8 @@ int main()
 
   const auto [idt, report] = IT::intrinsic_Delaunay_triangulation(mesh);
 
-  std::cout << "vertices " << mesh.number_of_vertices() << ", edges " << mesh.number_of_edges()
-            << ", flips " << report.flips << '\n';
+  std::cout << "vertices " << mesh.number_of_vertices() << ", edges " << mesh.number_of_edges() << ", flips "
+            << report.flips << '\n';
 
   // An edge keeps its number: it is the edge of the mesh, or what flips have made of that.
   const IT::Element_numbers numbers = IT::element_numbers(idt);

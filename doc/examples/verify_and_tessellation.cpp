@@ -26,8 +26,8 @@ IT::Intrinsic_triangulation<Traits> triangulate(const samples::Indexed_triangles
   IT::Intrinsic_triangulation<Traits> triangulation(
     IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   if (!triangulation.keeps_input()) // the exact traits keep it unasked
-    triangulation.keep_input(IT::Input_metric::from_points(
-      IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end())));
+    triangulation.keep_input(
+      IT::Input_metric::from_points(IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end())));
   IT::flip_to_Delaunay(triangulation);
   return triangulation;
 }

@@ -42,12 +42,12 @@ struct Counter
 int main()
 {
   const samples::Indexed_triangles sample = samples::sheared_grid();
-  Triangulation triangulation(
-    IT::make_Delta_complex_from_triangles(sample.points.size(), sample.triangles), sample.points);
+  Triangulation triangulation(IT::make_Delta_complex_from_triangles(sample.points.size(), sample.triangles),
+                              sample.points);
 
   // Every tenth edge stays. Any readable property map on Edge_index will do.
-  const auto is_constrained = boost::make_function_property_map<IT::Edge_index>(
-    [](IT::Edge_index e) { return e.idx() % 10 == 0; });
+  const auto is_constrained =
+    boost::make_function_property_map<IT::Edge_index>([](IT::Edge_index e) { return e.idx() % 10 == 0; });
 
   Counter visitor{100}; // by reference, or the algorithm would count in a copy
   const auto np = CGAL::parameters::edge_is_constrained_map(is_constrained).visitor(std::ref(visitor));

@@ -146,8 +146,7 @@ void write_report(std::ostream& os, const Laplacian_options& options, const Lapl
     os << ", " << with_separators(result.triangulated_faces) << " cut into triangles";
   os << "\n  not manifold      " << counted(report.nonmanifold_edges, "edge", "edges") << ", "
      << counted(report.nonmanifold_vertices, "vertex", "vertices") << "; "
-     << counted(report.border_edges, "border edge", "border edges")
-     << (report.is_orientable ? "" : "; not orientable");
+     << counted(report.border_edges, "border edge", "border edges") << (report.is_orientable ? "" : "; not orientable");
   const auto line = [&os](std::size_t number, const char* singular, const char* plural, const char* why) {
     if (number > 0)
       os << "\n  dropped           " << counted(number, singular, plural) << ' ' << why;
@@ -165,9 +164,8 @@ void write_report(std::ostream& os, const Laplacian_options& options, const Lapl
   if (options.mollification > 0)
     os << "\n  mollification     " << counted(report.mollification.number_of_changed_edges, "edge", "edges")
        << " longer, by a factor of 1 + " << in_short(report.mollification.largest_relative_change) << " at most";
-  os << "\n  flips             " << with_separators(result.Laplacian.flips.flips)
-     << "\n  smallest weight   " << in_short(result.Laplacian.minimum_weight)
-     << "\n  time              " << seconds_text(result.seconds) << '\n';
+  os << "\n  flips             " << with_separators(result.Laplacian.flips.flips) << "\n  smallest weight   "
+     << in_short(result.Laplacian.minimum_weight) << "\n  time              " << seconds_text(result.seconds) << '\n';
   for (std::size_t i = 0; i < result.eigenvalues.size(); ++i)
     os << (i == 0 ? "  eigenvalues       " : "                    ") << in_full(result.eigenvalues[i]) << '\n';
 }
@@ -189,8 +187,9 @@ Exit_status run_Laplacian(const Laplacian_options& options)
     });
     write_file(options.mass_path, [&](std::ostream& os) {
       write_symmetric_matrix(os,
-                             options.mass_type == "lumped" ? "lumped mass: a third of the area of the faces at each vertex"
-                                                           : "mass of linear finite elements",
+                             options.mass_type == "lumped"
+                               ? "lumped mass: a third of the area of the faces at each vertex"
+                               : "mass of linear finite elements",
                              result.Laplacian.mass);
     });
     write_json(options.stats_path, statistics(options, result));
@@ -211,39 +210,47 @@ void add_Laplacian_command(CLI::App& app, Selected_command& selected)
                  "duplicate faces, several components and vertices without faces. No length is changed\n"
                  "unless --mollify is given, and no entry off the diagonal is positive, except at the border\n"
                  "with --cover none.\n");
-  command.add_option("INPUT", options->input, "a mesh (OFF, OBJ, PLY, STL, TS), or a .gluing file of triangles with lengths; - is the standard input")
+  command
+    .add_option("INPUT", options->input,
+                "a mesh (OFF, OBJ, PLY, STL, TS), or a .gluing file of triangles with lengths; - is the standard input")
     ->required();
   command
-    .add_option("--stiffness", options->stiffness_path,
-                "write the operator as a Matrix Market file: positive semidefinite, entries -(cot + cot)/2, rows in the order "
-                "of the vertices")
+    .add_option(
+      "--stiffness", options->stiffness_path,
+      "write the operator as a Matrix Market file: positive semidefinite, entries -(cot + cot)/2, rows in the order "
+      "of the vertices")
     ->type_name("L.mtx");
   command.add_option("--mass", options->mass_path, "write the mass matrix")->type_name("M.mtx");
-  set_words(command.add_option("--mass-type", options->mass_type,
-                               "lumped: a third of the area around each vertex; galerkin: that of linear finite elements"),
-            {"lumped", "galerkin"})
+  set_words(
+    command.add_option("--mass-type", options->mass_type,
+                       "lumped: a third of the area around each vertex; galerkin: that of linear finite elements"),
+    {"lumped", "galerkin"})
     ->capture_default_str();
-  set_words(command.add_option("--cover", options->cover,
-                               "tufted: two copies of each face, glued around each edge, where the surface is not closed; none: the faces "
-                               "themselves, which have to be an orientable surface, with a fixed border"),
-            {"tufted", "none"})
+  set_words(
+    command.add_option(
+      "--cover", options->cover,
+      "tufted: two copies of each face, glued around each edge, where the surface is not closed; none: the faces "
+      "themselves, which have to be an orientable surface, with a fixed border"),
+    {"tufted", "none"})
     ->capture_default_str();
-  set_words(command.add_option("--coincident-vertices", options->coincident_vertices,
-                               "what to do where an edge joins two vertices at the same place: an error, merge them, or drop its faces"),
+  set_words(command.add_option(
+              "--coincident-vertices", options->coincident_vertices,
+              "what to do where an edge joins two vertices at the same place: an error, merge them, or drop its faces"),
             {"error", "merge", "drop"})
     ->capture_default_str();
   command.add_flag("--weld", options->is_welded, "merge all vertices at the same place first");
   command
-    .add_option("--mollify", options->mollification,
-                "lengthen all edges by the same amount, so that each triangle inequality holds with a margin of D times "
-                "the mean length")
+    .add_option(
+      "--mollify", options->mollification,
+      "lengthen all edges by the same amount, so that each triangle inequality holds with a margin of D times "
+      "the mean length")
     ->type_name("D")
     ->check(CLI::Range(0., 1e6));
-  command
-    .add_option("--eigenvalues", options->number_of_eigenvalues, "print the K smallest eigenvalues")
+  command.add_option("--eigenvalues", options->number_of_eigenvalues, "print the K smallest eigenvalues")
     ->type_name("K")
     ->check(CLI::Range(1, 10000));
-  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")->type_name("F.json");
+  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")
+    ->type_name("F.json");
   command.callback([options, &selected] { selected = [options] { return run_Laplacian(*options); }; });
 }
 

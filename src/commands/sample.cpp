@@ -33,16 +33,14 @@ struct Sample_options
 };
 
 // \param format OFF if none is given
-void write_surface(std::ostream& os, const samples::Indexed_triangles& surface,
-                   std::optional<Mesh_format> format)
+void write_surface(std::ostream& os, const samples::Indexed_triangles& surface, std::optional<Mesh_format> format)
 {
   write_mesh(os, surface.points, surface.triangles, format.value_or(Mesh_format::OFF));
 }
 
 void write_surface(std::ostream& os, const samples::Glued_triangles& surface, std::optional<Mesh_format>)
 {
-  const IT::Delta_complex complex =
-    IT::make_Delta_complex_from_gluing(surface.number_of_faces, surface.glued_sides);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(surface.number_of_faces, surface.glued_sides);
   std::vector<double> lengths(complex.number_of_edges());
   for (IT::Face_index f : complex.faces()) {
     IT::Halfedge_index h = complex.halfedge(f);
@@ -105,8 +103,7 @@ std::string sample_help()
   std::ostringstream text;
   text << "Names:\n";
   for (const samples::Sample& sample : samples::sample_names())
-    text << "  " << sample.name
-         << std::string(sample.name.size() < 26 ? 26 - sample.name.size() : 1, ' ')
+    text << "  " << sample.name << std::string(sample.name.size() < 26 ? 26 - sample.name.size() : 1, ' ')
          << sample.description << '\n';
   return text.str();
 }
@@ -124,9 +121,10 @@ void add_sample_command(CLI::App& app, Selected_command& selected)
   set_words(command.add_option("NAME", options->name, "which one; see below"), names, false);
   command
     .add_option("-o,--output", options->path,
-                "write to this file and print its name; " + mesh_extensions(false) + " tells the format, "
-                                                                                     "and without an extension .off is added, or "
-                                                                                     ".gluing for a surface that has lengths alone (default: the standard output)")
+                "write to this file and print its name; " + mesh_extensions(false) +
+                  " tells the format, "
+                  "and without an extension .off is added, or "
+                  ".gluing for a surface that has lengths alone (default: the standard output)")
     ->type_name("F");
   command.add_flag("--list", options->lists_names, "print the names, one to a line");
   command.callback([options, &selected] { selected = [options] { return run_sample(*options); }; });

@@ -58,8 +58,7 @@ void load_mesh(Surface& surface, bool is_repaired)
   // What can be built was examined on the way, as far as the faces are concerned. The whole
   // examination is for those who have to be told something.
   const auto build = [&] {
-    surface.connectivity =
-      IT::make_Delta_complex_from_triangles(input.points.size(), input.triangles);
+    surface.connectivity = IT::make_Delta_complex_from_triangles(input.points.size(), input.triangles);
   };
   bool is_built = false;
   try {
@@ -136,11 +135,10 @@ Surface load_surface(const std::string& path, const Load_options& options)
   const Stopwatch stopwatch;
   std::vector<double> lengths = lengths_of(surface);
   try {
-    surface.mollification = IT::mollify_lengths(surface.connectivity, lengths,
-                                                mollification->delta, mollification->is_local);
+    surface.mollification =
+      IT::mollify_lengths(surface.connectivity, lengths, mollification->delta, mollification->is_local);
   } catch (const IT::Invalid_surface_error& error) {
-    throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(),
-                                    path + ": " + error.what());
+    throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), path + ": " + error.what());
   }
   // Points say more than rounded lengths: they are kept as long as they are true.
   if (surface.mollification->number_of_changed_edges > 0) {
@@ -161,7 +159,8 @@ void untwist(Surface& surface)
   try {
     if (surface.squared_lengths.empty())
       surface.squared_lengths = IT::squared_lengths(surface.lengths);
-    surface.untwisting = IT::untwist(surface.connectivity, surface.squared_lengths, CGAL::parameters::visitor([] { return !is_interrupted(); }));
+    surface.untwisting = IT::untwist(surface.connectivity, surface.squared_lengths,
+                                     CGAL::parameters::visitor([] { return !is_interrupted(); }));
   } catch (const IT::Invalid_surface_error& error) {
     throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), surface.path + ": " + error.what());
   }
@@ -213,9 +212,8 @@ Surface_counts count_elements(const IT::Delta_complex& complex)
       ++used_vertices;
       counts.components += pieces.find_set(v.idx()) == v.idx();
     }
-  counts.euler_characteristic = static_cast<long long>(used_vertices) -
-                                static_cast<long long>(counts.edges) +
-                                static_cast<long long>(counts.faces);
+  counts.euler_characteristic =
+    static_cast<long long>(used_vertices) - static_cast<long long>(counts.edges) + static_cast<long long>(counts.faces);
   return counts;
 }
 

@@ -58,8 +58,8 @@ IT::Exact_gluing read_exact_gluing_file(const std::string& name, const IT::Progr
   }
 }
 
-void read_gluing_file(const std::string& path, IT::Delta_complex& connectivity,
-                      std::vector<double>& lengths, const IT::Progress_function& progress)
+void read_gluing_file(const std::string& path, IT::Delta_complex& connectivity, std::vector<double>& lengths,
+                      const IT::Progress_function& progress)
 {
   IT::Exact_gluing gluing = read_exact_gluing_file(path, progress);
   connectivity = std::move(gluing.complex);

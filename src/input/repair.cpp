@@ -31,8 +31,7 @@ Repair_report repair(Surface_input& input)
   } catch (const IT::Cancelled_error&) {
     throw IT::Cancelled_error(input.path + ": cancelled while it was repaired");
   } catch (const IT::Invalid_surface_error& error) {
-    throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(),
-                                    input.path + ": " + error.what());
+    throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), input.path + ": " + error.what());
   }
   input.points = std::move(repaired.points);
   input.first_corner.clear();
@@ -40,8 +39,8 @@ Repair_report repair(Surface_input& input)
   input.triangles.clear();
   input.triangles.reserve(repaired.triangles.size());
   for (const auto& [a, b, c] : repaired.triangles)
-    input.triangles.push_back({{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
-                                static_cast<std::uint32_t>(c)}});
+    input.triangles.push_back(
+      {{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)}});
   return {std::make_shared<const std::vector<IT::Repair>>(std::move(repaired.repairs)),
           std::move(repaired.input_vertices), std::move(repaired.input_faces)};
 }

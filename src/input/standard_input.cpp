@@ -102,7 +102,8 @@ private:
     const bool is_solid = word.size() >= 5 && (word.compare(0, 5, "solid") == 0 || word.compare(0, 5, "SOLID") == 0);
     if (is_solid || begin.find('\0') != std::string::npos)
       return ".stl";
-    refuse_file("-", "the format of the standard input is not recognized: write it to a file, whose name tells the format");
+    refuse_file("-",
+                "the format of the standard input is not recognized: write it to a file, whose name tells the format");
   }
 
   std::string folder_, name_;

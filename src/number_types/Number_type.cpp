@@ -31,15 +31,9 @@ const Entry entries[] = {
 
 } // namespace
 
-const char* name(Number_type number_type)
-{
-  return entries[static_cast<int>(number_type)].name;
-}
+const char* name(Number_type number_type) { return entries[static_cast<int>(number_type)].name; }
 
-const char* description(Number_type number_type)
-{
-  return entries[static_cast<int>(number_type)].description;
-}
+const char* description(Number_type number_type) { return entries[static_cast<int>(number_type)].description; }
 
 const std::vector<Number_type>& number_types()
 {

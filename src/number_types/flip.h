@@ -83,7 +83,8 @@ public:
     if (!CGAL::is_certain(is_Delaunay))
       return;
     try {
-      number_of_wrong_ += CGAL::certainly(is_Delaunay) == (this->triangulation_.sign_of_cotangent_weight(e) == CGAL::NEGATIVE);
+      number_of_wrong_ +=
+        CGAL::certainly(is_Delaunay) == (this->triangulation_.sign_of_cotangent_weight(e) == CGAL::NEGATIVE);
     } catch (const IT::Undecided_error&) {
     }
   }
@@ -104,8 +105,8 @@ IT::Flip_report flip_with(IT::Intrinsic_triangulation<Traits>& triangulation, co
   const auto parameters = CGAL::parameters::visitor(std::ref(visitor)).maximum_number(budget);
   if constexpr (Traits::Uses_exact_geometry::value)
     if (job.options.refinement)
-      return IT::flip_to_Delaunay(triangulation,
-                                  parameters.edge_is_constrained_map(Edge_flags{&job.options.refinement->is_constrained}));
+      return IT::flip_to_Delaunay(
+        triangulation, parameters.edge_is_constrained_map(Edge_flags{&job.options.refinement->is_constrained}));
   return IT::flip_to_Delaunay(triangulation, parameters);
 }
 

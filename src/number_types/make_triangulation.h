@@ -22,7 +22,8 @@ IT::Intrinsic_triangulation<Traits> make_triangulation(const Surface& surface, c
   using Triangulation = IT::Intrinsic_triangulation<Traits>;
   if constexpr (Triangulation::uses_exact_geometry)
     if (!surface.squared_lengths.empty())
-      return Triangulation::from_metric(surface.connectivity, IT::metric_from_squared_lengths(surface.squared_lengths), traits);
+      return Triangulation::from_metric(surface.connectivity, IT::metric_from_squared_lengths(surface.squared_lengths),
+                                        traits);
   if (!surface.has_points())
     return Triangulation::from_lengths(surface.connectivity, surface.lengths, traits);
   return Triangulation(surface.connectivity, surface.points, traits);

@@ -46,24 +46,28 @@ Short_side short_side(const Filtered_triangulation& triangulation, const Surface
   if (!surface.has_points())
     return result;
   const IT::Vertex_index v = triangulation.connectivity().source(triangulation.connectivity().halfedge(e));
-  result.place = triangulation.is_inserted(v) ? IT::point_in_space(surface.connectivity, surface.points, triangulation.location(v))
-                                              : surface.points[v.idx()];
+  result.place = triangulation.is_inserted(v)
+                   ? IT::point_in_space(surface.connectivity, surface.points, triangulation.location(v))
+                   : surface.points[v.idx()];
   return result;
 }
 
-std::optional<Short_side> smallest_left_face(const Filtered_triangulation& triangulation, const Surface& surface, const IT::Refinement_report& report)
+std::optional<Short_side> smallest_left_face(const Filtered_triangulation& triangulation, const Surface& surface,
+                                             const IT::Refinement_report& report)
 {
   std::optional<std::pair<double, IT::Face_index>> smallest;
   for (const IT::Unrefined_face& left : report.unrefined)
     if (left.reason == IT::Refinement_obstacle::TOO_SMALL || left.reason == IT::Refinement_obstacle::BUDGET) {
-      const std::pair<double, IT::Face_index> candidate{triangulation.length(shortest_edge(triangulation, left.face)), left.face};
+      const std::pair<double, IT::Face_index> candidate{triangulation.length(shortest_edge(triangulation, left.face)),
+                                                        left.face};
       smallest = smallest ? (std::min)(*smallest, candidate) : candidate;
     }
   return smallest ? std::optional<Short_side>(short_side(triangulation, surface, smallest->second)) : std::nullopt;
 }
 
 // A thin face with a short side takes as many vertices as squares on that side cover it, at most.
-double sufficient_size(const Filtered_triangulation& triangulation, const Refinement_options& options, const IT::Refinement_report& report)
+double sufficient_size(const Filtered_triangulation& triangulation, const Refinement_options& options,
+                       const IT::Refinement_report& report)
 {
   std::vector<std::pair<double, double>> needs; // by side
   for (const IT::Unrefined_face& left : report.unrefined)
@@ -76,7 +80,9 @@ double sufficient_size(const Filtered_triangulation& triangulation, const Refine
   double sum = 0;
   for (const auto& [side, need] : needs)
     if ((sum += need) > most)
-      return side < (std::min)(options.criteria.maximum_edge_length, options.criteria.maximum_circumradius) / 4 ? 1.1 * side : 0;
+      return side < (std::min)(options.criteria.maximum_edge_length, options.criteria.maximum_circumradius) / 4
+               ? 1.1 * side
+               : 0;
   return 0;
 }
 
@@ -132,9 +138,10 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
                             .edge_is_constrained_map(Edge_flags{&options.is_constrained})
                             .visitor(std::ref(visitor));
   try {
-    summary.report = options.maximum_number_of_points
-                       ? IT::refine_Delaunay(triangulation, parameters.maximum_number(*options.maximum_number_of_points))
-                       : IT::refine_Delaunay(triangulation, parameters);
+    summary.report =
+      options.maximum_number_of_points
+        ? IT::refine_Delaunay(triangulation, parameters.maximum_number(*options.maximum_number_of_points))
+        : IT::refine_Delaunay(triangulation, parameters);
   } catch (const IT::Invalid_surface_error&) {
     throw;
   } catch (const IT::Cancelled_error&) {
@@ -153,12 +160,14 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
     summary.sufficient_size = sufficient_size(triangulation, options, summary.report);
   summary.points = inserted_points(triangulation);
   const auto is_on_edge = [](const IT::Surface_point& point) { return point.dimension() == 1; };
-  summary.report.segment_splits = std::uint64_t(std::count_if(summary.points.begin(), summary.points.end(), is_on_edge));
+  summary.report.segment_splits =
+    std::uint64_t(std::count_if(summary.points.begin(), summary.points.end(), is_on_edge));
   summary.report.insertions = summary.points.size() - summary.report.segment_splits;
   summary.seconds = stopwatch.seconds();
 }
 
-std::vector<bool> constrained_parts(const Filtered_triangulation& triangulation, const std::vector<bool>& is_constrained)
+std::vector<bool> constrained_parts(const Filtered_triangulation& triangulation,
+                                    const std::vector<bool>& is_constrained)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
   std::vector<bool> result(complex.number_of_edges());
@@ -166,7 +175,8 @@ std::vector<bool> constrained_parts(const Filtered_triangulation& triangulation,
     return result;
   for (IT::Edge_index e : complex.edges())
     if (triangulation.is_input_edge(e))
-      result[e.idx()] = is_constrained[triangulation.input().edge(triangulation.input_halfedge(complex.halfedge(e))).idx()];
+      result[e.idx()] =
+        is_constrained[triangulation.input().edge(triangulation.input_halfedge(complex.halfedge(e))).idx()];
   return result;
 }
 

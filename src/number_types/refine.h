@@ -36,7 +36,8 @@ struct Edge_flags
 void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outcome);
 
 // Tells for each edge of the current triangulation whether it is a part of a constrained edge of the input.
-std::vector<bool> constrained_parts(const Filtered_triangulation& triangulation, const std::vector<bool>& is_constrained);
+std::vector<bool> constrained_parts(const Filtered_triangulation& triangulation,
+                                    const std::vector<bool>& is_constrained);
 
 } // namespace idt
 

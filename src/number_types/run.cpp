@@ -81,8 +81,7 @@ Outcome run(const Job& job)
   // What is wrong may lie in the number type (a float holds less than a file can say),
   // so the message names both.
   using CGAL::Intrinsic_triangulations::Invalid_surface_error;
-  const std::string where =
-    job.surface.path + ": as " + name(job.options.number_type) + ": ";
+  const std::string where = job.surface.path + ": as " + name(job.options.number_type) + ": ";
   try {
     return dispatch(job);
   } catch (const Invalid_surface_error& error) {
@@ -94,8 +93,8 @@ Outcome run(const Job& job)
   } catch (const CGAL::Intrinsic_triangulations::Undecided_error& error) {
     throw CGAL::Intrinsic_triangulations::Undecided_error(where + error.what());
   } catch (const CGAL::Uncertain_conversion_exception&) {
-    throw CGAL::Intrinsic_triangulations::Undecided_error(
-      where + "a comparison that the construction needs cannot be decided");
+    throw CGAL::Intrinsic_triangulations::Undecided_error(where +
+                                                          "a comparison that the construction needs cannot be decided");
   }
 }
 

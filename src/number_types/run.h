@@ -53,8 +53,7 @@ struct Requested_results
   }
   bool needs_input() const
   {
-    return crossings || tessellation || verification || exact_lengths || wrong_decisions ||
-           overlay || shapes;
+    return crossings || tessellation || verification || exact_lengths || wrong_decisions || overlay || shapes;
   }
 };
 
@@ -81,7 +80,8 @@ struct Refinement_options
   std::optional<std::uint64_t> maximum_number_of_points;
   std::vector<bool> is_constrained; // for each input edge: whether no flip may remove it
   // Is asked before each face that is refined, and may ask where that is: if it says yes, the run ends, and nothing else is found out.
-  std::function<bool(const CGAL::Intrinsic_triangulations::Refinement_progress&, const std::function<Short_side()>&)> gives_up;
+  std::function<bool(const CGAL::Intrinsic_triangulations::Refinement_progress&, const std::function<Short_side()>&)>
+    gives_up;
 };
 
 struct Run_options
@@ -89,8 +89,7 @@ struct Run_options
   Number_type number_type = default_number_type;
   int precision = 128; // bits at least, for MPFR alone
   std::optional<std::uint64_t> maximum_number_of_flips;
-  CGAL::Intrinsic_triangulations::Tie_proof tie_proof =
-    CGAL::Intrinsic_triangulations::Tie_proof::PROBABLE_IF_COSTLY;
+  CGAL::Intrinsic_triangulations::Tie_proof tie_proof = CGAL::Intrinsic_triangulations::Tie_proof::PROBABLE_IF_COSTLY;
   std::optional<Refinement_options> refinement; // with FILTERED alone
   Requested_results wanted;
 };

@@ -52,8 +52,8 @@ inline IT::Input_metric input_metric(const Surface& surface)
   }
   if (!surface.has_points())
     return IT::Input_metric::from_lengths(surface.lengths);
-  return IT::Input_metric::from_points(
-    surface.connectivity, IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end()));
+  return IT::Input_metric::from_points(surface.connectivity,
+                                       IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end()));
 }
 
 // The squared edge lengths and areas handle a face of zero area; half-angle tangents do
@@ -66,9 +66,7 @@ template <class FT>
 void require_usable_faces(const IT::Intrinsic_triangulation<IT::Half_angle_traits<FT>>& triangulation)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
-  const auto length = [&](IT::Halfedge_index h) -> const FT& {
-    return triangulation.edge_data(complex.edge(h));
-  };
+  const auto length = [&](IT::Halfedge_index h) -> const FT& { return triangulation.edge_data(complex.edge(h)); };
   std::size_t first = 0, count = 0;
   for (IT::Face_index f : complex.faces()) {
     const IT::Halfedge_index h = complex.halfedge(f);
@@ -81,11 +79,10 @@ void require_usable_faces(const IT::Intrinsic_triangulation<IT::Half_angle_trait
       first = f.idx();
   }
   if (count > 0)
-    throw IT::Invalid_surface_error(
-      IT::Invalid_surface_error::Defect::DEGENERATE_FACE, first, count,
-      "face " + std::to_string(first) + " has zero area" +
-        (count > 1 ? " (and " + std::to_string(count - 1) + " more)" : std::string()) +
-        ", which half-angle tangents cannot handle; try --number-type filtered");
+    throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::DEGENERATE_FACE, first, count,
+                                    "face " + std::to_string(first) + " has zero area" +
+                                      (count > 1 ? " (and " + std::to_string(count - 1) + " more)" : std::string()) +
+                                      ", which half-angle tangents cannot handle; try --number-type filtered");
 }
 
 // What the flips have left: where there is no time for better numbers.
@@ -214,8 +211,9 @@ std::optional<Shape_summary> summarize_shapes(const Triangulation& triangulation
     if (!is_listed[f.idx()])
       summary.minimum_refined_angle = (std::min)(summary.minimum_refined_angle.value_or(degrees), degrees);
     // The smallest angle is at most 60 degrees, where a sine is accurate.
-    const double radius = smallest > 0 ? CGAL::to_double(triangulation.length(complex.edge(opposite))) / (2 * std::sin(smallest))
-                                       : (std::numeric_limits<double>::infinity)();
+    const double radius = smallest > 0
+                            ? CGAL::to_double(triangulation.length(complex.edge(opposite))) / (2 * std::sin(smallest))
+                            : (std::numeric_limits<double>::infinity)();
     summary.maximum_circumradius = (std::max)(summary.maximum_circumradius, radius);
   }
   return summary;
@@ -254,10 +252,9 @@ void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome
     }
     if (wanted.verification)
       outcome.verification = verify(triangulation, job);
-    const bool is_Delaunay =
-      outcome.verification ? outcome.verification->is_Delaunay()
-                           : Triangulation::Traits::Has_exact_decisions::value &&
-                               outcome.report.status == IT::Flip_status::DELAUNAY;
+    const bool is_Delaunay = outcome.verification ? outcome.verification->is_Delaunay()
+                                                  : Triangulation::Traits::Has_exact_decisions::value &&
+                                                      outcome.report.status == IT::Flip_status::DELAUNAY;
     if (wanted.tessellation && is_Delaunay)
       find_ties(triangulation, outcome);
     if (wanted.shapes)

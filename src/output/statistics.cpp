@@ -39,12 +39,9 @@ Json stages(const Outcome& outcome)
   if (!outcome.stages)
     return nullptr;
   const IT::Stage_counts& counts = *outcome.stages;
-  return {{"filter", counts[Stage::FILTER]},
-          {"coplanar", counts[Stage::COPLANAR]},
-          {"unfolding", counts[Stage::UNFOLDING]},
-          {"multiprecision", counts[Stage::MULTIPRECISION]},
-          {"algebraic", counts[Stage::ALGEBRAIC]},
-          {"congruence", counts[Stage::CONGRUENCE]},
+  return {{"filter", counts[Stage::FILTER]},       {"coplanar", counts[Stage::COPLANAR]},
+          {"unfolding", counts[Stage::UNFOLDING]}, {"multiprecision", counts[Stage::MULTIPRECISION]},
+          {"algebraic", counts[Stage::ALGEBRAIC]}, {"congruence", counts[Stage::CONGRUENCE]},
           {"modular", counts[Stage::MODULAR]}};
 }
 
@@ -141,7 +138,8 @@ Json refinement_statistics(const Triangulation_result& result)
   json["minimum_size"] = number(result.options.refinement->criteria.minimum_size);
   json["shortest_left"] = outcome.refinement ? shortest_left(*outcome.refinement) : Json(nullptr);
   json["minimum_angle_degrees"] = member(outcome.shapes, &Shape_summary::minimum_angle);
-  json["minimum_angle_degrees_of_refined_faces"] = outcome.shapes ? number(outcome.shapes->minimum_refined_angle) : Json(nullptr);
+  json["minimum_angle_degrees_of_refined_faces"] =
+    outcome.shapes ? number(outcome.shapes->minimum_refined_angle) : Json(nullptr);
   json["maximum_circumradius"] = outcome.shapes ? number(outcome.shapes->maximum_circumradius) : Json(nullptr);
   json["unrefined"] = Json::object();
   for (const auto& [reason, faces] : unrefined_faces(outcome))

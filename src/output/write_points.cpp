@@ -19,7 +19,8 @@ std::array<double, 3> place(const Surface& surface, const IT::Surface_point& poi
   std::array<double, 3> result{};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t axis = 0; axis < 3; ++axis)
-      result[axis] += point.coordinates[i] / (a + b + c) * surface.points[surface.connectivity.source(sides[i]).idx()][axis];
+      result[axis] +=
+        point.coordinates[i] / (a + b + c) * surface.points[surface.connectivity.source(sides[i]).idx()][axis];
   return result;
 }
 

@@ -30,13 +30,11 @@ private:
 std::string stages_text(const CGAL::Intrinsic_triangulations::Stage_counts& counts)
 {
   using CGAL::Intrinsic_triangulations::Stage;
-  return with_separators(counts[Stage::FILTER]) + " by the filter, " +
-         with_separators(counts[Stage::COPLANAR]) + " in a plane, " +
-         with_separators(counts[Stage::UNFOLDING]) + " by unfolding, " +
+  return with_separators(counts[Stage::FILTER]) + " by the filter, " + with_separators(counts[Stage::COPLANAR]) +
+         " in a plane, " + with_separators(counts[Stage::UNFOLDING]) + " by unfolding, " +
          with_separators(counts[Stage::MULTIPRECISION]) + " in multiple precision, " +
-         with_separators(counts[Stage::ALGEBRAIC]) + " algebraic, " +
-         with_separators(counts[Stage::CONGRUENCE]) + " by symmetry, " +
-         with_separators(counts[Stage::MODULAR]) + " in finite fields";
+         with_separators(counts[Stage::ALGEBRAIC]) + " algebraic, " + with_separators(counts[Stage::CONGRUENCE]) +
+         " by symmetry, " + with_separators(counts[Stage::MODULAR]) + " in finite fields";
 }
 
 std::string weights_text(const CGAL::Intrinsic_triangulations::Weight_summary& summary)
@@ -124,28 +122,27 @@ void write_surface(Report_writer& report, const Triangulation_result& result, bo
   const Surface_counts& counts = result.counts;
   const Surface& surface = result.surface;
   report.line("surface", counted(counts.vertices, "vertex", "vertices") + ", " +
-                           counted(counts.edges, "edge", "edges") + ", " +
-                           counted(counts.faces, "face", "faces"));
-  report.line("topology",
-              counted(counts.components, "component", "components") + ", " +
-                counted(counts.boundary_edges, "boundary edge", "boundary edges") +
-                ", Euler characteristic " + std::to_string(counts.euler_characteristic));
+                           counted(counts.edges, "edge", "edges") + ", " + counted(counts.faces, "face", "faces"));
+  report.line("topology", counted(counts.components, "component", "components") + ", " +
+                            counted(counts.boundary_edges, "boundary edge", "boundary edges") +
+                            ", Euler characteristic " + std::to_string(counts.euler_characteristic));
   for (const std::string& note : surface.warnings)
     report.line("note", note);
   if (surface.mollification)
-    report.line("mollified",
-                counted(surface.mollification->number_of_changed_edges, "edge", "edges") +
-                  " longer by at most " + in_short(surface.mollification->epsilon) + " (" +
-                  in_short(100 * surface.mollification->largest_relative_change) + " %)");
+    report.line("mollified", counted(surface.mollification->number_of_changed_edges, "edge", "edges") +
+                               " longer by at most " + in_short(surface.mollification->epsilon) + " (" +
+                               in_short(100 * surface.mollification->largest_relative_change) + " %)");
   if (surface.input_vertices)
-    report.line("flat sides", counted(surface.number_of_removed_vertices, "vertex", "vertices") + " removed" +
-                                (result.flat_tolerance ? "; the surface has moved by at most " + in_short(result.flat_deviation) + ", of " +
-                                                           in_short(*result.flat_tolerance) + " allowed"
-                                                       : std::string()));
+    report.line("flat sides",
+                counted(surface.number_of_removed_vertices, "vertex", "vertices") + " removed" +
+                  (result.flat_tolerance ? "; the surface has moved by at most " + in_short(result.flat_deviation) +
+                                             ", of " + in_short(*result.flat_tolerance) + " allowed"
+                                         : std::string()));
   if (is_verbose || result.options.number_type != default_number_type)
     report.line("number type", number_type_text(result.options));
   if (surface.untwisting)
-    report.line("fast forward", surface.untwisting->number_of_flips.str() + (surface.untwisting->number_of_flips == 1 ? " flip in " : " flips in ") +
+    report.line("fast forward", surface.untwisting->number_of_flips.str() +
+                                  (surface.untwisting->number_of_flips == 1 ? " flip in " : " flips in ") +
                                   counted(surface.untwisting->twists.size(), "twist", "twists"));
 }
 
@@ -153,8 +150,8 @@ void write_surface(Report_writer& report, const Triangulation_result& result, bo
 void write_changes(Report_writer& report, const Triangulation_result& result)
 {
   const Outcome& outcome = result.outcome;
-  report.line("flips", with_separators(outcome.report.flips) + " in " +
-                         with_separators(outcome.report.tests) + " tests");
+  report.line("flips",
+              with_separators(outcome.report.flips) + " in " + with_separators(outcome.report.tests) + " tests");
   if (outcome.refinement)
     write_refinement(report, result);
   if (outcome.shapes)
@@ -164,10 +161,12 @@ void write_changes(Report_writer& report, const Triangulation_result& result)
   if (outcome.refinement && outcome.refinement->smallest_left)
     report.line("shortest left", "a side of " + text(*outcome.refinement->smallest_left));
   if (result.flattened)
-    report.line("flattened", "another surface, of " + counted(result.flattened->triangles.size(), "straight triangle", "straight triangles") +
+    report.line("flattened", "another surface, of " +
+                               counted(result.flattened->triangles.size(), "straight triangle", "straight triangles") +
                                ", up to " + in_short(result.flattened->deviation) + " away" +
                                (result.flattened->number_of_other_faces > 0
-                                  ? "; without " + counted(result.flattened->number_of_other_faces, "face", "faces") + " with two equal corners"
+                                  ? "; without " + counted(result.flattened->number_of_other_faces, "face", "faces") +
+                                      " with two equal corners"
                                   : ""));
 }
 

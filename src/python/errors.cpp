@@ -64,10 +64,7 @@ const char* name_of(IT::Invalid_surface_error::Defect defect)
   return "";
 }
 
-py::object class_of(const char* name)
-{
-  return py::module_::import("intrinsic_triangulations._errors").attr(name);
-}
+py::object class_of(const char* name) { return py::module_::import("intrinsic_triangulations._errors").attr(name); }
 
 // What a function of this package can do about it.
 const char* advice(IT::Invalid_surface_error::Defect defect)
@@ -88,10 +85,7 @@ const char* advice(IT::Invalid_surface_error::Defect defect)
   }
 }
 
-void raise(const char* name, const IT::Error& error)
-{
-  PyErr_SetString(class_of(name).ptr(), error.what());
-}
+void raise(const char* name, const IT::Error& error) { PyErr_SetString(class_of(name).ptr(), error.what()); }
 
 void translate(std::exception_ptr exception)
 {
@@ -105,7 +99,8 @@ void translate(std::exception_ptr exception)
     const std::string in_cpp = ", as repair_polygons() does";
     if (const std::size_t at = text.find(in_cpp); at != std::string::npos)
       text.erase(at, in_cpp.size());
-    PyErr_SetObject(cls.ptr(), cls(text + advice(error.defect()), name_of(error.defect()), error.element(), error.count()).ptr());
+    PyErr_SetObject(cls.ptr(),
+                    cls(text + advice(error.defect()), name_of(error.defect()), error.element(), error.count()).ptr());
   } catch (const IT::Invalid_argument_error& error) {
     raise("InvalidArgumentError", error);
   } catch (const IT::Invalid_point_error& error) {
@@ -125,9 +120,6 @@ void translate(std::exception_ptr exception)
 
 } // namespace
 
-void register_errors()
-{
-  py::register_local_exception_translator(&translate);
-}
+void register_errors() { py::register_local_exception_translator(&translate); }
 
 } // namespace idt_python

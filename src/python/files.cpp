@@ -33,7 +33,8 @@ py::tuple read_mesh(const std::string& file_name)
   for (std::size_t f = 0; f < soup.number_of_faces(); ++f)
     corners.insert(corners.end(), soup.polygon(f).begin(), soup.polygon(f).end());
   std::vector<std::int64_t> first_corner(soup.first_corner.begin(), soup.first_corner.end());
-  return py::make_tuple(to_array(std::move(coordinates), 3), to_array(std::move(corners)), to_array(std::move(first_corner)));
+  return py::make_tuple(to_array(std::move(coordinates), 3), to_array(std::move(corners)),
+                        to_array(std::move(first_corner)));
 }
 
 // Which triangles are turned so that they agree.

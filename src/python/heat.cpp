@@ -62,8 +62,8 @@ IT::Tufted_cover Delaunay_cover(const Rows<double>& points, const std::vector<st
   return cover;
 }
 
-std::unique_ptr<Heat> heat_on_any_triangles(const Doubles& points, const Indices& triangles, double time_coefficient, int boundary,
-                                            bool keeps_ridges)
+std::unique_ptr<Heat> heat_on_any_triangles(const Doubles& points, const Indices& triangles, double time_coefficient,
+                                            int boundary, bool keeps_ridges)
 {
   const Rows<double> rows(points);
   const auto faces = copied_rows(triangles);
@@ -91,7 +91,8 @@ py::array geodesic_distances(const Doubles& points, const Indices& triangles, co
   for (std::uint32_t v : copied(sources))
     vertices.push_back(IT::Vertex_index(v));
   const auto options = CGAL::parameters::tolerance(tolerance).visitor(&Signal_watch::goes_on);
-  return to_array(without_lock([&] { return IT::geodesic_distances(Delaunay_cover(rows, faces), vertices, options).distances; }));
+  return to_array(
+    without_lock([&] { return IT::geodesic_distances(Delaunay_cover(rows, faces), vertices, options).distances; }));
 }
 
 py::array extend(Heat& heat, const Indices& vertices, const Doubles& values, double elsewhere)
@@ -109,8 +110,9 @@ py::array extend(Heat& heat, const Indices& vertices, const Doubles& values, dou
 
 void add_heat(py::module_& module)
 {
-  module.def("heat_on_any_triangles", &heat_on_any_triangles, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
-             py::arg("time_coefficient"), py::arg("boundary"), py::arg("keeps_ridges"));
+  module.def("heat_on_any_triangles", &heat_on_any_triangles, py::arg("points").noconvert(),
+             py::arg("triangles").noconvert(), py::arg("time_coefficient"), py::arg("boundary"),
+             py::arg("keeps_ridges"));
   module.def("heat_on_surface", &heat_on_surface, py::arg("surface"), py::arg("time_coefficient"), py::arg("boundary"),
              py::arg("keeps_ridges"));
   module.def("geodesic_distances", &geodesic_distances, py::arg("points").noconvert(), py::arg("triangles").noconvert(),

@@ -63,7 +63,8 @@ public:
     const Vector normal = normal_at(v);
     const Vector projected = in_plane(vector, normal);
     if (!(projected.norm() > 0))
-      throw IT::Invalid_point_error("at vertex " + std::to_string(v.idx()) + ", the direction has no part along the surface");
+      throw IT::Invalid_point_error("at vertex " + std::to_string(v.idx()) +
+                                    ", the direction has no part along the surface");
     std::optional<Tangent_direction> found;
     for_each_halfedge_from(v, [&](IT::Halfedge_index h) {
       if (found || complex_.is_border(h))
@@ -76,7 +77,8 @@ public:
       found = Tangent_direction{turned(h, fraction), projected.norm()};
     });
     if (!found)
-      throw IT::Invalid_point_error("at vertex " + std::to_string(v.idx()) + ", the direction leads away from the surface");
+      throw IT::Invalid_point_error("at vertex " + std::to_string(v.idx()) +
+                                    ", the direction leads away from the surface");
     return *found;
   }
 

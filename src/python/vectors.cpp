@@ -27,7 +27,8 @@ using Vector_heat = IT::Vector_heat_method;
 std::unique_ptr<Vector_heat> vector_heat(Surface& surface, const std::optional<double>& time_coefficient)
 {
   return surface.use([&](const Triangulation& t) {
-    return std::make_unique<Vector_heat>(t, CGAL::parameters::time_coefficient(time_coefficient).visitor(&Signal_watch::goes_on));
+    return std::make_unique<Vector_heat>(
+      t, CGAL::parameters::time_coefficient(time_coefficient).visitor(&Signal_watch::goes_on));
   });
 }
 

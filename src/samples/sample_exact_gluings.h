@@ -23,7 +23,8 @@ namespace samples {
 namespace IT = CGAL::Intrinsic_triangulations;
 
 // Triangles with a squared length for each side, glued.
-inline IT::Exact_gluing exact_gluing(std::size_t number_of_faces, const std::vector<std::array<std::uint32_t, 2>>& glued_sides,
+inline IT::Exact_gluing exact_gluing(std::size_t number_of_faces,
+                                     const std::vector<std::array<std::uint32_t, 2>>& glued_sides,
                                      const std::vector<IT::Rational>& squared_side_lengths)
 {
   IT::Exact_gluing gluing;
@@ -93,7 +94,8 @@ struct Tubed_triangles
   std::uint32_t append_tube(std::uint32_t side, const IT::Rational& squared_height, const IT::Rational& shear)
   {
     const IT::Rational a = squared_side_lengths[side];
-    const IT::Rational right = shear * shear * a + squared_height, left = (shear + 1) * (shear + 1) * a + squared_height;
+    const IT::Rational right = shear * shear * a + squared_height,
+                       left = (shear + 1) * (shear + 1) * a + squared_height;
     const auto lower = static_cast<std::uint32_t>(3 * number_of_faces), upper = lower + 3;
     number_of_faces += 2;
     squared_side_lengths.insert(squared_side_lengths.end(), {a, right, left, a, right, left});

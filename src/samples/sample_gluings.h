@@ -92,10 +92,8 @@ inline Glued_triangles random_gluing(std::size_t number_of_faces, std::uint64_t 
                                      bool connected = false)
 {
   require_sample_argument(number_of_faces >= 1, "a gluing has a face at least");
-  require_sample_argument(number_of_faces < std::numeric_limits<std::uint32_t>::max() / 3,
-                          "too many faces");
-  require_sample_argument(with_boundary || number_of_faces % 2 == 0,
-                          "a closed surface has an even number of faces");
+  require_sample_argument(number_of_faces < std::numeric_limits<std::uint32_t>::max() / 3, "too many faces");
+  require_sample_argument(with_boundary || number_of_faces % 2 == 0, "a closed surface has an even number of faces");
   Sample_random random(seed);
   Glued_triangles gluing;
   gluing.number_of_faces = number_of_faces;

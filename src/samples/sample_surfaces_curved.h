@@ -21,8 +21,7 @@ namespace samples {
 // Moves a point of the unit sphere along its radius.
 inline std::array<double, 3> bumped(double x, double y, double z, double bump_height)
 {
-  const double radius =
-    1 + bump_height * std::sin(6 * x + 1) * std::sin(5 * y + 2) * std::sin(7 * z + 0.5);
+  const double radius = 1 + bump_height * std::sin(6 * x + 1) * std::sin(5 * y + 2) * std::sin(7 * z + 0.5);
   return {radius * x, radius * y, radius * z};
 }
 
@@ -43,11 +42,10 @@ inline Indexed_triangles latitude_longitude_sphere(std::size_t columns = 60, std
     for (std::size_t column = 0; column < columns; ++column) {
       const double latitude = sample_pi * (static_cast<double>(row) / rows - 0.5);
       const double longitude = 2 * sample_pi * column / columns;
-      surface.points.push_back({std::cos(latitude) * std::cos(longitude),
-                                std::cos(latitude) * std::sin(longitude), std::sin(latitude)});
+      surface.points.push_back(
+        {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude), std::sin(latitude)});
     }
-  append_grid(surface, columns, rows - 1, true, false,
-              [](std::size_t, std::size_t) { return Diagonal::RISING; });
+  append_grid(surface, columns, rows - 1, true, false, [](std::size_t, std::size_t) { return Diagonal::RISING; });
   append_fan(surface, 0, columns, {0, 0, -1}, false);
   append_fan(surface, (rows - 2) * columns, columns, {0, 0, 1}, true);
   return surface;
@@ -64,8 +62,8 @@ inline Indexed_triangles latitude_longitude_sphere(std::size_t columns = 60, std
 // \param rows the number of bands from pole to pole, at least 2
 // \param bump_height the largest change of the radius 1, in [0, 1)
 // \param seed of the random shifts and diagonals
-inline Indexed_triangles bumpy_sphere(std::size_t columns = 100, std::size_t rows = 51,
-                                      double bump_height = 0.3, std::uint64_t seed = 1)
+inline Indexed_triangles bumpy_sphere(std::size_t columns = 100, std::size_t rows = 51, double bump_height = 0.3,
+                                      std::uint64_t seed = 1)
 {
   require_sample_argument(columns >= 3 && rows >= 2, "a sphere has 3 columns and 2 rows at least");
   require_sample_argument(bump_height >= 0 && bump_height < 1, "a bump height lies in [0, 1)");
@@ -81,15 +79,12 @@ inline Indexed_triangles bumpy_sphere(std::size_t columns = 100, std::size_t row
       const double latitude = 0.5 * sample_pi * height;
       const double longitude = 2 * sample_pi * (column + column_shift) / columns + twist * height;
       surface.points.push_back(bumped(std::cos(latitude) * std::cos(longitude),
-                                      std::cos(latitude) * std::sin(longitude),
-                                      std::sin(latitude), bump_height));
+                                      std::cos(latitude) * std::sin(longitude), std::sin(latitude), bump_height));
     }
-  append_grid(surface, columns, rows - 1, true, false, [&random](std::size_t, std::size_t) {
-    return random.coin() ? Diagonal::RISING : Diagonal::FALLING;
-  });
+  append_grid(surface, columns, rows - 1, true, false,
+              [&random](std::size_t, std::size_t) { return random.coin() ? Diagonal::RISING : Diagonal::FALLING; });
   append_fan(surface, 0, columns, bumped(0, 0, -1, bump_height), false);
-  append_fan(surface, (rows - 2) * columns, columns,
-             bumped(0, 0, 1, bump_height), true);
+  append_fan(surface, (rows - 2) * columns, columns, bumped(0, 0, 1, bump_height), true);
   return surface;
 }
 
@@ -105,8 +100,8 @@ inline Indexed_triangles bumpy_sphere(std::size_t columns = 100, std::size_t row
 // \param rings the number of rings, the boundary included, at least 1
 // \param height of the spike over the disk of radius 1
 // \param width the distance from the axis at which the height has fallen by the factor e
-inline Indexed_triangles disk_with_spike(std::size_t columns = 40, std::size_t rings = 25,
-                                         double height = 3, double width = 0.1)
+inline Indexed_triangles disk_with_spike(std::size_t columns = 40, std::size_t rings = 25, double height = 3,
+                                         double width = 0.1)
 {
   require_sample_argument(columns >= 3 && rings >= 1, "a disk has 3 columns and 1 ring at least");
   require_sample_argument(width > 0, "a spike has a positive width");
@@ -117,11 +112,10 @@ inline Indexed_triangles disk_with_spike(std::size_t columns = 40, std::size_t r
       const double radius = static_cast<double>(ring) / rings;
       // Clockwise, so that triangles are counterclockwise when seen from above.
       const double angle = -2 * sample_pi * column / columns + twist * radius;
-      surface.points.push_back({radius * std::cos(angle), radius * std::sin(angle),
-                                height * std::exp(-(radius / width) * (radius / width))});
+      surface.points.push_back(
+        {radius * std::cos(angle), radius * std::sin(angle), height * std::exp(-(radius / width) * (radius / width))});
     }
-  append_grid(surface, columns, rings, true, false,
-              [](std::size_t, std::size_t) { return Diagonal::RISING; });
+  append_grid(surface, columns, rings, true, false, [](std::size_t, std::size_t) { return Diagonal::RISING; });
   append_fan(surface, 0, columns, {0, 0, height}, false);
   return surface;
 }
@@ -155,15 +149,13 @@ inline Indexed_triangles bumpy_dome(std::size_t columns = 24, std::size_t rows =
       const double column_shift = random.uniform(-largest_shift, largest_shift);
       const double height = (row + row_shift) / rows; // 0 at the pole, 1 at the boundary
       // Clockwise, so that triangles are counterclockwise when seen from outside.
-      const double longitude =
-        -2 * sample_pi * (column + column_shift) / columns + twist * height;
+      const double longitude = -2 * sample_pi * (column + column_shift) / columns + twist * height;
       surface.points.push_back(bumped(std::sin(boundary * height) * std::cos(longitude),
-                                      std::sin(boundary * height) * std::sin(longitude),
-                                      std::cos(boundary * height), bump_height));
+                                      std::sin(boundary * height) * std::sin(longitude), std::cos(boundary * height),
+                                      bump_height));
     }
-  append_grid(surface, columns, rows, true, false, [&random](std::size_t, std::size_t) {
-    return random.coin() ? Diagonal::RISING : Diagonal::FALLING;
-  });
+  append_grid(surface, columns, rows, true, false,
+              [&random](std::size_t, std::size_t) { return random.coin() ? Diagonal::RISING : Diagonal::FALLING; });
   append_fan(surface, 0, columns, bumped(0, 0, 1, bump_height), false);
   return surface;
 }
@@ -187,11 +179,10 @@ inline Indexed_triangles torus(std::size_t columns = 60, std::size_t rows = 30, 
       const double around_axis = 2 * sample_pi * column / columns;
       const double around_tube = 2 * sample_pi * row / rows;
       const double distance = 1 + tube_radius * std::cos(around_tube);
-      surface.points.push_back({distance * std::cos(around_axis), distance * std::sin(around_axis),
-                                tube_radius * std::sin(around_tube)});
+      surface.points.push_back(
+        {distance * std::cos(around_axis), distance * std::sin(around_axis), tube_radius * std::sin(around_tube)});
     }
-  append_grid(surface, columns, rows, true, true,
-              [](std::size_t, std::size_t) { return Diagonal::RISING; });
+  append_grid(surface, columns, rows, true, true, [](std::size_t, std::size_t) { return Diagonal::RISING; });
   return surface;
 }
 
@@ -221,12 +212,11 @@ inline Indexed_triangles bad_torus(std::size_t columns = 100, std::size_t rows =
       const double around_axis = 2 * sample_pi * (column + column_shift) / columns;
       const double around_tube = 2 * sample_pi * (row + row_shift) / rows;
       const double distance = 1 + tube_radius * std::cos(around_tube);
-      surface.points.push_back({distance * std::cos(around_axis), distance * std::sin(around_axis),
-                                tube_radius * std::sin(around_tube)});
+      surface.points.push_back(
+        {distance * std::cos(around_axis), distance * std::sin(around_axis), tube_radius * std::sin(around_tube)});
     }
-  append_grid(surface, columns, rows, true, true, [&random](std::size_t, std::size_t) {
-    return random.coin() ? Diagonal::RISING : Diagonal::FALLING;
-  });
+  append_grid(surface, columns, rows, true, true,
+              [&random](std::size_t, std::size_t) { return random.coin() ? Diagonal::RISING : Diagonal::FALLING; });
   return surface;
 }
 
@@ -278,9 +268,8 @@ inline Indexed_triangles Schwarz_lantern(std::size_t columns = 16, std::size_t r
       const double angle = 2 * sample_pi * (column + (row % 2 == 0 ? 0.0 : 0.5)) / columns;
       surface.points.push_back({std::cos(angle), std::sin(angle), static_cast<double>(row) / rows});
     }
-  append_grid(surface, columns, rows + 1, true, false, [](std::size_t, std::size_t row) {
-    return row % 2 == 0 ? Diagonal::FALLING : Diagonal::RISING;
-  });
+  append_grid(surface, columns, rows + 1, true, false,
+              [](std::size_t, std::size_t row) { return row % 2 == 0 ? Diagonal::FALLING : Diagonal::RISING; });
   return surface;
 }
 

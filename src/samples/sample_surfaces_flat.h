@@ -34,8 +34,7 @@ inline Indexed_triangles prism(std::size_t n = 80, std::uint64_t rotation_seed =
       const double angle = 2 * sample_pi * corner / n;
       surface.points.push_back({std::cos(angle), std::sin(angle), height});
     }
-  append_grid(surface, n, 2, true, false,
-              [](std::size_t, std::size_t) { return Diagonal::RISING; });
+  append_grid(surface, n, 2, true, false, [](std::size_t, std::size_t) { return Diagonal::RISING; });
   for (std::size_t corner = 1; corner + 1 < n; ++corner) {
     append_triangle(surface, 0, corner + 1, corner);
     append_triangle(surface, n, n + corner, n + corner + 1);
@@ -99,8 +98,7 @@ inline Indexed_triangles sliver_sheet(std::size_t n = 40, double scale_x = 1e-9,
       const double y_shift = 0.3 / n * std::sin(40 * x + 17 * y);
       surface.points.push_back({scale_x * x, y + y_shift, scale_z * z});
     }
-  append_grid(surface, n, n, false, false,
-              [](std::size_t, std::size_t) { return Diagonal::RISING; });
+  append_grid(surface, n, n, false, false, [](std::size_t, std::size_t) { return Diagonal::RISING; });
   return surface;
 }
 
@@ -114,8 +112,8 @@ inline Indexed_triangles sliver_sheet(std::size_t n = 40, double scale_x = 1e-9,
 // \param rows the number of squares upwards, at least 1
 // \param seed of the random diagonals
 // \param rotation_seed of the rigid rotation, 0 for none
-inline Indexed_triangles random_diagonal_grid(std::size_t columns = 40, std::size_t rows = 40,
-                                              std::uint64_t seed = 1, std::uint64_t rotation_seed = 0)
+inline Indexed_triangles random_diagonal_grid(std::size_t columns = 40, std::size_t rows = 40, std::uint64_t seed = 1,
+                                              std::uint64_t rotation_seed = 0)
 {
   require_sample_argument(columns >= 1 && rows >= 1, "a grid has a square at least");
   Indexed_triangles surface;
@@ -123,9 +121,8 @@ inline Indexed_triangles random_diagonal_grid(std::size_t columns = 40, std::siz
     for (std::size_t column = 0; column <= columns; ++column)
       surface.points.push_back({static_cast<double>(column), static_cast<double>(row), 0});
   Sample_random random(seed);
-  append_grid(surface, columns + 1, rows + 1, false, false, [&random](std::size_t, std::size_t) {
-    return random.coin() ? Diagonal::RISING : Diagonal::FALLING;
-  });
+  append_grid(surface, columns + 1, rows + 1, false, false,
+              [&random](std::size_t, std::size_t) { return random.coin() ? Diagonal::RISING : Diagonal::FALLING; });
   rotate_sample(surface.points, rotation_seed);
   return surface;
 }
@@ -146,8 +143,7 @@ inline Indexed_triangles sheared_grid(std::size_t columns = 40, std::size_t rows
   for (std::size_t row = 0; row <= rows; ++row)
     for (std::size_t column = 0; column <= columns; ++column)
       surface.points.push_back({column + shear * row, static_cast<double>(row), 0});
-  append_grid(surface, columns + 1, rows + 1, false, false,
-              [](std::size_t, std::size_t) { return Diagonal::RISING; });
+  append_grid(surface, columns + 1, rows + 1, false, false, [](std::size_t, std::size_t) { return Diagonal::RISING; });
   return surface;
 }
 
@@ -165,8 +161,7 @@ inline Indexed_triangles sheared_grid(std::size_t columns = 40, std::size_t rows
 // \param width the distance between the two rows; the points in a row are 1 apart
 inline Indexed_triangles strip(std::size_t n = 5000, std::size_t shift = 60, double width = 1)
 {
-  require_sample_argument(n >= 2 && shift < n,
-                          "a strip has 2 points a row at least, and more than the shift");
+  require_sample_argument(n >= 2 && shift < n, "a strip has 2 points a row at least, and more than the shift");
   require_sample_argument(width > 0, "a strip has a positive width");
   Indexed_triangles surface;
   for (std::size_t k = 0; k < n; ++k)

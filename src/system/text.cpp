@@ -14,8 +14,8 @@ namespace {
 std::string formatted(double number, int digits)
 {
   char buffer[64];
-  const std::to_chars_result result = std::to_chars(
-    buffer, buffer + sizeof buffer, number, std::chars_format::general, digits);
+  const std::to_chars_result result =
+    std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::general, digits);
   return std::string(buffer, result.ptr);
 }
 

@@ -61,8 +61,7 @@ inline void check_overlay(const Filtered_triangulation& triangulation, const Rec
   require(IT::are_same_overlay(overlay, record.overlay, true), "both overlays are the same");
   require(test_surfaces::are_same_links(IT::intrinsic_triangulation_of(overlay), triangulation.connectivity()),
           "the overlay contains the result");
-  require(test_surfaces::are_same_links(IT::input_triangulation_of(overlay), input),
-          "the overlay contains the input");
+  require(test_surfaces::are_same_links(IT::input_triangulation_of(overlay), input), "the overlay contains the input");
 }
 
 inline void check_positions(const IT::Overlay& overlay, const IT::Overlay_positions& positions)
@@ -150,8 +149,7 @@ inline void check_flips_back(Filtered_triangulation triangulation, const std::ve
 }
 
 inline void check_result(const Filtered_triangulation& triangulation, const Recording_visitor& record,
-                         const IT::Delta_complex& input, bool is_done, bool has_no_area,
-                         bool has_accurate_areas)
+                         const IT::Delta_complex& input, bool is_done, bool has_no_area, bool has_accurate_areas)
 {
   require(triangulation.connectivity().is_valid(true), "the connectivity is valid");
   const IT::Delaunay_verification verification = IT::verify_Delaunay(triangulation);
@@ -164,8 +162,8 @@ inline void check_result(const Filtered_triangulation& triangulation, const Reco
   const auto& geometry = IT::internal::engine(triangulation);
   std::vector<double> input_areas;
   for (IT::Face_index f : input.faces())
-    input_areas.push_back(std::ldexp(geometry.metric().four_areas_double_double(input, f).hi() / 4,
-                                     2 * triangulation.unit_exponent()));
+    input_areas.push_back(
+      std::ldexp(geometry.metric().four_areas_double_double(input, f).hi() / 4, 2 * triangulation.unit_exponent()));
   if (has_accurate_areas)
     check_areas(triangulation, subdivision, input_areas);
   // A flip that straightens an angle cannot be made the other way round.

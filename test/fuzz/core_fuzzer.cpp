@@ -128,8 +128,7 @@ void check_inexact(const Metric_gluing& input, const Faults& faults, const Filte
   triangulation->keep_input(input.lengths.empty()
                               ? IT::Input_metric::from_points({input.points.begin(), input.points.end()})
                               : IT::Input_metric::from_lengths(input.lengths));
-  const IT::Flip_report report =
-    IT::flip_to_Delaunay(*triangulation, CGAL::parameters::maximum_number(flip_budget));
+  const IT::Flip_report report = IT::flip_to_Delaunay(*triangulation, CGAL::parameters::maximum_number(flip_budget));
   require(triangulation->connectivity().is_valid(true), "the connectivity is valid after rounded flips");
   if (exact && !faults.no_area && report.status == IT::Flip_status::DELAUNAY)
     fuzz::compare_results(*triangulation, *exact);
@@ -152,8 +151,8 @@ void check_all(const Metric_gluing& input)
     fuzz::Recording_visitor record(triangulation->connectivity(), crossing_budget);
     try {
       try {
-        const IT::Flip_report report = IT::flip_to_Delaunay(
-          *triangulation, CGAL::parameters::visitor(std::ref(record)).maximum_number(flip_budget));
+        const IT::Flip_report report =
+          IT::flip_to_Delaunay(*triangulation, CGAL::parameters::visitor(std::ref(record)).maximum_number(flip_budget));
         is_done = report.status == IT::Flip_status::DELAUNAY;
         require(is_done || report.status == IT::Flip_status::BUDGET_EXHAUSTED,
                 "exact decisions end with a Delaunay triangulation, unless they are stopped");

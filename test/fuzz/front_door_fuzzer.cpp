@@ -84,8 +84,8 @@ void check_exact(const idt::Surface& surface)
   const bool has_no_area = has_face_without_area(triangulation);
   fuzz::Recording_visitor record(triangulation.connectivity(), crossing_budget);
   try {
-    const IT::Flip_report report = IT::flip_to_Delaunay(
-      triangulation, CGAL::parameters::visitor(std::ref(record)).maximum_number(flip_budget));
+    const IT::Flip_report report =
+      IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(std::ref(record)).maximum_number(flip_budget));
     require(report.status != IT::Flip_status::NOT_FLIPPABLE && report.status != IT::Flip_status::INCONSISTENT &&
               report.status != IT::Flip_status::UNDECIDED,
             "exact decisions do not contradict each other");

@@ -29,7 +29,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using test_surfaces::Triangulation;
 
 static_assert(std::is_constructible<IT::Point_location, const IT::Common_subdivision&>::value, "");
-static_assert(!std::is_constructible<IT::Point_location, IT::Common_subdivision>::value, "it refers to the subdivision");
+static_assert(!std::is_constructible<IT::Point_location, IT::Common_subdivision>::value,
+              "it refers to the subdivision");
 
 Triangulation Delaunay_triangulation(const samples::Indexed_triangles& surface)
 {
@@ -112,7 +113,8 @@ TEST(Common_subdivision, prepares_the_integers)
   const IT::Delta_complex input = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
   const Triangulation t = Delaunay_triangulation(surface);
   IT::Intrinsic_triangulation<IT::Edge_length_traits<double>> rounded(input, surface.points);
-  rounded.keep_input(IT::Input_metric::from_points(IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end())));
+  rounded.keep_input(
+    IT::Input_metric::from_points(IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end())));
   const IT::Delta_complex& complex = rounded.connectivity();
   bool is_changed = true;
   while (is_changed) {

@@ -244,7 +244,8 @@ TEST(Halfedge_vectors, at_flat_vertices_are_those_of_the_plane)
 
 TEST(Halfedge_vectors, remain_the_same_whatever_is_flipped_and_inserted)
 {
-  for (const samples::Indexed_triangles& surface : {samples::bumpy_sphere(14, 9), samples::bumpy_dome(12, 9), samples::bad_torus(11, 9), samples::disk_with_spike(12, 6)}) {
+  for (const samples::Indexed_triangles& surface : {samples::bumpy_sphere(14, 9), samples::bumpy_dome(12, 9),
+                                                    samples::bad_torus(11, 9), samples::disk_with_spike(12, 6)}) {
     Triangulation t = make_triangulation(surface);
     const std::vector<Vector> before = IT::halfedge_vectors_in_vertex(t);
     ASSERT_GT(IT::flip_to_Delaunay(t).flips, 0u);
@@ -302,7 +303,8 @@ TEST(Halfedge_vectors, at_inserted_vertices_have_the_axis_of_their_location)
   const Triangulation before = make_triangulation(surface);
   const Delta_complex& input = before.connectivity();
   for (Halfedge_index location : input.halfedges())
-    for (std::array<double, 3> at : {std::array<double, 3>{0.25, 0.25, 0.5}, {0.125, 0.875, 0}, {0, 0.5, 0.5}, {0.75, 0, 0.25}}) {
+    for (std::array<double, 3> at :
+         {std::array<double, 3>{0.25, 0.25, 0.5}, {0.125, 0.875, 0}, {0, 0.5, 0.5}, {0.75, 0, 0.25}}) {
       if (input.is_border(location))
         continue;
       Triangulation t = before;

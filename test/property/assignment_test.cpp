@@ -58,8 +58,8 @@ void expect_same_end(Triangulation& t, Triangulation original)
 
 const std::vector<samples::Indexed_triangles>& surfaces()
 {
-  static const std::vector<samples::Indexed_triangles> all{samples::prism(12, 5), samples::bad_torus(12, 10), samples::pillow(30),
-                                                           samples::bumpy_sphere(30, 16)};
+  static const std::vector<samples::Indexed_triangles> all{samples::prism(12, 5), samples::bad_torus(12, 10),
+                                                           samples::pillow(30), samples::bumpy_sphere(30, 16)};
   return all;
 }
 

@@ -157,7 +157,8 @@ TEST(Const_queries, eight_threads_hear_what_one_hears)
     const Triangulation asked_by_one = asked_by_all;
     const IT::Common_subdivision subdivision_for_one(asked_by_one);
     const IT::Point_location location(subdivision_for_one);
-    const std::vector<double> expected = answers(asked_by_one, &location, 0), expected_positions = positions(asked_by_one);
+    const std::vector<double> expected = answers(asked_by_one, &location, 0),
+                              expected_positions = positions(asked_by_one);
     EXPECT_GT(expected.size(), 5 * asked_by_one.connectivity().number_of_edges());
 
     std::array<std::vector<double>, number_of_threads> alone, together, on_edges;
@@ -206,11 +207,12 @@ TEST(Scratch_pool, no_more_objects_than_in_use_at_once)
   EXPECT_EQ(number_made, 1u);
   EXPECT_EQ(*take(), 10001);
   for (int round = 0; round < 20; ++round)
-    run([&](std::size_t) {
-      for (int i = 0; i < 100; ++i)
-        ++*take();
-    },
-        64);
+    run(
+      [&](std::size_t) {
+        for (int i = 0; i < 100; ++i)
+          ++*take();
+      },
+      64);
   EXPECT_LE(number_made, 64u);
   EXPECT_EQ(number_made, pool.size());
   std::vector<IT::internal::Scratch_pool<int>::Lease> leases;
@@ -263,7 +265,8 @@ TEST(Const_queries, journals_and_flips_one_by_one_lead_to_the_same)
           for (IT::Face_index f : complex.faces())
             Whole(*t).recompute(f);
         ASSERT_EQ(answers(journaled, nullptr, 0), answers(followed, nullptr, 0));
-        const IT::internal::Correspondence &a = IT::internal::engine(journaled).correspondence(), &b = IT::internal::engine(followed).correspondence();
+        const IT::internal::Correspondence &a = IT::internal::engine(journaled).correspondence(),
+                                           &b = IT::internal::engine(followed).correspondence();
         for (IT::Halfedge_index h : complex.halfedges())
           ASSERT_EQ(a.input_halfedge(h), b.input_halfedge(h));
       }

@@ -112,10 +112,10 @@ TYPED_TEST(Element_numbers, progress_is_reported_and_cancels)
   const auto t = triangulation<TypeParam>(from_triangles("torus", samples::torus(8, 6)));
   double last = -1;
   const IT::Element_numbers numbers = IT::element_numbers(t, CGAL::parameters::visitor([&](double fraction) {
-    EXPECT_TRUE(fraction >= last && fraction <= 1);
-    last = fraction;
-    return true;
-  }));
+                                                            EXPECT_TRUE(fraction >= last && fraction <= 1);
+                                                            last = fraction;
+                                                            return true;
+                                                          }));
   EXPECT_GE(last, 0);
   EXPECT_EQ(numbers.lengths, IT::edge_lengths(t));
   const auto no = CGAL::parameters::visitor([](double) { return false; });
@@ -129,8 +129,8 @@ TYPED_TEST(Element_numbers, progress_is_reported_and_cancels)
 template <class Traits>
 IT::Intrinsic_triangulation<Traits> with_flat_face()
 {
-  return triangulation<Traits>(from_triangles(
-    "flat face", {{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 0, 0}}, {{4, 2, 3}, {4, 1, 2}, {0, 4, 3}, {0, 1, 4}}}));
+  return triangulation<Traits>(from_triangles("flat face", {{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 0, 0}},
+                                                            {{4, 2, 3}, {4, 1, 2}, {0, 4, 3}, {0, 1, 4}}}));
 }
 
 template <class Traits>
@@ -209,7 +209,8 @@ struct Watcher : IT::Default_visitor
 TEST(Flip_visitor, may_be_told_of_each_test)
 {
   // An edge with the same face on both sides would count as tested, but there is nothing to test.
-  for (const Surface& surface : {from_triangles("torus", samples::torus(12, 8)), from_triangles("sphere", samples::bumpy_sphere(12, 8))}) {
+  for (const Surface& surface :
+       {from_triangles("torus", samples::torus(12, 8)), from_triangles("sphere", samples::bumpy_sphere(12, 8))}) {
     auto t = triangulation<Filtered>(surface), other = t;
     Watcher watcher;
     const IT::Flip_report report = IT::flip_to_Delaunay<Tag>(t, CGAL::parameters::visitor(std::ref(watcher)));

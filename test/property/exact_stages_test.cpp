@@ -35,8 +35,7 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 
 Triangulation make_Delaunay(const samples::Indexed_triangles& surface)
 {
-  Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
-                  surface.points);
+  Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   EXPECT_EQ(IT::flip_to_Delaunay(t).status, IT::Flip_status::DELAUNAY);
   return t;
 }
@@ -111,8 +110,7 @@ TEST(Exact_stages, near_ties_of_bent_faces_are_decided_by_faces_carried_along)
 // A fold, the angles opposite to it are α and π − α: the cotangents are 3/4 and -3/4.
 TEST(Exact_stages, rational_numbers_decide_ties_where_areas_are_rational)
 {
-  const Triangulation t = make_Delaunay(
-    {{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 0.25}}, {{0, 1, 2}, {1, 0, 3}}});
+  const Triangulation t = make_Delaunay({{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 0.25}}, {{0, 1, 2}, {1, 0, 3}}});
   EXPECT_EQ(t.stage_counts()[IT::Stage::ALGEBRAIC], 1u);
   EXPECT_EQ(t.stage_counts().ties, 1u);
   expect_agreement(t);
@@ -153,8 +151,7 @@ TEST(Exact_stages, the_rationals_decide_where_no_area_has_a_root)
   for (const Triangulation& t : {input, make_Delaunay(surface)}) {
     const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
     const auto input_surface = geometry.input_surface();
-    IT::internal::Exact_fallback exact_fallback(t.connectivity(), geometry.correspondence(),
-                                                *input_surface);
+    IT::internal::Exact_fallback exact_fallback(t.connectivity(), geometry.correspondence(), *input_surface);
     for (IT::Edge_index e : t.connectivity().edges()) {
       if (!t.connectivity().is_flippable(e))
         continue;
@@ -209,7 +206,8 @@ TEST(Exact_stages, weights_near_ties_are_small_and_not_zero)
       ASSERT_EQ(diagonals.size(), 1u);
       const Rational epsilon(IT::internal::Integer(1), IT::internal::Integer(1) << n);
       squared_lengths[diagonals[0].idx()] = 2 - sign * epsilon;
-      const Triangulation t = Triangulation::from_metric(std::move(complex), IT::metric_from_squared_lengths(std::move(squared_lengths)));
+      const Triangulation t =
+        Triangulation::from_metric(std::move(complex), IT::metric_from_squared_lengths(std::move(squared_lengths)));
       const double smallest = std::numeric_limits<double>::denorm_min();
       const double expected = sign * (std::max)(std::ldexp(1., -n), smallest);
       EXPECT_NEAR(t.cotangent_weight(diagonals[0]), expected, 1e-14 * std::abs(expected)) << n;
@@ -221,15 +219,12 @@ TEST(Exact_stages, weights_near_ties_are_small_and_not_zero)
 TEST(Exact_stages, a_length_that_is_a_double_is_found_by_multiple_precision)
 {
   const samples::Indexed_triangles grid = samples::random_diagonal_grid(3, 3, 1);
-  const Triangulation t(IT::make_Delta_complex_from_triangles(grid.points.size(), grid.triangles),
-                        grid.points);
+  const Triangulation t(IT::make_Delta_complex_from_triangles(grid.points.size(), grid.triangles), grid.points);
   const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
   const auto input_surface = geometry.input_surface();
-  IT::internal::Exact_fallback exact_fallback(t.connectivity(), geometry.correspondence(),
-                                              *input_surface);
+  IT::internal::Exact_fallback exact_fallback(t.connectivity(), geometry.correspondence(), *input_surface);
   for (IT::Edge_index e : t.connectivity().edges())
-    EXPECT_NEAR(std::ldexp(exact_fallback.length(e), t.unit_exponent()), t.length(e),
-                0x1p-52 * t.length(e));
+    EXPECT_NEAR(std::ldexp(exact_fallback.length(e), t.unit_exponent()), t.length(e), 0x1p-52 * t.length(e));
 }
 
 TEST(Exact_stages, triangulations_in_two_threads_do_not_meet)

@@ -52,9 +52,7 @@ samples::Indexed_triangles read(const std::string& path)
 void write(const std::string& path, const samples::Indexed_triangles& surface)
 {
   std::ofstream file(path);
-  file << "OFF\n"
-       << surface.points.size() << " " << surface.triangles.size() << " 0\n"
-       << std::setprecision(17);
+  file << "OFF\n" << surface.points.size() << " " << surface.triangles.size() << " 0\n" << std::setprecision(17);
   for (const std::array<double, 3>& p : surface.points)
     file << p[0] << " " << p[1] << " " << p[2] << "\n";
   for (const std::array<std::uint32_t, 3>& t : surface.triangles)
@@ -120,8 +118,8 @@ void print_edges(const samples::Indexed_triangles& surface)
   for (IT::Halfedge_index h : complex.halfedges())
     hash = (hash ^ complex.target(h).idx()) * 0x100000001b3;
   const auto verification = IT::verify_Delaunay(result.triangulation);
-  std::cout << " flips " << result.report.flips << " edges " << hash << " ties " << verification.ties << " not Delaunay "
-            << verification.not_Delaunay.size() + verification.inverted.size() << std::endl;
+  std::cout << " flips " << result.report.flips << " edges " << hash << " ties " << verification.ties
+            << " not Delaunay " << verification.not_Delaunay.size() + verification.inverted.size() << std::endl;
 }
 
 } // namespace

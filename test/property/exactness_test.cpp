@@ -307,8 +307,8 @@ TEST(Exactness, RandomGluingsWithIntegerLengths)
     } catch (const IT::Invalid_surface_error& error) {
       ++collapsed;
       EXPECT_EQ(error.defect(), IT::Invalid_surface_error::Defect::ZERO_LENGTH_EDGE);
-      reference::Reference_triangulation<> own(
-        reference::sides_of_gluing(gluing.number_of_faces, gluing.glued_sides), gluing.side_lengths);
+      reference::Reference_triangulation<> own(reference::sides_of_gluing(gluing.number_of_faces, gluing.glued_sides),
+                                               gluing.side_lengths);
       EXPECT_THROW(own.make_Delaunay(), reference::Coincident_vertices);
     }
   }
@@ -346,9 +346,9 @@ TEST(Exactness, TiesWithManyIndependentRoots)
 
 TEST(Exactness, IsFreeOfScale)
 {
-  const std::vector<Indexed_triangles> surfaces = {samples::prism(12, 1), samples::cap(1e-10, 1), samples::cap(0),
-                                                   samples::helical_tube(12, 1e5), samples::torus(8, 6),
-                                                   samples::sliver_sheet(6, 1e-9, 1e-9)};
+  const std::vector<Indexed_triangles> surfaces = {samples::prism(12, 1), samples::cap(1e-10, 1),
+                                                   samples::cap(0),       samples::helical_tube(12, 1e5),
+                                                   samples::torus(8, 6),  samples::sliver_sheet(6, 1e-9, 1e-9)};
   for (const Indexed_triangles& surface : surfaces) {
     reference::Exact_triangulation plain = reference::exact_triangulation(surface);
     IT::flip_to_Delaunay(plain);
@@ -394,8 +394,9 @@ TEST(Exactness, ExtremeScalesAreExactOrRefused)
 
 TEST(Exactness, ConstrainedEdgesStay)
 {
-  const std::vector<Indexed_triangles> surfaces = {samples::prism(12), samples::bad_torus(12, 12), samples::cap(1e-12),
-                                                   samples::cap(0), samples::sheared_grid(6, 6), samples::helical_tube(20)};
+  const std::vector<Indexed_triangles> surfaces = {samples::prism(12),          samples::bad_torus(12, 12),
+                                                   samples::cap(1e-12),         samples::cap(0),
+                                                   samples::sheared_grid(6, 6), samples::helical_tube(20)};
   std::mt19937 random(5);
   for (const Indexed_triangles& surface : surfaces)
     for (unsigned denominator : {1u, 2u, 5u, 20u}) {
@@ -412,10 +413,15 @@ TEST(Exactness, ConstrainedEdgesStay)
 
 TEST(Exactness, TheTessellationDoesNotDependOnTheOrder)
 {
-  const std::vector<Indexed_triangles> surfaces = {samples::prism(16), samples::prism(16, 3), samples::torus(10, 8),
-                                                   samples::random_diagonal_grid(8, 8), samples::cap(1e-14),
-                                                   samples::cap(0), samples::sheared_grid(6, 6, 3),
-                                                   samples::sliver_sheet(8), samples::helical_tube(20)};
+  const std::vector<Indexed_triangles> surfaces = {samples::prism(16),
+                                                   samples::prism(16, 3),
+                                                   samples::torus(10, 8),
+                                                   samples::random_diagonal_grid(8, 8),
+                                                   samples::cap(1e-14),
+                                                   samples::cap(0),
+                                                   samples::sheared_grid(6, 6, 3),
+                                                   samples::sliver_sheet(8),
+                                                   samples::helical_tube(20)};
   for (const Indexed_triangles& surface : surfaces) {
     const Comparison plain = expect_agreement(surface);
     for (unsigned seed = 1; seed <= 4; ++seed)

@@ -131,7 +131,8 @@ protected:
       allocations = number_of_allocations;
     }
     for (Fault kind : {Fault::ANSWER, Fault::EXCEPTION, Fault::MEMORY}) {
-      const std::int64_t n = kind == Fault::MEMORY ? allocations : questions, step = (std::max)(std::int64_t(1), n / most_);
+      const std::int64_t n = kind == Fault::MEMORY ? allocations : questions,
+                         step = (std::max)(std::int64_t(1), n / most_);
       for (std::int64_t k = 1; k <= n; k += step) {
         SCOPED_TRACE(name + ", " + names_of_faults[int(kind)] + " " + std::to_string(k) + " of " + std::to_string(n));
         auto state = make();
@@ -218,7 +219,8 @@ void expect_valid(Triangulation& t, const IT::Delta_complex& input)
                        std::abs(t.edge_data(complex.edge(complex.next(h))) - number(c.s_second)) +
                        std::abs(t.edge_data(complex.edge(complex.prev(h))) - number(c.s_first));
     ASSERT_LE(1.5 * sum, stored.error) << "sides of face " << f.idx();
-    ASSERT_LE(1.5 * std::abs(stored.value - number(c.four_areas)), stored.error * (1 + 1e-9)) << "area of face " << f.idx();
+    ASSERT_LE(1.5 * std::abs(stored.value - number(c.four_areas)), stored.error * (1 + 1e-9))
+      << "area of face " << f.idx();
   }
   for (IT::Edge_index e : complex.edges())
     if (complex.is_flippable(e)) {
@@ -386,9 +388,12 @@ protected:
       ASSERT_TRUE(t.connectivity() == before.connectivity());
       for (IT::Edge_index e : t.connectivity().edges()) {
         ASSERT_EQ(t.edge_data(e), before.edge_data(e));
-        ASSERT_EQ(IT::internal::engine(t).correspondence().coordinates().crossings(e), IT::internal::engine(before).correspondence().coordinates().crossings(e));
-        for (IT::Halfedge_index h : {t.connectivity().halfedge(e), t.connectivity().opposite(t.connectivity().halfedge(e))})
-          ASSERT_EQ(IT::internal::engine(t).correspondence().input_halfedge(h), IT::internal::engine(before).correspondence().input_halfedge(h));
+        ASSERT_EQ(IT::internal::engine(t).correspondence().coordinates().crossings(e),
+                  IT::internal::engine(before).correspondence().coordinates().crossings(e));
+        for (IT::Halfedge_index h :
+             {t.connectivity().halfedge(e), t.connectivity().opposite(t.connectivity().halfedge(e))})
+          ASSERT_EQ(IT::internal::engine(t).correspondence().input_halfedge(h),
+                    IT::internal::engine(before).correspondence().input_halfedge(h));
       }
       for (IT::Face_index f : t.connectivity().faces())
         ASSERT_EQ(t.face_data(f).value, before.face_data(f).value);
@@ -402,7 +407,8 @@ protected:
           const IT::internal::Exact_engine& engine = IT::internal::engine(t);
           IT::internal::Whole_triangulation<Triangulation::Traits> whole(t);
           if (p.dimension() == 2) {
-            const IT::internal::Triangle_piece at = IT::internal::piece_at_source(t.connectivity(), engine.correspondence(), p.halfedge);
+            const IT::internal::Triangle_piece at =
+              IT::internal::piece_at_source(t.connectivity(), engine.correspondence(), p.halfedge);
             whole.split_face(IT::internal::Piece_search(engine)(at, p), p);
           } else {
             whole.split_edge(*IT::internal::halfedge_along(engine, p), p);
@@ -434,7 +440,9 @@ protected:
     using Network = IT::Geodesic_path_network<IT::Filtered_edge_length_traits>;
     struct State
     {
-      explicit State(const Triangulation& t) : triangulation(std::make_unique<Triangulation>(t)), network(*triangulation) {}
+      explicit State(const Triangulation& t)
+        : triangulation(std::make_unique<Triangulation>(t)), network(*triangulation)
+      {}
       std::unique_ptr<Triangulation> triangulation;
       Network network;
     };
@@ -478,7 +486,8 @@ protected:
         }
         EXPECT_LE(length(*state), length_before * (1 + 1e-12));
         const IT::Geodesic_status status = state->network.shorten().status;
-        EXPECT_EQ(state->network.is_geodesic(), status == IT::Geodesic_status::GEODESIC || status == IT::Geodesic_status::CONTRACTIBLE);
+        EXPECT_EQ(state->network.is_geodesic(),
+                  status == IT::Geodesic_status::GEODESIC || status == IT::Geodesic_status::CONTRACTIBLE);
         expect_valid(*state->triangulation, input);
       });
 
@@ -500,7 +509,11 @@ protected:
       }
     };
     sweep(
-      name + ": lines", [&] { return Traced{flipped, {}}; }, trace,
+      name + ": lines",
+      [&] {
+        return Traced{flipped, {}};
+      },
+      trace,
       [&](Traced& traced, Traced& whole) {
         traced.triangulation.set_interruption({});
         trace(traced);
@@ -517,7 +530,9 @@ protected:
       IT::Untwisting untwisting;
     };
     const State start{gluing.complex, gluing.squared_lengths, {}};
-    const auto is_same = [](const State& a, const State& b) { return a.complex == b.complex && a.squared_lengths == b.squared_lengths; };
+    const auto is_same = [](const State& a, const State& b) {
+      return a.complex == b.complex && a.squared_lengths == b.squared_lengths;
+    };
     sweep(
       name + ": untwisting", [&] { return start; },
       [](State& s) { s.untwisting = IT::untwist(s.complex, s.squared_lengths, CGAL::parameters::visitor(Visitor())); },
@@ -645,7 +660,10 @@ BOOST_NOINLINE void* operator new(std::size_t size, const std::nothrow_t&) noexc
 {
   return may_allocate() ? std::malloc(size != 0 ? size : 1) : nullptr;
 }
-BOOST_NOINLINE void* operator new[](std::size_t size, const std::nothrow_t& none) noexcept { return operator new(size, none); }
+BOOST_NOINLINE void* operator new[](std::size_t size, const std::nothrow_t& none) noexcept
+{
+  return operator new(size, none);
+}
 // The numbers of CGAL::Mpzf, and hardly anything else.
 BOOST_NOINLINE void* operator new[](std::size_t size)
 {

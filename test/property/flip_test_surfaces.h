@@ -40,10 +40,7 @@ struct Surface
 
 inline Surface from_triangles(const std::string& name, const samples::Indexed_triangles& triangles)
 {
-  Surface surface{name,
-                  IT::make_Delta_complex_from_triangles(triangles.points.size(), triangles.triangles),
-                  {},
-                  {}};
+  Surface surface{name, IT::make_Delta_complex_from_triangles(triangles.points.size(), triangles.triangles), {}, {}};
   for (const std::array<double, 3>& p : triangles.points)
     surface.points.push_back({float(p[0]), float(p[1]), float(p[2])});
   return surface;
@@ -73,8 +70,7 @@ inline std::vector<double> edge_lengths(const samples::Glued_triangles& gluing, 
 
 inline Surface from_gluing(const std::string& name, const samples::Glued_triangles& gluing)
 {
-  Surface surface{
-    name, IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides), {}, {}};
+  Surface surface{name, IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides), {}, {}};
   for (double l : edge_lengths(gluing, surface.connectivity))
     surface.lengths.push_back(float(l));
   return surface;
@@ -96,8 +92,7 @@ inline std::vector<Surface> generic_surfaces(bool small)
   for (std::uint64_t seed = 1; seed <= (small ? 2 : 10); ++seed) {
     const std::string number = std::to_string(seed);
     surfaces.push_back(from_gluing("closed gluing " + number, samples::random_gluing(small ? 8 : 40, seed)));
-    surfaces.push_back(
-      from_gluing("open gluing " + number, samples::random_gluing(small ? 9 : 41, seed, true, true)));
+    surfaces.push_back(from_gluing("open gluing " + number, samples::random_gluing(small ? 9 : 41, seed, true, true)));
   }
   return surfaces;
 }
@@ -130,8 +125,7 @@ Invariants invariants(const Triangulation& t)
 {
   const IT::Delta_complex& c = t.connectivity();
   Invariants result;
-  result.euler_characteristic =
-    int(c.number_of_vertices()) - int(c.number_of_edges()) + int(c.number_of_faces());
+  result.euler_characteristic = int(c.number_of_vertices()) - int(c.number_of_edges()) + int(c.number_of_faces());
   result.cone_angles.resize(c.number_of_vertices());
   for (IT::Face_index f : c.faces())
     result.area += CGAL::to_double(t.area(f));
@@ -139,8 +133,7 @@ Invariants invariants(const Triangulation& t)
     if (c.is_border(h))
       ++result.border_halfedges;
     else
-      result.cone_angles[c.target(c.next(h)).idx()] +=
-        std::atan2(1., CGAL::to_double(t.cotangent(h)));
+      result.cone_angles[c.target(c.next(h)).idx()] += std::atan2(1., CGAL::to_double(t.cotangent(h)));
   }
   return result;
 }
@@ -151,8 +144,8 @@ inline bool are_same_links(const IT::Delta_complex& a, const IT::Delta_complex& 
 {
   return std::equal(a.halfedges().begin(), a.halfedges().end(), b.halfedges().begin(), b.halfedges().end(),
                     [&](IT::Halfedge_index x, IT::Halfedge_index y) {
-                      return a.next(x) == b.next(y) && a.prev(x) == b.prev(y) &&
-                             a.target(x) == b.target(y) && a.face(x) == b.face(y);
+                      return a.next(x) == b.next(y) && a.prev(x) == b.prev(y) && a.target(x) == b.target(y) &&
+                             a.face(x) == b.face(y);
                     });
 }
 
@@ -173,8 +166,7 @@ std::vector<Edge_record> edge_records(const Triangulation& t)
 }
 
 // Whether both are the same edges, with lengths that agree up to a relative tolerance.
-inline bool are_same_edges(const std::vector<Edge_record>& a, const std::vector<Edge_record>& b,
-                           double tolerance)
+inline bool are_same_edges(const std::vector<Edge_record>& a, const std::vector<Edge_record>& b, double tolerance)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Edge_record& x, const Edge_record& y) {
     return std::get<0>(x) == std::get<0>(y) && std::get<1>(x) == std::get<1>(y) &&

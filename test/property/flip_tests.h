@@ -40,10 +40,8 @@ using IT::Flip_status;
 // proof of zero takes them too long.
 constexpr bool is_exact = CGAL::Algebraic_structure_traits<Number_type>::Is_exact::value;
 constexpr bool is_float = std::is_same<Number_type, float>::value;
-constexpr bool is_interval =
-  std::is_same<IT::Edge_length_traits<Number_type>::Boolean, CGAL::Uncertain<bool>>::value;
-constexpr double tolerance = is_float ? 1e-3 : is_interval ? 1e-6
-                                                           : 1e-9; // of an interval, the middle
+constexpr bool is_interval = std::is_same<IT::Edge_length_traits<Number_type>::Boolean, CGAL::Uncertain<bool>>::value;
+constexpr double tolerance = is_float ? 1e-3 : is_interval ? 1e-6 : 1e-9; // of an interval, the middle
 
 // Remembers the flips and checks what it is told.
 struct Recorder
@@ -68,8 +66,7 @@ inline void expect_close(const Number_type& x, const Number_type& expected)
   if constexpr (is_interval)
     EXPECT_TRUE(CGAL::possibly(x == expected)) << x << " " << expected;
   else
-    EXPECT_NEAR(CGAL::to_double(x), CGAL::to_double(expected),
-                10 * tolerance * CGAL::to_double(expected));
+    EXPECT_NEAR(CGAL::to_double(x), CGAL::to_double(expected), 10 * tolerance * CGAL::to_double(expected));
 }
 
 inline void expect_equal(const Invariants& a, const Invariants& b)
@@ -197,8 +194,7 @@ TYPED_TEST(Flip, four_times_is_the_identity)
       if (turned.flip(e) != Outcome::FLIPPED)
         continue;
       // Where a face nearly vanishes, rounding decides whether the way back exists.
-      const auto areas = std::minmax(
-        {CGAL::to_double(turned.area(faces[0])), CGAL::to_double(turned.area(faces[1]))});
+      const auto areas = std::minmax({CGAL::to_double(turned.area(faces[0])), CGAL::to_double(turned.area(faces[1]))});
       if (areas.first < 1e-2 * areas.second)
         continue;
       ++flipped;
@@ -232,12 +228,11 @@ TYPED_TEST(Flip, leaves_constrained_edges_alone)
         number_of_constraints += is_next;
         is_next = !is_next;
       }
-    const auto map = boost::make_function_property_map<IT::Edge_index>(
-      [&](IT::Edge_index e) { return is_constrained[e.idx()] != 0; });
+    const auto map =
+      boost::make_function_property_map<IT::Edge_index>([&](IT::Edge_index e) { return is_constrained[e.idx()] != 0; });
     const auto unflipped = t;
     Recorder recorder;
-    const Flip_report report =
-      IT::flip_to_Delaunay(t, visitor(std::ref(recorder)).edge_is_constrained_map(map));
+    const Flip_report report = IT::flip_to_Delaunay(t, visitor(std::ref(recorder)).edge_is_constrained_map(map));
     EXPECT_EQ(report.status, Flip_status::DELAUNAY);
     for (IT::Edge_index e : recorder.flips)
       EXPECT_FALSE(is_constrained[e.idx()]);
@@ -277,8 +272,7 @@ TYPED_TEST(Flip, stops_when_the_visitor_cancels_and_can_be_resumed)
       }
       const Flip_report rest = IT::flip_to_Delaunay(cancelled);
       EXPECT_EQ(rest.status, Flip_status::DELAUNAY);
-      EXPECT_TRUE(are_same_edges(edge_records(cancelled), edge_records(finished), tolerance))
-        << surface.name;
+      EXPECT_TRUE(are_same_edges(edge_records(cancelled), edge_records(finished), tolerance)) << surface.name;
     }
   });
 }
@@ -306,8 +300,7 @@ struct Traits_without_flips : Base
 {
   struct Construct_flipped_hinge
   {
-    typename Base::Boolean operator()(const typename Base::Hinge_data&,
-                                      typename Base::Flipped_hinge_data&) const
+    typename Base::Boolean operator()(const typename Base::Hinge_data&, typename Base::Flipped_hinge_data&) const
     {
       if constexpr (is_certain)
         return false;
@@ -347,8 +340,8 @@ TYPED_TEST(Flip, reports_edges_that_have_no_other_diagonal)
 // decisions may contradict each other. Whatever happens, the run ends and says so.
 TYPED_TEST(Flip, ends_on_ties)
 {
-  std::vector<Surface> surfaces{
-    from_triangles("grid", samples::random_diagonal_grid(2, 2)), from_triangles("sheared grid", samples::sheared_grid(2, 2, 1))};
+  std::vector<Surface> surfaces{from_triangles("grid", samples::random_diagonal_grid(2, 2)),
+                                from_triangles("sheared grid", samples::sheared_grid(2, 2, 1))};
   if (!is_exact) // the proofs of zero take too long
     for (const Surface& surface :
          {from_triangles("prism", samples::prism(80)), from_triangles("turned prism", samples::prism(12, 3)),

@@ -142,7 +142,10 @@ std::vector<Algorithm> cover_algorithms() { return {{"tufted", tufted}}; }
 
 std::vector<Algorithm> operator_algorithms()
 {
-  return {{"stiffness", stiffness}, {"mass", mass}, {"condition", condition_number}, {"project", project}, {"circle", map_to_circle}, {"triangle", map_to_triangle}, {"natural", map_naturally}, {"circles", map_by_circles}};
+  return {{"stiffness", stiffness},        {"mass", mass},
+          {"condition", condition_number}, {"project", project},
+          {"circle", map_to_circle},       {"triangle", map_to_triangle},
+          {"natural", map_naturally},      {"circles", map_by_circles}};
 }
 
 } // namespace garden

@@ -228,16 +228,22 @@ TEST(Incremental_overlay, IsTheOtherOverlayAfterEveryFlipOfGenericSurfaces)
 
 TEST(Incremental_overlay, IsTheOtherOverlayAfterEveryFlipOfSampleSurfaces)
 {
-  const std::vector<Surface> surfaces{
-    from_triangles("prism", samples::prism(40)), from_triangles("turned prism", samples::prism(15, 1)),
-    from_triangles("cap", samples::cap()), from_triangles("flat cap", samples::cap(0)),
-    from_triangles("Schwarz lantern", samples::Schwarz_lantern()), from_triangles("pillow", samples::pillow(40)),
-    from_triangles("strip", samples::strip(60, 20)), from_triangles("sheared grid", samples::sheared_grid(8, 8)),
-    from_triangles("bad torus", samples::bad_torus(14, 12)), from_triangles("sphere", samples::latitude_longitude_sphere(16, 8)),
-    from_triangles("disk with spike", samples::disk_with_spike(10, 9)),
-    from_gluing("torus", samples::one_vertex_torus(3, 4, 5)), from_gluing("torus", samples::sheared_one_vertex_torus(100)),
-    from_gluing("cone", samples::self_glued_triangle()), from_gluing("cones", samples::self_glued_sphere()),
-    from_gluing("wide cones", samples::self_glued_sphere(1, 100, 1))};
+  const std::vector<Surface> surfaces{from_triangles("prism", samples::prism(40)),
+                                      from_triangles("turned prism", samples::prism(15, 1)),
+                                      from_triangles("cap", samples::cap()),
+                                      from_triangles("flat cap", samples::cap(0)),
+                                      from_triangles("Schwarz lantern", samples::Schwarz_lantern()),
+                                      from_triangles("pillow", samples::pillow(40)),
+                                      from_triangles("strip", samples::strip(60, 20)),
+                                      from_triangles("sheared grid", samples::sheared_grid(8, 8)),
+                                      from_triangles("bad torus", samples::bad_torus(14, 12)),
+                                      from_triangles("sphere", samples::latitude_longitude_sphere(16, 8)),
+                                      from_triangles("disk with spike", samples::disk_with_spike(10, 9)),
+                                      from_gluing("torus", samples::one_vertex_torus(3, 4, 5)),
+                                      from_gluing("torus", samples::sheared_one_vertex_torus(100)),
+                                      from_gluing("cone", samples::self_glued_triangle()),
+                                      from_gluing("cones", samples::self_glued_sphere()),
+                                      from_gluing("wide cones", samples::self_glued_sphere(1, 100, 1))};
   std::size_t flips = 0;
   for (const Surface& surface : surfaces)
     flips += expect_same_after_every_flip(surface).flips;
@@ -249,9 +255,9 @@ TEST(Incremental_overlay, IsTheOtherOverlayAfterEveryFlipOfHelicalTubes)
   std::uint32_t most_crossings = 0;
   for (std::size_t n : {4, 5, 7, 12, 40})
     for (double pitch : {1., 7., 30., 200.})
-      most_crossings = std::max(
-        most_crossings,
-        expect_same_after_every_flip(from_triangles("tube", samples::helical_tube(n, pitch))).most_crossings);
+      most_crossings =
+        std::max(most_crossings,
+                 expect_same_after_every_flip(from_triangles("tube", samples::helical_tube(n, pitch))).most_crossings);
   EXPECT_GT(most_crossings, 100u);
 }
 

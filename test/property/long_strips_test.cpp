@@ -106,7 +106,8 @@ Surface folded_strip(std::uint32_t n, double& length)
 std::size_t check_kept_crossings(const Triangulation& t)
 {
   const IT::Delta_complex& complex = t.connectivity();
-  const IT::internal::Correspondence &correspondence = IT::internal::engine(t).correspondence(), copy = correspondence; // copies keep nothing
+  const IT::internal::Correspondence &correspondence = IT::internal::engine(t).correspondence(),
+                                     copy = correspondence; // copies keep nothing
   EXPECT_TRUE(copy.kept_crossings().is_empty());
   const IT::internal::Interruption none;
   std::size_t result = 0;
@@ -169,7 +170,8 @@ TEST(Long_strips, what_edges_cross_is_kept_through_flips_insertions_and_removals
 {
   std::mt19937 random(7);
   std::size_t kept = 0;
-  for (const Surface& surface : {fan_box(12, 40), fan_box(30, 30), samples::strip(60, 30), samples::Schwarz_lantern(), samples::pillow(60), samples::sheared_grid()})
+  for (const Surface& surface : {fan_box(12, 40), fan_box(30, 30), samples::strip(60, 30), samples::Schwarz_lantern(),
+                                 samples::pillow(60), samples::sheared_grid()})
     kept += check_random_changes(triangulation_of(surface), random);
   EXPECT_GT(kept, 2000u);
 }

@@ -133,8 +133,7 @@ TEST(Mirror_symmetry, is_lost_with_any_length_that_matters)
       ASSERT_NE(e, IT::Edge_index());
       const bool is_found = is_symmetric(t, e), is_tie = is_zero_in_finite_fields(t, e);
       EXPECT_TRUE(is_tie || !is_found) << "input edge " << i;
-      ++(is_found ? kept : is_tie ? turned
-                                  : lost);
+      ++(is_found ? kept : is_tie ? turned : lost);
     }
     EXPECT_EQ(turned, 2);
     EXPECT_EQ(kept, 1); // the fold in the middle, which belongs to both halves

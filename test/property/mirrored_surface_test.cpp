@@ -111,8 +111,9 @@ TEST(Mirrored_surface, ties_of_evaluation_meshes_are_decided)
   if (evaluation_data().empty())
     GTEST_SKIP() << "no evaluation meshes: set IDT_DATA_DIR";
   Counts counts;
-  for (const char* name : {"cgal_bull", "oded_spot", "oded_fish", "psb_65", "psb_85", "psb_95", "psb_130", "psb_175",
-                           "psb_210", "psb_240", "cgal_handle", "cgal_oblong", "cgal_pipe", "cgal_rotor", "gc_bob_small",
+  for (const char* name : {"cgal_bull",   "oded_spot",   "oded_fish",     "psb_65",     "psb_85",
+                           "psb_95",      "psb_130",     "psb_175",       "psb_210",    "psb_240",
+                           "cgal_handle", "cgal_oblong", "cgal_pipe",     "cgal_rotor", "gc_bob_small",
                            "molli_43394", "molli_71709", "optcuts_duck1", "segm_sword", "oded_cow_low_resolution"}) {
     SCOPED_TRACE(name);
     check_mirrored(read(evaluation_data() / "good" / (std::string(name) + ".off")), counts);

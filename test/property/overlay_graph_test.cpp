@@ -26,7 +26,6 @@
 namespace {
 
 using namespace test_surfaces;
-using IT::internal::Correspondence;
 using IT::Delta_complex;
 using IT::Edge_index;
 using IT::Face_index;
@@ -34,14 +33,15 @@ using IT::Halfedge_index;
 using IT::Overlay;
 using IT::Segment_label;
 using IT::Vertex_index;
+using IT::internal::Correspondence;
 
 // What is asserted of an overlay; the first failure ends it.
 class Overlay_check
 {
 public:
   Overlay_check(const Delta_complex& intrinsic, const IT::internal::Correspondence& correspondence)
-    : intrinsic_(intrinsic), input_(correspondence.input()), correspondence_(correspondence), coordinates_(correspondence.coordinates()),
-      overlay_(intrinsic, correspondence)
+    : intrinsic_(intrinsic), input_(correspondence.input()), correspondence_(correspondence),
+      coordinates_(correspondence.coordinates()), overlay_(intrinsic, correspondence)
   {}
 
   const Overlay& overlay() const { return overlay_; }
@@ -132,7 +132,8 @@ private:
       ASSERT_EQ(overlay_.face(overlay_.halfedge(f)), f);
     }
     ASSERT_EQ(number_of_faces, overlay_.number_of_faces());
-    ASSERT_EQ(std::int64_t(overlay_.number_of_vertices()) - std::int64_t(overlay_.number_of_segments()) + number_of_faces,
+    ASSERT_EQ(std::int64_t(overlay_.number_of_vertices()) - std::int64_t(overlay_.number_of_segments()) +
+                number_of_faces,
               std::int64_t(input_.number_of_vertices()) - std::int64_t(input_.number_of_edges()) +
                 std::int64_t(input_.number_of_faces()));
   }
@@ -157,7 +158,8 @@ private:
       ASSERT_EQ(overlay_.input_halfedge(parts[1]), input_.opposite(input));
       ASSERT_EQ(overlay_.input_halfedge(parts[3]), input);
       ASSERT_EQ(input_.edge(input), overlay_.input_edge(x));
-      ASSERT_EQ(*(overlay_.intrinsic_crossings(overlay_.intrinsic_edge(x)).begin() + overlay_.intrinsic_position(x)), x);
+      ASSERT_EQ(*(overlay_.intrinsic_crossings(overlay_.intrinsic_edge(x)).begin() + overlay_.intrinsic_position(x)),
+                x);
       ASSERT_EQ(overlay_.input_crossing(overlay_.input_edge(x), overlay_.input_position(x)), x);
     }
   }
@@ -175,8 +177,7 @@ private:
       for (Overlay::Segment s : overlay_.intrinsic_segments(e)) {
         const Part part = overlay_.halfedge(s);
         ASSERT_EQ(overlay_.intrinsic_halfedge(part), h);
-        ASSERT_EQ(overlay_.source(part).idx(),
-                  x == passed.begin() ? intrinsic_.source(h).idx() : (*(x - 1)).idx());
+        ASSERT_EQ(overlay_.source(part).idx(), x == passed.begin() ? intrinsic_.source(h).idx() : (*(x - 1)).idx());
         ASSERT_EQ(overlay_.target(part).idx(), x == passed.end() ? intrinsic_.target(h).idx() : (*x).idx());
         if (x != passed.end())
           ++x;
@@ -298,7 +299,8 @@ TEST(Overlay_graph, of_inserted_vertices)
     const auto surface = samples::make_sample(sample.name);
     if (!std::holds_alternative<samples::Indexed_triangles>(surface))
       continue;
-    auto t = triangulation<IT::Filtered_edge_length_traits>(from_triangles(sample.name, std::get<samples::Indexed_triangles>(surface)));
+    auto t = triangulation<IT::Filtered_edge_length_traits>(
+      from_triangles(sample.name, std::get<samples::Indexed_triangles>(surface)));
     IT::flip_to_Delaunay(t);
     for (unsigned largest_coordinate : {2u, 1000u}) {
       EXPECT_GT(IT::insert_random_vertices(t, 200, largest_coordinate, random), 10u);

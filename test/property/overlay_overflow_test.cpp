@@ -35,7 +35,9 @@ Triangulation torus(const Vector& u, const Vector& v)
   const auto gluing = samples::one_vertex_torus();
   const auto squared_length = [](std::int64_t x, std::int64_t y) { return Rational(x) * x + Rational(y) * y; };
   return Triangulation::from_metric(
-    IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides), IT::metric_from_squared_lengths({squared_length(u[0], u[1]), squared_length(v[0], v[1]), squared_length(u[0] + v[0], u[1] + v[1])}));
+    IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides),
+    IT::metric_from_squared_lengths(
+      {squared_length(u[0], u[1]), squared_length(v[0], v[1]), squared_length(u[0] + v[0], u[1] + v[1])}));
 }
 
 // Follows the edges of that torus in the basis (u, v), by which it is known what they cross.

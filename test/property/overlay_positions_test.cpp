@@ -95,8 +95,7 @@ TEST(Overlay_positions, agree_with_those_from_exact_squared_lengths)
     const IT::Overlay overlay(a), same(b);
     ASSERT_GT(overlay.number_of_crossings(), 0u);
     ASSERT_EQ(overlay.number_of_crossings(), same.number_of_crossings());
-    const IT::Overlay_positions positions(IT::internal::engine(a), overlay),
-      expected(IT::internal::engine(b), same);
+    const IT::Overlay_positions positions(IT::internal::engine(a), overlay), expected(IT::internal::engine(b), same);
     for (IT::Overlay::Vertex x : overlay.crossings()) {
       const double t = expected.on_intrinsic_edge(x), u = expected.on_input_edge(x);
       EXPECT_NEAR(positions.on_intrinsic_edge(x), t, 0x1p-51 * t) << x;
@@ -163,15 +162,9 @@ void expect_nothing_without_area()
     }
 }
 
-TEST(Space_frame, gives_up_without_area)
-{
-  expect_nothing_without_area<IT::internal::Space_frame>();
-}
+TEST(Space_frame, gives_up_without_area) { expect_nothing_without_area<IT::internal::Space_frame>(); }
 
-TEST(Plane_frame, gives_up_without_area)
-{
-  expect_nothing_without_area<IT::internal::Plane_frame>();
-}
+TEST(Plane_frame, gives_up_without_area) { expect_nothing_without_area<IT::internal::Plane_frame>(); }
 
 // A strip that is asked for all of its corners ends where one does that is asked for nothing else, in exact
 // numbers: across bent edges and inside of flat parts.

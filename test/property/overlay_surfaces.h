@@ -30,12 +30,10 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 // An intrinsic Delaunay triangulation and its common subdivision with the input.
 struct Overlaid
 {
-  explicit Overlaid(Triangulation t)
-    : triangulation(flipped(std::move(t))), subdivision(triangulation)
-  {}
+  explicit Overlaid(Triangulation t) : triangulation(flipped(std::move(t))), subdivision(triangulation) {}
   explicit Overlaid(const samples::Indexed_triangles& surface)
-    : Overlaid(Triangulation(
-        IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points))
+    : Overlaid(
+        Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points))
   {}
 
   const IT::Delta_complex& input() const { return subdivision.input(); }
@@ -53,10 +51,7 @@ struct Overlaid
     const IT::Input_metric& metric = IT::internal::engine(triangulation).metric();
     return std::ldexp(metric.four_areas_double_double(input(), f).hi(), 2 * metric.unit_exponent() - 2);
   }
-  double intrinsic_length(IT::Halfedge_index h) const
-  {
-    return triangulation.length(intrinsic().edge(h));
-  }
+  double intrinsic_length(IT::Halfedge_index h) const { return triangulation.length(intrinsic().edge(h)); }
 
   Triangulation triangulation;
   IT::Common_subdivision subdivision;
@@ -87,12 +82,11 @@ void for_each_overlaid_surface(const Check& check)
 // thin faces three lengths do not.
 using Point_2 = std::array<double, 2>;
 template <class Length>
-std::array<Point_2, 3> laid_out(const IT::Delta_complex& complex, IT::Halfedge_index h,
-                                const Length& length, double area)
+std::array<Point_2, 3> laid_out(const IT::Delta_complex& complex, IT::Halfedge_index h, const Length& length,
+                                double area)
 {
   const double ij = length(h), jk = length(complex.next(h)), ki = length(complex.prev(h));
-  return {Point_2{0, 0}, Point_2{ij, 0},
-          Point_2{(ij * ij + (ki - jk) * (ki + jk)) / (2 * ij), 2 * area / ij}};
+  return {Point_2{0, 0}, Point_2{ij, 0}, Point_2{(ij * ij + (ki - jk) * (ki + jk)) / (2 * ij), 2 * area / ij}};
 }
 
 inline Point_2 combination(const std::array<Point_2, 3>& corners, const std::array<double, 3>& b)
@@ -104,8 +98,8 @@ inline Point_2 combination(const std::array<Point_2, 3>& corners, const std::arr
 inline double distance(const Point_2& p, const Point_2& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); }
 
 // The coordinates of the same point relative to another halfedge of the face.
-inline std::array<double, 3> coordinates_from(const IT::Delta_complex& complex,
-                                              const IT::Surface_point& point, IT::Halfedge_index h)
+inline std::array<double, 3> coordinates_from(const IT::Delta_complex& complex, const IT::Surface_point& point,
+                                              IT::Halfedge_index h)
 {
   std::array<double, 3> b = point.coordinates;
   for (IT::Halfedge_index g = point.halfedge; g != h; g = complex.next(g))

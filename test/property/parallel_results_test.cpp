@@ -167,7 +167,8 @@ void expect_same_verification(const IT::Delaunay_verification& a, const IT::Dela
   EXPECT_EQ(a.inverted, b.inverted);
 }
 
-void expect_same_correspondence(const IT::Delta_complex& complex, const IT::internal::Correspondence& a, const IT::internal::Correspondence& b)
+void expect_same_correspondence(const IT::Delta_complex& complex, const IT::internal::Correspondence& a,
+                                const IT::internal::Correspondence& b)
 {
   ASSERT_TRUE(a.input() == b.input());
   for (IT::Vertex_index v : complex.vertices())
@@ -385,7 +386,8 @@ TEST(Parallel_results, weights_areas_and_matrices)
 {
   for (const auto& [name, t] : surfaces()) {
     SCOPED_TRACE(name);
-    const std::vector<double> weights = IT::cotangent_weights(t), areas = IT::face_areas(t), cotangents = IT::cotangents(t);
+    const std::vector<double> weights = IT::cotangent_weights(t), areas = IT::face_areas(t),
+                              cotangents = IT::cotangents(t);
     const IT::Element_numbers numbers = IT::element_numbers(t);
     const Matrix stiffness = IT::stiffness_matrix(t), lumped = IT::lumped_mass_matrix(t),
                  Galerkin = IT::Galerkin_mass_matrix(t);
@@ -456,8 +458,8 @@ TEST(Parallel_results, can_be_cancelled)
     };
     EXPECT_THROW(IT::Overlay(t, CGAL::parameters::visitor(progress), Parallel_tag()), IT::Cancelled_error);
   }
-  EXPECT_THROW(IT::Overlay_positions(
-                 IT::internal::engine(t), overlay, CGAL::parameters::visitor([] { return false; }), Parallel_tag()),
+  EXPECT_THROW(IT::Overlay_positions(IT::internal::engine(t), overlay, CGAL::parameters::visitor([] { return false; }),
+                                     Parallel_tag()),
                IT::Cancelled_error);
 }
 

@@ -65,10 +65,8 @@ samples::Indexed_triangles shuffled(samples::Indexed_triangles triangles)
 template <class Traits, class ConcurrencyTag>
 auto flipped(const Mesh& mesh, int number_of_threads)
 {
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
-                                    std::size_t(number_of_threads));
-  return IT::intrinsic_Delaunay_triangulation<ConcurrencyTag>(mesh,
-                                                              CGAL::parameters::geom_traits(Traits()));
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, std::size_t(number_of_threads));
+  return IT::intrinsic_Delaunay_triangulation<ConcurrencyTag>(mesh, CGAL::parameters::geom_traits(Traits()));
 }
 
 // The cells by their vertices, in an order of their own.
@@ -93,8 +91,7 @@ std::vector<std::vector<std::uint32_t>> cells(const Triangulation& t)
 // The input is found again from the journals of the blocks.
 void expect_input(const Filtered& t, const Mesh& mesh)
 {
-  const IT::Delta_complex expected = IT::make_Delta_complex(mesh),
-                          &input = t.input();
+  const IT::Delta_complex expected = IT::make_Delta_complex(mesh), &input = t.input();
   for (IT::Halfedge_index h : expected.halfedges()) {
     ASSERT_EQ(input.next(h), expected.next(h));
     ASSERT_EQ(input.target(h), expected.target(h));
@@ -105,7 +102,7 @@ void expect_input(const Filtered& t, const Mesh& mesh)
 void expect_same_numbers(const Filtered& several, const Filtered& one)
 {
   const IT::internal::Correspondence &a = IT::internal::engine(several).correspondence(),
-                           &b = IT::internal::engine(one).correspondence();
+                                     &b = IT::internal::engine(one).correspondence();
   for (IT::Edge_index e : one.connectivity().edges()) {
     const IT::Halfedge_index h = one.connectivity().halfedge(e);
     ASSERT_EQ(a.coordinates().crossings(e), b.coordinates().crossings(e));
@@ -143,20 +140,14 @@ IT::Stage_counts expect_same_with_any_number_of_threads(const samples::Indexed_t
 
 TEST(Parallel, torus) { expect_same_with_any_number_of_threads(samples::bad_torus(300, 300)); }
 
-TEST(Parallel, faces_in_any_order)
-{
-  expect_same_with_any_number_of_threads(shuffled(samples::bad_torus(200, 200)));
-}
+TEST(Parallel, faces_in_any_order) { expect_same_with_any_number_of_threads(shuffled(samples::bad_torus(200, 200))); }
 
 TEST(Parallel, boundary_and_many_flips)
 {
   expect_same_with_any_number_of_threads(samples::sheared_grid(200, 150, 5.25));
 }
 
-TEST(Parallel, ties)
-{
-  expect_same_with_any_number_of_threads(samples::random_diagonal_grid(200, 150, 1, 7));
-}
+TEST(Parallel, ties) { expect_same_with_any_number_of_threads(samples::random_diagonal_grid(200, 150, 1, 7)); }
 
 // Queries before, and flips and insertions before these: as many tests and flips in blocks, and none of them followed one by one.
 TEST(Parallel, after_queries_as_without)
@@ -227,8 +218,8 @@ TEST(Parallel, every_stage)
   samples::Indexed_triangles pillow = samples::pillow(60); // ties across long strips
   for (auto& p : pillow.points)
     p[2] = p[1];
-  for (const samples::Indexed_triangles& part : {samples::bad_torus(100, 100), pillow, samples::prism(200, 1), stairs(50, 40),
-                                                 samples::random_diagonal_grid(50, 40, 1, 1)})
+  for (const samples::Indexed_triangles& part : {samples::bad_torus(100, 100), pillow, samples::prism(200, 1),
+                                                 stairs(50, 40), samples::random_diagonal_grid(50, 40, 1, 1)})
     parts.push_back(part);
   const IT::Stage_counts counts = expect_same_with_any_number_of_threads(together(parts));
   EXPECT_GE(counts[IT::Stage::ALGEBRAIC] + counts[IT::Stage::MODULAR], 5000u);
@@ -350,10 +341,10 @@ TEST(Parallel, constraints)
   const Mesh mesh = mesh_of(samples::bad_torus(200, 200));
   Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
   const IT::Delta_complex input = t.connectivity();
-  const auto is_constrained = boost::make_function_property_map<IT::Edge_index>(
-    [](IT::Edge_index e) { return e.idx() % 7 == 0; });
-  const Flip_report report = IT::flip_to_Delaunay<Parallel_tag>(
-    t, CGAL::parameters::edge_is_constrained_map(is_constrained));
+  const auto is_constrained =
+    boost::make_function_property_map<IT::Edge_index>([](IT::Edge_index e) { return e.idx() % 7 == 0; });
+  const Flip_report report =
+    IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::edge_is_constrained_map(is_constrained));
   EXPECT_EQ(report.status, Flip_status::DELAUNAY);
   std::size_t not_Delaunay = 0;
   for (IT::Edge_index e : t.connectivity().edges()) {
@@ -375,8 +366,7 @@ TEST(Parallel, budget_is_kept)
   Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
   for (std::uint64_t budget : {std::uint64_t(0), std::uint64_t(1), std::uint64_t(10000)}) {
     Filtered copy = t;
-    const Flip_report report =
-      IT::flip_to_Delaunay<Parallel_tag>(copy, CGAL::parameters::maximum_number(budget));
+    const Flip_report report = IT::flip_to_Delaunay<Parallel_tag>(copy, CGAL::parameters::maximum_number(budget));
     EXPECT_EQ(report.status, Flip_status::BUDGET_EXHAUSTED);
     EXPECT_EQ(report.flips, budget);
     EXPECT_TRUE(copy.connectivity().is_valid(true));
@@ -407,8 +397,7 @@ TEST(Parallel, visitor_is_told_of_each_flip)
 {
   Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh_of(samples::bad_torus(200, 200)));
   Counter counter;
-  const Flip_report report =
-    IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter)));
+  const Flip_report report = IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter)));
   EXPECT_EQ(report.status, Flip_status::DELAUNAY);
   EXPECT_EQ(counter.flips, report.flips);
   EXPECT_LE(counter.last_tests, report.tests);
@@ -441,7 +430,8 @@ TEST(Parallel, visitor_stops_the_tests_that_were_left_open)
   for (std::uint64_t limit : {80000, 90000, 115000}) {
     Filtered t = input;
     Test_limit visitor{limit};
-    EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(visitor))), IT::Cancelled_error);
+    EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(visitor))),
+                 IT::Cancelled_error);
     EXPECT_GE(visitor.last_tests, limit);
     EXPECT_LT(visitor.last_tests, limit + 4000);
     EXPECT_TRUE(t.connectivity() == input.connectivity());
@@ -450,7 +440,8 @@ TEST(Parallel, visitor_stops_the_tests_that_were_left_open)
     t = input;
     Test_limit thrower{limit};
     thrower.throws = true;
-    EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(thrower))), std::runtime_error);
+    EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(thrower))),
+                 std::runtime_error);
     EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::DELAUNAY);
   }
 }
@@ -473,7 +464,8 @@ TEST(Parallel, visitor_cancels)
   Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
   Counter counter;
   counter.limit = 5000;
-  EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter))), IT::Cancelled_error);
+  EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter))),
+               IT::Cancelled_error);
   EXPECT_GE(counter.flips, 5000u);
   EXPECT_LT(counter.flips, 15000u);
   EXPECT_TRUE(t.connectivity().is_valid(true));
@@ -486,8 +478,7 @@ TEST(Parallel, exception_of_a_visitor_leaves_a_valid_triangulation)
   Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
   Counter counter;
   counter.throw_at = 3000;
-  EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter))),
-               std::runtime_error);
+  EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter))), std::runtime_error);
   EXPECT_TRUE(t.connectivity().is_valid(true));
   expect_input(t, mesh);
   EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::DELAUNAY);

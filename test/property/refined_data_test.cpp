@@ -82,7 +82,10 @@ public:
     return is_input_vertex(complex_.source(h)) && degrees(IT::cone_angle(t_, complex_.source(h))) < 60;
   }
 
-  double circumradius(IT::Halfedge_index h) const { return t_.length(complex_.edge(complex_.next(h))) / (2 * std::sin(angle_at_source(h))); }
+  double circumradius(IT::Halfedge_index h) const
+  {
+    return t_.length(complex_.edge(complex_.next(h))) / (2 * std::sin(angle_at_source(h)));
+  }
 
 private:
   bool is_input_vertex(IT::Vertex_index v) const { return v.idx() < number_of_input_vertices_; }

@@ -92,7 +92,12 @@ samples::Indexed_triangles box(double x, double y, double z)
   samples::Indexed_triangles result;
   for (int i = 0; i < 8; ++i)
     result.points.push_back({i & 1 ? x : 0, i & 2 ? y : 0, i & 4 ? z : 0});
-  for (const std::array<std::uint32_t, 4>& side : {std::array<std::uint32_t, 4>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+  for (const std::array<std::uint32_t, 4>& side : {std::array<std::uint32_t, 4>{0, 2, 3, 1},
+                                                   {4, 5, 7, 6},
+                                                   {0, 1, 5, 4},
+                                                   {2, 6, 7, 3},
+                                                   {0, 4, 6, 2},
+                                                   {1, 3, 7, 5}}) {
     result.triangles.push_back({side[0], side[1], side[2]});
     result.triangles.push_back({side[0], side[2], side[3]});
   }
@@ -105,7 +110,8 @@ TEST(Refined_families, caps_down_to_the_precision_of_double)
     SCOPED_TRACE(k);
     const double h = std::pow(10., -k);
     // A vertex next to a border edge.
-    const IT::Refinement_report report = refine(triangulation_of({{{0, 0, 0}, {1, 0, 0}, {0.5, h, 0}, {0.5, 0, 1}}, {{0, 1, 2}, {1, 3, 2}, {3, 0, 2}}}));
+    const IT::Refinement_report report =
+      refine(triangulation_of({{{0, 0, 0}, {1, 0, 0}, {0.5, h, 0}, {0.5, 0, 1}}, {{0, 1, 2}, {1, 3, 2}, {3, 0, 2}}}));
     EXPECT_GE(report.segment_splits, std::size_t(k));
   }
   for (double bulge : {1e-1, 1e-3, 1e-10, 0.})
@@ -119,8 +125,8 @@ TEST(Refined_families, faces_without_area)
   surface.points = {{{0, 0, 0}}, {{4, 0, 0}}, {{1, 0, 0}}, {{2, 3, 0}}, {{2, 0, 0}}};
   surface.triangles = {{0, 2, 3}, {2, 4, 3}, {4, 1, 3}, {0, 4, 2}, {0, 1, 4}};
   const IT::Refinement_report report = refine(triangulation_of(surface));
-  EXPECT_EQ(report.unrefined.size(),
-            count(report, IT::Refinement_obstacle::SMALL_INPUT_ANGLE) + count(report, IT::Refinement_obstacle::UNREPRESENTABLE));
+  EXPECT_EQ(report.unrefined.size(), count(report, IT::Refinement_obstacle::SMALL_INPUT_ANGLE) +
+                                       count(report, IT::Refinement_obstacle::UNREPRESENTABLE));
   surface.points.push_back({2, -0.1, 0});
   surface.triangles.push_back({0, 5, 1});
   EXPECT_TRUE(refine(triangulation_of(surface)).unrefined.empty());
@@ -134,7 +140,8 @@ TEST(Refined_families, faces_without_area)
 
 TEST(Refined_families, boxes_and_prisms)
 {
-  for (const samples::Indexed_triangles& surface : {box(1, 1, 1), box(1, 2, 3), box(1, 7, 0.1), samples::prism(4), samples::prism(6), samples::prism(24), samples::prism(24, 3)}) {
+  for (const samples::Indexed_triangles& surface : {box(1, 1, 1), box(1, 2, 3), box(1, 7, 0.1), samples::prism(4),
+                                                    samples::prism(6), samples::prism(24), samples::prism(24, 3)}) {
     const IT::Refinement_report report = refine(triangulation_of(surface));
     EXPECT_TRUE(report.unrefined.empty()); // the sums of the angles at their vertices are large
   }
@@ -163,20 +170,36 @@ TEST(Refined_families, a_surface_of_one_vertex)
 
 TEST(Refined_families, mirror_symmetric_surfaces)
 {
-  for (const samples::Indexed_triangles& surface : {samples::torus(16, 8), samples::latitude_longitude_sphere(18, 10), samples::random_diagonal_grid(8, 8)})
+  for (const samples::Indexed_triangles& surface :
+       {samples::torus(16, 8), samples::latitude_longitude_sphere(18, 10), samples::random_diagonal_grid(8, 8)})
     EXPECT_TRUE(refine(triangulation_of(surface)).unrefined.empty());
 }
 
 // Flips put the same face on both sides of one of the constrained edges.
 TEST(Refined_families, constrained_edges_that_end_in_spikes)
 {
-  const samples::Indexed_triangles spikes{{{-2.1, 3.4, 0}, {0.5, 0.9, 0}, {-0.5, -0.9, 0}, {9.8, -15.8, 0}, {0, -0.5, 0.9}, {0, 5.3, 8.5}, {0, -0.5, -0.9}, {0, 0.5, -0.9}, {0.9, 0, -0.5}, {4.2, 0, 2.6}, {-0.9, 0, -0.5}, {-0.9, 0, 0.5}},
-                                          {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+  const samples::Indexed_triangles spikes{{{-2.1, 3.4, 0},
+                                           {0.5, 0.9, 0},
+                                           {-0.5, -0.9, 0},
+                                           {9.8, -15.8, 0},
+                                           {0, -0.5, 0.9},
+                                           {0, 5.3, 8.5},
+                                           {0, -0.5, -0.9},
+                                           {0, 0.5, -0.9},
+                                           {0.9, 0, -0.5},
+                                           {4.2, 0, 2.6},
+                                           {-0.9, 0, -0.5},
+                                           {-0.9, 0, 0.5}},
+                                          {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                           {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                           {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                           {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}}};
   const Triangulation t = triangulation_of(spikes);
   const IT::Delta_complex& complex = t.connectivity();
   std::vector<bool> is_constrained(complex.number_of_edges());
   for (IT::Edge_index e : complex.edges()) {
-    const auto ends = std::minmax({complex.source(complex.halfedge(e)).idx(), complex.target(complex.halfedge(e)).idx()});
+    const auto ends =
+      std::minmax({complex.source(complex.halfedge(e)).idx(), complex.target(complex.halfedge(e)).idx()});
     for (const auto& pair : {std::pair(3u, 9u), std::pair(5u, 9u), std::pair(0u, 5u)})
       is_constrained[e.idx()] = is_constrained[e.idx()] || (ends.first == pair.first && ends.second == pair.second);
   }
@@ -188,7 +211,8 @@ TEST(Refined_families, a_vertex_next_to_a_side_at_a_small_corner)
 {
   for (double distance : {1e-10, 1e-11}) {
     const IT::Refinement_report report =
-      refine(triangulation_of({{{0, 0, 0}, {1, 0, 0}, {std::cos(0.9), std::sin(0.9), 0}, {0.7, distance, 0}}, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}));
+      refine(triangulation_of({{{0, 0, 0}, {1, 0, 0}, {std::cos(0.9), std::sin(0.9), 0}, {0.7, distance, 0}},
+                               {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}));
     EXPECT_TRUE(report.unrefined.empty()) << distance;
   }
 }

@@ -59,10 +59,11 @@ void expect_bounds_that_hold(const Triangulation& t, Count& count)
 std::vector<Surface> surfaces()
 {
   std::vector<Surface> result = generic_surfaces(false);
-  for (Surface& surface : std::vector<Surface>{from_triangles("sliver sheet", samples::sliver_sheet(12)), from_triangles("pillow", samples::pillow(30)),
-                                               from_triangles("strip", samples::strip(100, 20)), from_triangles("prism", samples::prism()),
-                                               from_triangles("twisted dome", samples::bumpy_dome()), from_triangles("cap", samples::cap(0x1p-30)),
-                                               from_triangles("grid", samples::random_diagonal_grid(12, 9, 1, 1))})
+  for (Surface& surface : std::vector<Surface>{
+         from_triangles("sliver sheet", samples::sliver_sheet(12)), from_triangles("pillow", samples::pillow(30)),
+         from_triangles("strip", samples::strip(100, 20)), from_triangles("prism", samples::prism()),
+         from_triangles("twisted dome", samples::bumpy_dome()), from_triangles("cap", samples::cap(0x1p-30)),
+         from_triangles("grid", samples::random_diagonal_grid(12, 9, 1, 1))})
     result.push_back(std::move(surface));
   return result;
 }

@@ -108,8 +108,7 @@ public:
   void add_strip_with_cut(const Column& a, const Column& b, Diagonal diagonal)
   {
     const Point &p = mesh_.points[a.top], &q = mesh_.points[b.top];
-    const std::uint32_t cut =
-      add({(3 * p[0] + q[0]) / 4, (3 * p[1] + q[1]) / 4, (3 * p[2] + q[2]) / 4});
+    const std::uint32_t cut = add({(3 * p[0] + q[0]) / 4, (3 * p[1] + q[1]) / 4, (3 * p[2] + q[2]) / 4});
     const std::uint32_t apex = diagonal == Diagonal::RISING ? a.bottom : b.bottom;
     if (diagonal == Diagonal::RISING)
       add_triangle(a.bottom, b.bottom, b.top);
@@ -150,9 +149,7 @@ inline Sheet::Diagonal diagonal(bool is_falling)
 class Random_folds
 {
 public:
-  explicit Random_folds(int number)
-    : random_(5), spacing_(1. / (number + 1))
-  {}
+  explicit Random_folds(int number) : random_(5), spacing_(1. / (number + 1)) {}
   double position(int i) { return rounded((i + uniform(0, 0.5)) * spacing_); }
   double height() { return rounded(uniform(-0.05, 0.05) * spacing_); }
 

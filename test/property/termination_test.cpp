@@ -77,8 +77,8 @@ public:
     const Number rounding = Number(1) / Number(std::uint64_t(1) << 62) / Number(std::uint64_t(1) << 62);
     const IT::Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
     const IT::Face_index f_k = complex_.face(h), f_l = complex_.face(g);
-    const Number s_ij = s_[e.idx()], s_jk = s(complex_.next(h)), s_ki = s(complex_.prev(h)),
-                 s_il = s(complex_.next(g)), s_lj = s(complex_.prev(g));
+    const Number s_ij = s_[e.idx()], s_jk = s(complex_.next(h)), s_ki = s(complex_.prev(h)), s_il = s(complex_.next(g)),
+                 s_lj = s(complex_.prev(g));
     const Number a_k = a_[f_k.idx()], a_l = a_[f_l.idx()];
     const Number value = IT::Delaunay_value(IT::twice_scalar_product(s_jk, s_ki, s_ij), a_k,
                                             IT::twice_scalar_product(s_il, s_lj, s_ij), a_l);
@@ -124,8 +124,7 @@ private:
 Counts follow(Exact exact, const Multiprecision& start)
 {
   Recorder recorder;
-  const IT::Flip_report report =
-    IT::flip_to_Delaunay(exact, CGAL::parameters::visitor(std::ref(recorder)));
+  const IT::Flip_report report = IT::flip_to_Delaunay(exact, CGAL::parameters::visitor(std::ref(recorder)));
   EXPECT_EQ(report.status, IT::Flip_status::DELAUNAY);
   Follower follower(start);
   const Number before = follower.potential();
@@ -141,8 +140,7 @@ Counts follow(Exact exact, const Multiprecision& start)
 Counts follow(const samples::Indexed_triangles& surface)
 {
   const IT::Mpfr_precision precision(256);
-  const IT::Delta_complex complex =
-    IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
   std::vector<Multiprecision_traits::Point_data> points;
   for (const std::array<double, 3>& p : surface.points)
     points.push_back({Number(p[0]), Number(p[1]), Number(p[2])});
@@ -152,8 +150,7 @@ Counts follow(const samples::Indexed_triangles& surface)
 Counts follow(const samples::Glued_triangles& surface)
 {
   const IT::Mpfr_precision precision(256);
-  const IT::Delta_complex complex =
-    IT::make_Delta_complex_from_gluing(surface.number_of_faces, surface.glued_sides);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(surface.number_of_faces, surface.glued_sides);
   std::vector<double> lengths(complex.number_of_edges());
   for (IT::Face_index f : complex.faces()) {
     IT::Halfedge_index h = complex.halfedge(f);
@@ -179,8 +176,8 @@ TEST(Termination, PotentialFallsOnSurfacesInSpace)
 {
   for (const samples::Indexed_triangles& surface :
        {samples::bumpy_sphere(30, 15), samples::bad_torus(20, 10), samples::sheared_grid(8, 8), samples::pillow(30),
-        samples::strip(60, 8), samples::prism(16, 1), samples::cap(1e-10), samples::cap(1e-17, 1), samples::sliver_sheet(10),
-        samples::disk_with_spike(12, 6), samples::latitude_longitude_sphere(16, 9)}) {
+        samples::strip(60, 8), samples::prism(16, 1), samples::cap(1e-10), samples::cap(1e-17, 1),
+        samples::sliver_sheet(10), samples::disk_with_spike(12, 6), samples::latitude_longitude_sphere(16, 9)}) {
     const Counts counts = follow(surface);
     EXPECT_GT(counts.between_positive, 0u);
     EXPECT_EQ(counts.between_degenerate, 0u);

@@ -35,8 +35,7 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 
 Triangulation triangulation(const Surface& surface)
 {
-  return {symmetric_surfaces::connectivity(surface),
-          surface.mesh.points};
+  return {symmetric_surfaces::connectivity(surface), surface.mesh.points};
 }
 
 // Its tie has so many roots that an expansion is given up.
@@ -125,7 +124,8 @@ TEST(Tie_proof, a_visitor_cancels_within_a_decision)
   EXPECT_GE(uninterrupted.stage_counts()[Stage::MODULAR], 1u);
   Triangulation t = triangulation(costly_surface());
   Impatient_visitor visitor;
-  EXPECT_THROW(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN).visitor(std::ref(visitor))), IT::Cancelled_error);
+  EXPECT_THROW(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN).visitor(std::ref(visitor))),
+               IT::Cancelled_error);
   EXPECT_EQ(visitor.number_of_equal_questions, 10);
   // It would be cancelled again, as often as one likes.
   EXPECT_THROW(IT::flip_to_Delaunay(t, params::visitor(Impatient_visitor())), IT::Cancelled_error);
@@ -141,7 +141,8 @@ TEST(Tie_proof, a_function_ends_a_decision)
   Triangulation t = triangulation(costly_surface());
   int questions = 0;
   t.set_interruption([&questions] { return ++questions < 5; });
-  EXPECT_THROW(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN).visitor(Impatient_visitor())), IT::Cancelled_error);
+  EXPECT_THROW(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN).visitor(Impatient_visitor())),
+               IT::Cancelled_error);
   EXPECT_EQ(questions, 5);
   const std::function<bool()> function = t.set_interruption({}); // the visitor was taken away, and it stayed
   ASSERT_TRUE(function);
@@ -234,7 +235,8 @@ TEST(Tie_proof, a_sign_other_than_zero_is_always_proven)
   const Surface surface = parallel_folds(100);
   std::vector<symmetric_surfaces::Rational> squared_lengths = symmetric_surfaces::squared_lengths(surface);
   squared_lengths.back() += symmetric_surfaces::Rational(1, IT::internal::Integer(1) << 200);
-  Triangulation t = Triangulation::from_metric(symmetric_surfaces::connectivity(surface), IT::metric_from_squared_lengths(squared_lengths));
+  Triangulation t = Triangulation::from_metric(symmetric_surfaces::connectivity(surface),
+                                               IT::metric_from_squared_lengths(squared_lengths));
   EXPECT_EQ(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN)).status, Flip_status::DELAUNAY);
   EXPECT_GE(t.stage_counts()[Stage::MULTIPRECISION], 1u);
   EXPECT_EQ(IT::verify_Delaunay(t).ties, 0u);

@@ -92,7 +92,8 @@ void expect_same(const Edges& a, const Edges& b)
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(std::get<0>(a[i]), std::get<0>(b[i]));
-    EXPECT_NEAR(std::get<1>(a[i]), std::get<1>(b[i]), 1e-14 * std::get<1>(b[i])); // both within one unit in the last place
+    EXPECT_NEAR(std::get<1>(a[i]), std::get<1>(b[i]),
+                1e-14 * std::get<1>(b[i])); // both within one unit in the last place
   }
 }
 
@@ -105,7 +106,8 @@ Integer compare(const Exact_gluing& gluing)
   EXPECT_TRUE(fast.triangulation.connectivity().is_valid(true));
   EXPECT_TRUE(IT::verify_Delaunay(fast.triangulation).is_Delaunay());
   expect_same(edges_of(plain), edges_of(fast));
-  const IT::internal::Normal_coordinates& coordinates = IT::internal::engine(plain.triangulation).correspondence().coordinates();
+  const IT::internal::Normal_coordinates& coordinates =
+    IT::internal::engine(plain.triangulation).correspondence().coordinates();
   for (Edge_index e : gluing.complex.edges())
     EXPECT_EQ(plain.untwisting.crossings.crossings(e), coordinates.crossings(e));
   return Integer(plain.report.flips);
@@ -131,7 +133,8 @@ Exact_gluing random_tubes(std::uint64_t seed, int largest_twist, std::size_t& nu
   }
   const auto shear = [&] {
     const std::uint64_t denominator = 1 + below(4);
-    return Rational(std::int64_t(below(2 * largest_twist + 1)) - largest_twist) + Rational(below(denominator), denominator);
+    return Rational(std::int64_t(below(2 * largest_twist + 1)) - largest_twist) +
+           Rational(below(denominator), denominator);
   };
   const auto height = [&] { return Rational(1 + below(40), 1 + below(40)); };
   for (std::size_t pair = 0; pair < skeleton.glued_sides.size(); ++pair) {
@@ -152,7 +155,8 @@ Exact_gluing random_tubes(std::uint64_t seed, int largest_twist, std::size_t& nu
 TEST(Untwist, reduces_the_lattice_of_a_torus)
 {
   const std::vector<Rational> square{1, 1, 2};
-  for (const Integer& shear : std::vector<Integer>{trillion, trillion + 1, -trillion, trillion * 5 + 3, 0, 1, -1, 2, -2, 3, 7}) {
+  for (const Integer& shear :
+       std::vector<Integer>{trillion, trillion + 1, -trillion, trillion * 5 + 3, 0, 1, -1, 2, -2, 3, 7}) {
     EXPECT_EQ(untwisted(samples::sheared_one_vertex_torus(shear)), square) << shear;
   }
   for (std::size_t n = 2; n <= 60; ++n)
@@ -160,7 +164,8 @@ TEST(Untwist, reduces_the_lattice_of_a_torus)
 
   // Whichever of the sides is the first
   const std::array<Integer, 2> u{1, 0}, v{trillion, 1}, w{-trillion - 1, -1};
-  for (const auto& [first, second] : std::vector<std::pair<std::array<Integer, 2>, std::array<Integer, 2>>>{{u, v}, {v, u}, {u, w}, {w, u}, {v, w}, {w, v}})
+  for (const auto& [first, second] : std::vector<std::pair<std::array<Integer, 2>, std::array<Integer, 2>>>{
+         {u, v}, {v, u}, {u, w}, {w, u}, {v, w}, {w, v}})
     EXPECT_EQ(untwisted(samples::lattice_torus(first, second)), square) << first[0] << ' ' << second[0];
 
   // A shear by one is one flip, as long as there is no tie.
@@ -195,7 +200,8 @@ TEST(Untwist, finds_the_Delaunay_triangulation_of_sheared_surfaces)
   Edges a = edges_of(plain), b = edges_of(genus_two);
   ASSERT_EQ(a.size(), b.size());
   for (Edges* edges : {&a, &b})
-    std::sort(edges->begin(), edges->end(), [](const auto& x, const auto& y) { return std::get<1>(x) < std::get<1>(y); });
+    std::sort(edges->begin(), edges->end(),
+              [](const auto& x, const auto& y) { return std::get<1>(x) < std::get<1>(y); });
   for (std::size_t i = 0; i < a.size(); ++i)
     EXPECT_NEAR(std::get<1>(a[i]), std::get<1>(b[i]), 1e-14);
 }
@@ -303,7 +309,8 @@ TEST(Untwist, leaves_constrained_edges_alone)
   std::vector<Edge_index> edges;
   const Edge_flags is_constrained{&flags};
   Exact_gluing copy = gluing;
-  const Untwisting untwisting = IT::untwist(copy.complex, copy.squared_lengths, CGAL::parameters::edge_is_constrained_map(is_constrained));
+  const Untwisting untwisting =
+    IT::untwist(copy.complex, copy.squared_lengths, CGAL::parameters::edge_is_constrained_map(is_constrained));
   EXPECT_EQ(copy.squared_lengths[constrained], gluing.squared_lengths[constrained]);
   EXPECT_GE(untwisting.number_of_flips, 999);
   EXPECT_LE(untwisting.number_of_flips, 1001);
@@ -317,8 +324,8 @@ TEST(Untwist, leaves_what_is_no_flat_tube_alone)
   tube.number_of_faces = 2;
   tube.glued_sides = {{1, 4}, {2, 5}};
   const Rational below(1), above(9, 8), slant = Rational(400), other = Rational(401);
-  for (const auto& [lower, upper, right, left] :
-       std::vector<std::array<Rational, 4>>{{below, above, slant, other}, {Rational(4), Rational(4), Rational(10000), Rational(102 * 102)}}) {
+  for (const auto& [lower, upper, right, left] : std::vector<std::array<Rational, 4>>{
+         {below, above, slant, other}, {Rational(4), Rational(4), Rational(10000), Rational(102 * 102)}}) {
     tube.squared_side_lengths = {lower, right, left, upper, right, left};
     Exact_gluing gluing = tube.gluing();
     const std::vector<Rational> before = gluing.squared_lengths;
@@ -373,13 +380,15 @@ TEST(Untwist, is_ended_by_a_visitor)
     Impatient_visitor visitor;
     visitor.patience = patience;
     Exact_gluing torus = samples::Fibonacci_torus(60);
-    const Untwisting untwisting = IT::untwist(torus.complex, torus.squared_lengths, CGAL::parameters::visitor(std::ref(visitor)));
+    const Untwisting untwisting =
+      IT::untwist(torus.complex, torus.squared_lengths, CGAL::parameters::visitor(std::ref(visitor)));
     EXPECT_FALSE(untwisting.is_complete);
     EXPECT_EQ(untwisting.twists.size(), std::size_t(patience));
     // What is left is the same torus.
     EXPECT_EQ(untwisted(torus), (std::vector<Rational>{1, 1, 2}));
     visitor.patience = patience;
-    EXPECT_THROW(IT::intrinsic_Delaunay_triangulation(samples::Fibonacci_torus(60), CGAL::parameters::fast_forward(true).visitor(std::ref(visitor))),
+    EXPECT_THROW(IT::intrinsic_Delaunay_triangulation(samples::Fibonacci_torus(60),
+                                                      CGAL::parameters::fast_forward(true).visitor(std::ref(visitor))),
                  IT::Cancelled_error);
   }
 }

@@ -23,10 +23,7 @@ using Rational = IT::Rational;
 using Number = IT::Split_double_double<double>;
 using Pair = IT::Split_double_double<Two_doubles>;
 
-Rational exact(const Number& x)
-{
-  return Rational(x.hi) + Rational(x.lo);
-}
+Rational exact(const Number& x) { return Rational(x.hi) + Rational(x.lo); }
 // Numbers of many sizes, with a low part that differs from zero.
 Number random_number(std::mt19937& generator)
 {

@@ -116,7 +116,8 @@ TEST(Standard_arithmetic, keeps_subnormal_numbers)
 
 TEST(Standard_arithmetic, results_do_not_depend_on_the_mode)
 {
-  const std::vector<samples::Indexed_triangles> surfaces{samples::prism(20, 7), samples::latitude_longitude_sphere(12, 6), samples::cap(1e-150)};
+  const std::vector<samples::Indexed_triangles> surfaces{
+    samples::prism(20, 7), samples::latitude_longitude_sphere(12, 6), samples::cap(1e-150)};
   for (const samples::Indexed_triangles& surface : surfaces) {
     const std::vector<double> expected = results(surface);
     for (int rounding : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
@@ -124,7 +125,8 @@ TEST(Standard_arithmetic, results_do_not_depend_on_the_mode)
         const Mode mode(rounding, flushes);
         const std::vector<double> found = results(surface);
         EXPECT_EQ(rounds_to_nearest(), rounding == FE_TONEAREST);
-        EXPECT_TRUE(found == expected) << "rounding " << rounding << ", subnormal numbers " << (flushes ? "flushed" : "kept");
+        EXPECT_TRUE(found == expected) << "rounding " << rounding << ", subnormal numbers "
+                                       << (flushes ? "flushed" : "kept");
       }
   }
 }

@@ -86,18 +86,16 @@ TEST(Condition_number, each_closed_component_has_a_zero_that_does_not_count)
 TEST(Condition_number, of_nothing_is_an_error)
 {
   const auto t = triangulation<Traits>(from_triangles("", samples::sheared_grid(1, 1, 0)));
-  EXPECT_THROW(IT::extreme_eigenvalues(t.connectivity(), IT::stiffness_matrix(t)),
-               IT::Invalid_surface_error);
+  EXPECT_THROW(IT::extreme_eigenvalues(t.connectivity(), IT::stiffness_matrix(t)), IT::Invalid_surface_error);
   const auto one = triangulation<Traits>(from_gluing("", samples::one_vertex_torus()));
-  EXPECT_THROW(IT::extreme_eigenvalues(one.connectivity(), IT::stiffness_matrix(one)),
-               IT::Invalid_surface_error);
+  EXPECT_THROW(IT::extreme_eigenvalues(one.connectivity(), IT::stiffness_matrix(one)), IT::Invalid_surface_error);
 }
 
 TEST(Weight_histogram, counts_inner_edges_once)
 {
   // A tetrahedron without a face: three border edges.
-  const IT::Delta_complex c = IT::make_Delta_complex_from_triangles(
-    4, std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}});
+  const IT::Delta_complex c =
+    IT::make_Delta_complex_from_triangles(4, std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}});
   std::vector<double> weights(c.number_of_edges(), 1e9);
   std::vector<double> values{-2.5, 1, std::numeric_limits<double>::infinity()};
   for (IT::Edge_index e : c.edges())

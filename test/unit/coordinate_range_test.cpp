@@ -54,18 +54,17 @@ template <class Traits>
 std::optional<Defect> refusal_of_constructor(const Points& points, const Triangles& triangles)
 {
   return refusal([&] {
-    const IT::Intrinsic_triangulation<Traits> t(
-      IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
+    const IT::Intrinsic_triangulation<Traits> t(IT::make_Delta_complex_from_triangles(points.size(), triangles),
+                                                points);
     for (IT::Edge_index e : t.connectivity().edges())
       EXPECT_TRUE(t.squared_length(e) >= 0 && t.edge_data(e) > 0 && std::isfinite(t.edge_data(e)));
     for (IT::Face_index f : t.connectivity().faces()) {
       const IT::Halfedge_index h = t.connectivity().halfedge(f);
-      EXPECT_TRUE(std::isfinite(t.traits().compute_area_object()(
-        t.face_data(f), t.edge_data(t.connectivity().edge(h)), t.edge_data(t.connectivity().edge(h)),
-        t.edge_data(t.connectivity().edge(h)))));
+      EXPECT_TRUE(std::isfinite(t.traits().compute_area_object()(t.face_data(f), t.edge_data(t.connectivity().edge(h)),
+                                                                 t.edge_data(t.connectivity().edge(h)),
+                                                                 t.edge_data(t.connectivity().edge(h)))));
     }
-    const IT::Input_metric metric =
-      IT::Input_metric::from_points(t.connectivity(), {points.begin(), points.end()});
+    const IT::Input_metric metric = IT::Input_metric::from_points(t.connectivity(), {points.begin(), points.end()});
     EXPECT_EQ(metric.unit_exponent(), t.unit_exponent());
     metric.check(t.connectivity());
   });
@@ -102,13 +101,17 @@ const Case cases[] = {
   {"coordinates below all normal numbers", none, {{1e-320, 0, 0}, {3e-320, 1e-320, 0}, {0, 2e-320, 5e-321}}},
   {"a difference that is subnormal", none, {{0x1p-1022, 0, 0}, {0x1.1p-1022, 0, 0}, {0, 0x1p-1022, 0}}},
   {"the largest triangle", none, {{-1.7e308, 0, 0}, {1.7e308, 0, 0}, {0, 1.7e308, -1.7e308}}},
-  {"a unit in the last place, far away", none, {{1e308, 0, 0}, {std::nextafter(1e308, infinity), 1e292, 0}, {1e308, 0, 1e292}}},
+  {"a unit in the last place, far away",
+   none,
+   {{1e308, 0, 0}, {std::nextafter(1e308, infinity), 1e292, 0}, {1e308, 0, 1e292}}},
   {"a small edge beside 1", none, {{0, 0, 0}, {1e-150, 0, 0}, {0, 1, 0}}},
   {"an edge whose square vanishes", Defect::OUT_OF_RANGE, {{0, 0, 0}, {1e-200, 0, 0}, {0, 1, 0}}},
   {"a subnormal edge beside 1", Defect::OUT_OF_RANGE, {{0, 0, 0}, {1e-320, 0, 0}, {0, 1, 0}}},
   {"the shortest edge beside 1", none, {{0, 0, 0}, {smallest_root, 0, 0}, {0, 1, 0}}},
   {"a little less", Defect::OUT_OF_RANGE, {{0, 0, 0}, {std::nextafter(smallest_root, 0.), 0, 0}, {0, 1, 0}}},
-  {"three components, each of which vanishes", Defect::OUT_OF_RANGE, {{0, 0, 0}, {0x1p-538, 0x1p-538, 0x1p-538}, {0, 1, 0}}},
+  {"three components, each of which vanishes",
+   Defect::OUT_OF_RANGE,
+   {{0, 0, 0}, {0x1p-538, 0x1p-538, 0x1p-538}, {0, 1, 0}}},
   {"squares that fit, but not their products", Defect::OUT_OF_RANGE, {{0, 0, 0}, {1e-150, 0, 0}, {0, 1e140, 0}}},
   {"a coordinate that is lost, no short edge", Defect::OUT_OF_RANGE, {{1e-320, 0, 0}, {1e250, 0, 0}, {0, 1e250, 0}}},
   {"some of its bits are lost", Defect::OUT_OF_RANGE, {{0x1.8p-900, 0, 0}, {0x1p276, 0, 0}, {0, 0x1p276, 0}}},
@@ -121,7 +124,10 @@ const Case cases[] = {
   {"an isolated vertex that would underflow", none, {{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}, {1e-320, 0, 0}}},
   {"an isolated vertex that is nowhere", Defect::NOT_FINITE, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {infinity, 0, 0}}},
   {"a coincidence", Defect::ZERO_LENGTH_EDGE, {{1e-320, 0, 0}, {1e-320, 0, 0}, {0, 1e-320, 0}}},
-  {"two components, one of them too small", Defect::OUT_OF_RANGE, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}}, {{0, 1, 2}, {3, 4, 5}}}};
+  {"two components, one of them too small",
+   Defect::OUT_OF_RANGE,
+   {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}},
+   {{0, 1, 2}, {3, 4, 5}}}};
 
 TEST(Coordinate_range, Of_the_examination_is_that_of_the_constructors)
 {
@@ -188,10 +194,13 @@ TEST(Coordinate_range, Of_numbers_of_a_face_far_smaller_than_the_surface)
     const IT::Delta_complex& complex = t.connectivity();
     const IT::Face_index f(0);
     EXPECT_DOUBLE_EQ(t.area(f), 6 * h * h);
-    for (IT::Halfedge_index side : {complex.halfedge(f), complex.next(complex.halfedge(f)), complex.prev(complex.halfedge(f))}) {
+    for (IT::Halfedge_index side :
+         {complex.halfedge(f), complex.next(complex.halfedge(f)), complex.prev(complex.halfedge(f))}) {
       const std::size_t at = complex.target(complex.next(side)).idx();
-      EXPECT_NEAR(IT::angle(t, side), at == 0 ? std::atan2(1., 0.) : at == 1 ? std::atan2(4., 3.)
-                                                                             : std::atan2(3., 4.),
+      EXPECT_NEAR(IT::angle(t, side),
+                  at == 0   ? std::atan2(1., 0.)
+                  : at == 1 ? std::atan2(4., 3.)
+                            : std::atan2(3., 4.),
                   1e-15);
     }
   }

@@ -74,8 +74,7 @@ Mesh mesh_of(const samples::Indexed_triangles& triangles, const FT& factor)
   std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor> vertices;
   for (const auto& p : triangles.points) {
     vertices.push_back(add_vertex(mesh));
-    put(get(CGAL::vertex_point, mesh), vertices.back(),
-        Point(FT(p[0]) * factor, FT(p[1]) * factor, FT(p[2]) * factor));
+    put(get(CGAL::vertex_point, mesh), vertices.back(), Point(FT(p[0]) * factor, FT(p[1]) * factor, FT(p[2]) * factor));
   }
   for (const auto& [i, j, k] : triangles.triangles)
     CGAL::Euler::add_face(std::array{vertices[i], vertices[j], vertices[k]}, mesh);
@@ -130,9 +129,8 @@ void expect_triangulation(const Construct& construct)
 template <class Mesh>
 auto from(const Mesh& mesh)
 {
-  return [&mesh](const auto& traits) {
-    return IT::intrinsic_triangulation(mesh, CGAL::parameters::geom_traits(traits));
-  };
+  return
+    [&mesh](const auto& traits) { return IT::intrinsic_triangulation(mesh, CGAL::parameters::geom_traits(traits)); };
 }
 
 template <class FT>
@@ -165,8 +163,7 @@ TYPED_TEST(Float_type, is_next_to_an_exact_number)
 
 TYPED_TEST(Float_type, takes_arrays_of_points_and_triangles)
 {
-  const IT::Delta_complex complex =
-    IT::make_Delta_complex_from_triangles(surface().points.size(), surface().triangles);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(surface().points.size(), surface().triangles);
   expect_triangulation<TypeParam>([&](const auto& traits) {
     return IT::Intrinsic_triangulation<std::decay_t<decltype(traits)>>(complex, surface().points, traits);
   });
@@ -174,8 +171,7 @@ TYPED_TEST(Float_type, takes_arrays_of_points_and_triangles)
 
 TYPED_TEST(Float_type, takes_lengths)
 {
-  const IT::Delta_complex complex =
-    IT::make_Delta_complex_from_triangles(surface().points.size(), surface().triangles);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(surface().points.size(), surface().triangles);
   const IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> in_space(complex, surface().points);
   expect_triangulation<TypeParam>([&](const auto& traits) {
     using Traits = std::decay_t<decltype(traits)>;
@@ -191,8 +187,7 @@ TYPED_TEST(Float_type, takes_meshes_with_points_of_doubles)
   using Point = CGAL::Simple_cartesian<double>::Point_3;
   expect_triangulation<TypeParam>(from(mesh_of<CGAL::Surface_mesh<Point>, Point>(surface(), 1.)));
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  expect_triangulation<TypeParam>(
-    from(mesh_of<CGAL::Surface_mesh<Kernel::Point_3>, Kernel::Point_3>(surface(), 1.)));
+  expect_triangulation<TypeParam>(from(mesh_of<CGAL::Surface_mesh<Kernel::Point_3>, Kernel::Point_3>(surface(), 1.)));
   expect_triangulation<TypeParam>(from(mesh_of<CGAL::Polyhedron_3<Kernel>, Kernel::Point_3>(surface(), 1.)));
 }
 

@@ -122,7 +122,8 @@ samples::Indexed_triangles plate(int holes)
           }
           if (side == 0)
             std::swap(corners[1], corners[3]);
-          const std::uint32_t a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]), d = vertex(corners[3]);
+          const std::uint32_t a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]),
+                              d = vertex(corners[3]);
           result.triangles.push_back({a, b, c});
           result.triangles.push_back({a, c, d});
         }
@@ -149,7 +150,8 @@ std::vector<IT::Halfedge_index> cycle(const IT::Delta_complex& complex, const st
 // As where a loop cannot be led round a corner: flips are undone, the last one first.
 TEST(Undone_flips, leave_each_face_with_a_side_of_its_own)
 {
-  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {2, 0, 0}, {3, 1.7, 0}, {2, 3.4, 0}, {0, 3.5, 0}, {-1, 1.6, 0}};
+  const std::vector<std::array<double, 3>> points{{0, 0, 0},   {2, 0, 0},   {3, 1.7, 0},
+                                                  {2, 3.4, 0}, {0, 3.5, 0}, {-1, 1.6, 0}};
   const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
   for (std::uint32_t seed = 0; seed < 50; ++seed) {
     std::mt19937 random(seed);
@@ -318,8 +320,15 @@ TEST(GeodesicPath, OneCallBetweenAnyPoints)
   const IT::Delta_complex input = IT::make_Delta_complex(mesh);
   std::vector<IT::Surface_point> points;
   for (IT::Face_index f : {IT::Face_index(0), IT::Face_index(1), IT::Face_index(11), IT::Face_index(22)})
-    for (const auto& coordinates :
-         {std::array<double, 3>{0, 0, 7}, {0, 3, 0}, {1, 0, 0}, {0.5, 0.5, 0}, {0.25, 0, 0.75}, {0, 1, 2}, {1, 2, 4}, {0.25, 0.5, 1}, {4, 2, 1}})
+    for (const auto& coordinates : {std::array<double, 3>{0, 0, 7},
+                                    {0, 3, 0},
+                                    {1, 0, 0},
+                                    {0.5, 0.5, 0},
+                                    {0.25, 0, 0.75},
+                                    {0, 1, 2},
+                                    {1, 2, 4},
+                                    {0.25, 0.5, 1},
+                                    {4, 2, 1}})
       points.push_back({input.halfedge(f), coordinates});
   const auto flat = [&](IT::Surface_point p) {
     const double sum = p.coordinates[0] + p.coordinates[1] + p.coordinates[2];
@@ -344,8 +353,13 @@ TEST(GeodesicPath, OneCallBetweenAnyPoints)
   const IT::Surface_point good = points[6];
   const IT::Halfedge_index h = good.halfedge;
   const double nan = std::nan("");
-  for (const IT::Surface_point& bad : std::vector<IT::Surface_point>{
-         {h, {0, 0, 0}}, {h, {1, -1, 0}}, {h, {1, nan, 0}}, {h, {nan, nan, nan}}, {IT::Halfedge_index(), {1, 1, 1}}, {IT::Halfedge_index(), {1, 0, 0}}, {IT::Halfedge_index(9999), {1, 0, 0}}}) {
+  for (const IT::Surface_point& bad : std::vector<IT::Surface_point>{{h, {0, 0, 0}},
+                                                                     {h, {1, -1, 0}},
+                                                                     {h, {1, nan, 0}},
+                                                                     {h, {nan, nan, nan}},
+                                                                     {IT::Halfedge_index(), {1, 1, 1}},
+                                                                     {IT::Halfedge_index(), {1, 0, 0}},
+                                                                     {IT::Halfedge_index(9999), {1, 0, 0}}}) {
     EXPECT_THROW(IT::geodesic_path(mesh, good, bad), IT::Invalid_point_error);
     EXPECT_THROW(IT::geodesic_path(mesh, bad, good), IT::Invalid_point_error);
   }
@@ -440,7 +454,8 @@ TEST(GeodesicLoop, RoundHolesAndArms)
       std::vector<IT::Halfedge_index> loop;
       for (std::size_t i = 0; i < stops.size(); ++i) {
         const auto vertex = [&](std::size_t k) {
-          return IT::Vertex_index(std::find(surface.points.begin(), surface.points.end(), stops[k % stops.size()]) - surface.points.begin());
+          return IT::Vertex_index(std::find(surface.points.begin(), surface.points.end(), stops[k % stops.size()]) -
+                                  surface.points.begin());
         };
         for (IT::Halfedge_index h : IT::shortest_edge_path(copy, vertex(i), vertex(i + 1)))
           loop.push_back(h);
@@ -464,8 +479,7 @@ TEST(GeodesicLoop, RoundHolesAndArms)
         EXPECT_FALSE(network.halfedges(0).empty()) << holes << " holes, curve " << k;
         EXPECT_LE(network.length(0), before);
         EXPECT_GE(network.length(0), k == 2 ? 8 - 1e-14 : 4 - 1e-14); // no shorter one goes round there
-        EXPECT_LE(network.length(0), k == 0 ? 8 : k == 1 ? 4 + 1e-14
-                                                         : 8 + 1e-14);
+        EXPECT_LE(network.length(0), k == 0 ? 8 : k == 1 ? 4 + 1e-14 : 8 + 1e-14);
       }
     }
   }
@@ -516,7 +530,9 @@ TEST(GeodesicLoop, IsPutBackIfTheWayRoundIsLonger)
   // A ring with a loop of length 1 inside. The triangle beside it has its third corner far away, and between the two
   // sides of that triangle there is a vertex so near that the way over it is long. Two more vertices are flipped away.
   const double c = 1, a = 2, gap = 0.1, r = 1.5, angle = 14 * pi / 180;
-  const auto opposite = [](double x, double y, double between) { return std::sqrt(x * x + y * y - 2 * x * y * std::cos(between)); };
+  const auto opposite = [](double x, double y, double between) {
+    return std::sqrt(x * x + y * y - 2 * x * y * std::cos(between));
+  };
   const double m = opposite(a, r, angle / 2), n = opposite(gap, r, angle / 2);
   const IT::Delta_complex ring = IT::make_Delta_complex_from_gluing(
     5, std::vector<std::array<std::uint32_t, 2>>{{1, 5}, {3, 8}, {6, 11}, {9, 14}, {12, 2}});
@@ -670,8 +686,11 @@ TEST(GeodesicPath, IsMarkedInTheOverlay)
                b = subdivision.point(overlay.target(h), surface.points);
     const auto p = IT::point_in_space(input, surface.points, points[i]),
                q = IT::point_in_space(input, surface.points, points[i + 1]);
-    const auto distance = [](const auto& x, const auto& y) { return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]); };
-    EXPECT_LT((std::min)((std::max)(distance(a, p), distance(b, q)), (std::max)(distance(a, q), distance(b, p))), 1e-14);
+    const auto distance = [](const auto& x, const auto& y) {
+      return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
+    };
+    EXPECT_LT((std::min)((std::max)(distance(a, p), distance(b, q)), (std::max)(distance(a, q), distance(b, p))),
+              1e-14);
   }
 }
 
@@ -700,7 +719,9 @@ TEST(GeodesicPath, BetweenInsertedVertices)
       ASSERT_EQ(network.shorten().status, Status::GEODESIC);
       const auto points = IT::geodesic_points(copy, network.halfedges(0));
       const auto at = [&](std::size_t i) { return IT::point_in_space(input, surface.points, points[i]); };
-      const auto distance = [](const auto& x, const auto& y) { return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]); };
+      const auto distance = [](const auto& x, const auto& y) {
+        return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
+      };
       EXPECT_NEAR(network.length(0), distance(at(0), at(points.size() - 1)), 1e-13);
       double sum = 0;
       for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -788,14 +809,12 @@ TEST(TracedLine, ClosesOnATetrahedron)
   const IT::Halfedge_index h(0);
   const double a = 501, b = 2;
   const auto x = [&](IT::Halfedge_index g) {
-    return std::array<double, 3>{
-      surface.points[input.target(g).idx()][0] - surface.points[input.source(g).idx()][0],
-      surface.points[input.target(g).idx()][1] - surface.points[input.source(g).idx()][1],
-      surface.points[input.target(g).idx()][2] - surface.points[input.source(g).idx()][2]};
+    return std::array<double, 3>{surface.points[input.target(g).idx()][0] - surface.points[input.source(g).idx()][0],
+                                 surface.points[input.target(g).idx()][1] - surface.points[input.source(g).idx()][1],
+                                 surface.points[input.target(g).idx()][2] - surface.points[input.source(g).idx()][2]};
   };
   const auto u = x(h), v = x(input.opposite(input.prev(h)));
-  const double length =
-    2 * std::hypot(a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2]);
+  const double length = 2 * std::hypot(a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2]);
   const IT::Traced_geodesic line = IT::trace_geodesic(t, {{h, {0.3, 0.45, 0.25}}, {a, b}}, length);
   ASSERT_EQ(line.status, IT::Trace_status::AT_LENGTH);
   EXPECT_GT(line.points.size(), 1000u);

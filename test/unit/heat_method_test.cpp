@@ -124,7 +124,8 @@ TEST(Heat_method, one_source_in_a_square)
     EXPECT_EQ(heat.number_of_factorizations(), 2);
     EXPECT_EQ(distances[grid.number(at, at)], 0);
     for (std::size_t v = 0; v < distances.size(); ++v)
-      EXPECT_NEAR(distances[v], grid.distance(v, double(at), double(at)), 1.5) << v; // the error of the method, 4 % of the way
+      EXPECT_NEAR(distances[v], grid.distance(v, double(at), double(at)), 1.5)
+        << v; // the error of the method, 4 % of the way
   }
 }
 
@@ -152,13 +153,15 @@ TEST(Heat_method, other_components_do_not_matter)
   for (const Point& p : other.points)
     points.push_back({1000 * p[0] + 5000, 1000 * p[1], 1000 * p[2]});
   for (const auto& [i, j, k] : other.triangles)
-    triangles.push_back({std::uint32_t(i + one.points.size()), std::uint32_t(j + one.points.size()), std::uint32_t(k + one.points.size())});
+    triangles.push_back({std::uint32_t(i + one.points.size()), std::uint32_t(j + one.points.size()),
+                         std::uint32_t(k + one.points.size())});
   const auto distances = [](const Triangulation& triangulation) {
     IT::Heat_method<> heat(triangulation);
     heat.add_source(Vertex_index(5));
     return heat.distances();
   };
-  const std::vector<double> alone = distances(Delaunay(one.points, one.triangles)), beside = distances(Delaunay(points, triangles));
+  const std::vector<double> alone = distances(Delaunay(one.points, one.triangles)),
+                            beside = distances(Delaunay(points, triangles));
   for (std::size_t v = 0; v < alone.size(); ++v)
     EXPECT_NEAR(beside[v], alone[v], 1e-12 * (1 + alone[v])) << v;
   EXPECT_EQ(beside.back(), infinity);
@@ -246,7 +249,8 @@ std::vector<double> edge_paths(const Points& points, const Triangles& triangles,
     for (const auto& t : triangles)
       for (int i = 0; i < 6; ++i) {
         const std::uint32_t a = t[std::size_t(i % 3)], b = t[std::size_t((i + (i < 3 ? 1 : 2)) % 3)];
-        const double through = result[a] + std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1], points[a][2] - points[b][2]);
+        const double through =
+          result[a] + std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1], points[a][2] - points[b][2]);
         if (through < result[b]) {
           result[b] = through;
           is_changed = true;
@@ -301,11 +305,13 @@ TEST(Heat_method, needs_no_bounds_on_fine_surfaces)
 TEST(Heat_method, infinite_where_no_source_is_connected)
 {
   // Two triangles apart, a vertex without faces, and a face without area.
-  const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {9, 9, 9}, {0, 0, 8}, {1, 0, 8}, {2, 0, 8}};
+  const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0},
+                         {5, 1, 0}, {9, 9, 9}, {0, 0, 8}, {1, 0, 8}, {2, 0, 8}};
   const Triangulation triangulation = Delaunay(points, {{0, 1, 2}, {3, 4, 5}, {7, 8, 9}});
   IT::Heat_method<> heat(triangulation);
   heat.add_source(Vertex_index(0));
-  EXPECT_EQ(std::vector<double>(heat.distances().begin() + 3, heat.distances().end()), std::vector<double>(7, infinity));
+  EXPECT_EQ(std::vector<double>(heat.distances().begin() + 3, heat.distances().end()),
+            std::vector<double>(7, infinity));
   expect_numbers({heat.distances().begin(), heat.distances().begin() + 3}, "with a source");
   heat.add_source(Vertex_index(6));
   heat.add_source(Vertex_index(8));
@@ -399,7 +405,8 @@ TEST(Heat_method, points_and_vertices_as_sources_for_short_times)
     heat.add_source(triangulation, {h, {1, 1, 1}});
     const std::vector<double>& distances = heat.distances();
     for (std::size_t v = 0; v < distances.size(); ++v)
-      EXPECT_GE(distances[v], 0.8 * (std::min)(grid.distance(v, x, y), grid.distance(v, 5, 5))) << coefficient << ' ' << v;
+      EXPECT_GE(distances[v], 0.8 * (std::min)(grid.distance(v, x, y), grid.distance(v, 5, 5)))
+        << coefficient << ' ' << v;
   }
 }
 
@@ -410,14 +417,16 @@ TEST(Heat_method, boundary_conditions)
   const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(grid.points.size(), grid.triangles);
   std::vector<double> lengths;
   for (IT::Edge_index e : complex.edges()) {
-    const Point &p = grid.points[complex.source(complex.halfedge(e)).idx()], &q = grid.points[complex.target(complex.halfedge(e)).idx()];
+    const Point &p = grid.points[complex.source(complex.halfedge(e)).idx()],
+                &q = grid.points[complex.target(complex.halfedge(e)).idx()];
     lengths.push_back(std::hypot(p[0] - q[0], p[1] - q[1]));
   }
   Triangulation triangulation = Triangulation::from_lengths(complex, lengths);
   IT::flip_to_Delaunay(triangulation);
   std::vector<std::vector<double>> results;
   for (auto boundary : {IT::Heat_boundary::NEUMANN, IT::Heat_boundary::DIRICHLET, IT::Heat_boundary::AVERAGED}) {
-    IT::Heat_method<> heat(triangulation, CGAL::parameters::heat_boundary(boundary).time_coefficient(20).keeps_ridges(false));
+    IT::Heat_method<> heat(triangulation,
+                           CGAL::parameters::heat_boundary(boundary).time_coefficient(20).keeps_ridges(false));
     heat.add_source(grid.vertex(10, 10));
     results.push_back(heat.distances());
     heat.clear_sources();
@@ -462,7 +471,8 @@ TEST(Heat_method, source_in_a_face)
     const IT::Halfedge_index h = complex.next(complex.halfedge(IT::Face_index(421)));
     heat.clear_sources();
     heat.add_source(triangulation, {h, coordinates});
-    const std::size_t corners[] = {complex.source(h).idx(), complex.target(h).idx(), complex.target(complex.next(h)).idx()};
+    const std::size_t corners[] = {complex.source(h).idx(), complex.target(h).idx(),
+                                   complex.target(complex.next(h)).idx()};
     const double sum = coordinates[0] + coordinates[1] + coordinates[2];
     double x = 0, y = 0;
     for (int i = 0; i < 3; ++i) {
@@ -509,7 +519,8 @@ TEST(Heat_method, extension_is_nearly_the_value_of_the_nearest_vertex)
 TEST(Heat_method, on_the_cover_of_any_triangles)
 {
   // Three squares at one edge, the last one turned over, and a vertex at the place of another.
-  const Points points = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, 1, 0}, {0, 0, 1}, {0, 1, 1}, {0, 0, 1}};
+  const Points points = {{0, 0, 0},  {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0},
+                         {-1, 1, 0}, {0, 0, 1}, {0, 1, 1}, {0, 0, 1}};
   const Triangles triangles = {{0, 2, 3}, {0, 3, 1}, {0, 1, 5}, {0, 5, 4}, {0, 6, 7}, {0, 7, 1}, {6, 8, 7}};
   IT::Tufted_cover cover = IT::make_tufted_cover(points, triangles);
   IT::flip_to_Delaunay(cover.triangulation);
@@ -555,7 +566,8 @@ TEST(Heat_method, what_it_refuses)
   EXPECT_FALSE(heat.remove_source(Vertex_index(9)));
   EXPECT_EQ(heat.number_of_sources(), 0);
   for (double coefficient : {0., -1., infinity, std::numeric_limits<double>::quiet_NaN()})
-    EXPECT_THROW(IT::Heat_method<>(triangulation, CGAL::parameters::time_coefficient(coefficient)), IT::Invalid_argument_error);
+    EXPECT_THROW(IT::Heat_method<>(triangulation, CGAL::parameters::time_coefficient(coefficient)),
+                 IT::Invalid_argument_error);
 }
 
 TEST(Heat_method, asks_before_each_factorization_and_solution)

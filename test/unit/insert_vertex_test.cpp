@@ -35,7 +35,8 @@ class Inserted_vertices
 {
 public:
   explicit Inserted_vertices(samples::Indexed_triangles surface)
-    : surface_(std::move(surface)), input_(IT::make_Delta_complex_from_triangles(surface_.points.size(), surface_.triangles)),
+    : surface_(std::move(surface)),
+      input_(IT::make_Delta_complex_from_triangles(surface_.points.size(), surface_.triangles)),
       triangulation(input_, surface_.points)
   {
     area_ = area();
@@ -106,13 +107,15 @@ TEST(Surface_point, has_coordinates_from_each_side_of_its_face)
 TEST(Insert_vertex, lengths_in_a_plane_are_distances)
 {
   std::mt19937 random(1);
-  for (const samples::Indexed_triangles& surface : {samples::sheared_grid(), samples::random_diagonal_grid(), samples::strip(200, 30)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::sheared_grid(), samples::random_diagonal_grid(), samples::strip(200, 30)}) {
     Inserted_vertices test(surface);
     EXPECT_GT(IT::insert_random_vertices(test.triangulation, 700, 6, random), 300u);
     test.expect_consistent();
     const IT::Delta_complex& complex = test.triangulation.connectivity();
     for (IT::Edge_index e : complex.edges()) {
-      const auto p = test.position(complex.source(complex.halfedge(e))), q = test.position(complex.target(complex.halfedge(e)));
+      const auto p = test.position(complex.source(complex.halfedge(e))),
+                 q = test.position(complex.target(complex.halfedge(e)));
       const double distance = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
       EXPECT_NEAR(test.triangulation.length(e) / distance, 1, 1e-11);
     }
@@ -123,8 +126,9 @@ TEST(Insert_vertex, of_curved_surfaces)
 {
   std::mt19937 random(2);
   for (const samples::Indexed_triangles& surface :
-       {samples::torus(), samples::bad_torus(30, 30), samples::bumpy_dome(), samples::disk_with_spike(), samples::Schwarz_lantern(), samples::cap(), samples::cap(0), samples::prism(),
-        samples::pillow(60), samples::sliver_sheet(), samples::helical_tube()})
+       {samples::torus(), samples::bad_torus(30, 30), samples::bumpy_dome(), samples::disk_with_spike(),
+        samples::Schwarz_lantern(), samples::cap(), samples::cap(0), samples::prism(), samples::pillow(60),
+        samples::sliver_sheet(), samples::helical_tube()})
     for (unsigned largest_coordinate : {3u, 1000u}) {
       Inserted_vertices test(surface);
       EXPECT_GT(IT::insert_random_vertices(test.triangulation, 200, largest_coordinate, random), 50u);
@@ -180,7 +184,8 @@ TEST(Insert_vertex, faces_without_area)
       insert(face, {1, 1, 1});
       ADD_FAILURE() << "a vertex in a face without area";
     } catch (const IT::Invalid_point_error& error) {
-      EXPECT_NE(std::string(error.what()).find("face " + std::to_string(face) + " of the input, which has no area"), std::string::npos)
+      EXPECT_NE(std::string(error.what()).find("face " + std::to_string(face) + " of the input, which has no area"),
+                std::string::npos)
         << error.what();
     }
   const auto side_between = [&](std::uint32_t v, std::uint32_t w) {

@@ -50,10 +50,7 @@ Mesh mesh_of(const samples::Indexed_triangles& triangles)
 
 // Two triangles, with an obtuse corner each on both sides of an edge that is flipped: the new
 // edge from (2, -1, 0) to (3, 2, 0) meets the old one at a third of its own length.
-Mesh kite()
-{
-  return mesh_of({{{0, 0, 0}, {8, 0, 0}, {3, 2, 0}, {2, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}});
-}
+Mesh kite() { return mesh_of({{{0, 0, 0}, {8, 0, 0}, {3, 2, 0}, {2, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}}); }
 
 Vector normal(const Mesh& mesh, Mesh::Face_index f)
 {
@@ -64,10 +61,7 @@ Vector normal(const Mesh& mesh, Mesh::Face_index f)
   return sum / 2;
 }
 
-double area(const Mesh& mesh, Mesh::Face_index f)
-{
-  return std::sqrt(normal(mesh, f).squared_length());
-}
+double area(const Mesh& mesh, Mesh::Face_index f) { return std::sqrt(normal(mesh, f).squared_length()); }
 
 struct Maps
 {
@@ -77,7 +71,8 @@ struct Maps
       input_face(IT::internal::find_property_map<Mesh::Face_index, std::uint32_t>(mesh, "f:input_face")),
       intrinsic_face(IT::internal::find_property_map<Mesh::Face_index, std::uint32_t>(mesh, "f:intrinsic_face")),
       input_point(IT::internal::find_property_map<Mesh::Halfedge_index, IT::Surface_point>(mesh, "h:input_point")),
-      intrinsic_point(IT::internal::find_property_map<Mesh::Halfedge_index, IT::Surface_point>(mesh, "h:intrinsic_point"))
+      intrinsic_point(
+        IT::internal::find_property_map<Mesh::Halfedge_index, IT::Surface_point>(mesh, "h:intrinsic_point"))
   {}
   Mesh::Property_map<Mesh::Vertex_index, std::uint8_t> kind;
   Mesh::Property_map<Mesh::Edge_index, std::uint8_t> label;
@@ -169,7 +164,8 @@ TEST(Overlay_to_surface_mesh, kite)
 TEST(Overlay_to_surface_mesh, sample_surfaces)
 {
   for (const samples::Indexed_triangles& sample :
-       {samples::prism(12, 1), samples::helical_tube(), samples::bad_torus(12, 12), samples::latitude_longitude_sphere(10, 8)}) {
+       {samples::prism(12, 1), samples::helical_tube(), samples::bad_torus(12, 12),
+        samples::latitude_longitude_sphere(10, 8)}) {
     const Mesh input = mesh_of(sample);
     const auto t = IT::intrinsic_Delaunay_triangulation(input).triangulation;
     Mesh mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input);
@@ -209,7 +205,8 @@ TEST(Overlay_to_surface_mesh, exact_kernel_and_point_map)
   auto moved = input.add_property_map<V, Exact_point>("v:moved").first;
   for (V v : input.vertices())
     moved[v] = input.point(v) + CGAL::Exact_predicates_exact_constructions_kernel::Vector_3(0, 0, 5);
-  const auto mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input, CGAL::parameters::vertex_point_map(moved));
+  const auto mesh =
+    IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input, CGAL::parameters::vertex_point_map(moved));
   EXPECT_NEAR(CGAL::to_double(mesh.point(V(4)).x()), 7. / 3, 1e-15);
   EXPECT_EQ(mesh.point(V(4)).z(), 5);
 }
@@ -225,8 +222,8 @@ TEST(Overlay_to_surface_mesh, keeps_loops_and_multiple_edges_apart)
     const IT::Delta_complex& c = t.connectivity();
     ASSERT_EQ(t.flip(c.edge(c.halfedge(IT::Vertex_index(3)))), Triangulation::Flip_outcome::FLIPPED);
   }
-  ASSERT_TRUE(t.connectivity().is_loop(IT::Edge_index(
-    t.connectivity().edge(t.connectivity().prev(t.connectivity().halfedge(IT::Vertex_index(3)))))));
+  ASSERT_TRUE(t.connectivity().is_loop(
+    IT::Edge_index(t.connectivity().edge(t.connectivity().prev(t.connectivity().halfedge(IT::Vertex_index(3)))))));
   Mesh mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input);
   ASSERT_TRUE(mesh.is_valid());
   expect_right_places(mesh, input, t);
@@ -295,7 +292,8 @@ TEST(Triangulate_convex_polygon, covers_it_without_flat_triangles)
   double sum = 0;
   for (const auto& [a, b, c] : triangles) {
     const auto& p = polygon[a];
-    const double area = ((polygon[b][0] - p[0]) * (polygon[c][1] - p[1]) - (polygon[b][1] - p[1]) * (polygon[c][0] - p[0])) / 2;
+    const double area =
+      ((polygon[b][0] - p[0]) * (polygon[c][1] - p[1]) - (polygon[b][1] - p[1]) * (polygon[c][0] - p[0])) / 2;
     EXPECT_GE(area, 0.5);
     sum += area;
   }
@@ -322,8 +320,7 @@ TEST(Triangulate_overlay_faces, makes_no_triangle_of_zero_area_where_it_can)
       for (std::size_t i = 0; i < pieces.size(); ++i) {
         const auto first = std::find(pieces[i].begin(), pieces[i].end(), a),
                    last = std::find(pieces[i].begin(), pieces[i].end(), b);
-        if (first == pieces[i].end() || last == pieces[i].end() || last - first < 2 ||
-            pieces[i].size() == 3)
+        if (first == pieces[i].end() || last == pieces[i].end() || last - first < 2 || pieces[i].size() == 3)
           continue;
         std::vector<std::size_t> piece(first, last + 1);
         pieces[i].erase(first + 1, last);

@@ -27,9 +27,8 @@ using IT::Planar_points;
 
 Triangulation triangulation_of(const samples::Indexed_triangles& triangles, bool is_Delaunay)
 {
-  Triangulation t(
-    IT::make_Delta_complex_from_triangles(triangles.points.size(), triangles.triangles),
-    triangles.points);
+  Triangulation t(IT::make_Delta_complex_from_triangles(triangles.points.size(), triangles.triangles),
+                  triangles.points);
   if (is_Delaunay)
     IT::flip_to_Delaunay(t);
   return t;
@@ -74,9 +73,7 @@ double largest_distance(const Planar_points& p, const Planar_points& q)
 Planar_points aligned(const Planar_points& p, const Planar_points& q)
 {
   using Complex = std::complex<double>;
-  const auto at = [](const Planar_points& points, std::size_t i) {
-    return Complex(points[i][0], points[i][1]);
-  };
+  const auto at = [](const Planar_points& points, std::size_t i) { return Complex(points[i][0], points[i][1]); };
   const std::size_t last = p.size() - 1;
   const Complex factor = (at(q, last) - at(q, 0)) / (at(p, last) - at(p, 0));
   Planar_points result;
@@ -90,8 +87,8 @@ Planar_points aligned(const Planar_points& p, const Planar_points& q)
 IT::Distortion_summary distortion(const Triangulation& t, const Planar_points& uv)
 {
   const std::vector<double> areas = IT::face_areas(t);
-  return IT::summarize_distortion(
-    IT::quasi_conformal_distortion(t.connectivity(), IT::edge_lengths(t), areas, uv), areas);
+  return IT::summarize_distortion(IT::quasi_conformal_distortion(t.connectivity(), IT::edge_lengths(t), areas, uv),
+                                  areas);
 }
 
 template <class Function>
@@ -190,8 +187,8 @@ TEST(Harmonic_parameterization, a_flat_sheet_with_its_own_boundary_stays_as_it_i
   const Planar_points points = plane_points(sheet);
   for (bool is_Delaunay : {false, true}) {
     const Triangulation t = triangulation_of(sheet, is_Delaunay);
-    const Planar_points uv = IT::harmonic_parameterization(
-      t.connectivity(), IT::cotangent_weights(t), boundary_values(t, points));
+    const Planar_points uv =
+      IT::harmonic_parameterization(t.connectivity(), IT::cotangent_weights(t), boundary_values(t, points));
     EXPECT_LE(largest_distance(uv, points), 1e-10);
   }
 }
@@ -205,8 +202,8 @@ TEST(Harmonic_parameterization, each_inner_vertex_is_the_weighted_mean_of_its_ne
   for (IT::Edge_index e : c.edges()) {
     const IT::Halfedge_index h = c.halfedge(e);
     const std::size_t v = c.source(h).idx(), w = c.target(h).idx();
-    const std::complex<double> flow = t.cotangent_weight(e) * std::complex<double>(uv[v][0] - uv[w][0],
-                                                                                   uv[v][1] - uv[w][1]);
+    const std::complex<double> flow =
+      t.cotangent_weight(e) * std::complex<double>(uv[v][0] - uv[w][0], uv[v][1] - uv[w][1]);
     sums[v] += flow;
     sums[w] -= flow;
   }
@@ -229,13 +226,11 @@ TEST(Harmonic_parameterization, folds_with_the_extrinsic_operator_and_not_with_t
     p[2] = 2 * (double(random()) / 0x1p31 - 1);
   }
   const Triangulation extrinsic = triangulation_of(sheet, false), intrinsic = triangulation_of(sheet, true);
-  EXPECT_GT(IT::check_parameterization(extrinsic.connectivity(), IT::harmonic_parameterization(extrinsic))
-              .flipped.size(),
-            0u);
+  EXPECT_GT(
+    IT::check_parameterization(extrinsic.connectivity(), IT::harmonic_parameterization(extrinsic)).flipped.size(), 0u);
   EXPECT_TRUE(IT::check_parameterization(intrinsic.connectivity(), IT::harmonic_parameterization(intrinsic))
                 .is_locally_injective());
-  EXPECT_TRUE(IT::check_parameterization(intrinsic.connectivity(),
-                                         IT::harmonic_parameterization(intrinsic, square))
+  EXPECT_TRUE(IT::check_parameterization(intrinsic.connectivity(), IT::harmonic_parameterization(intrinsic, square))
                 .flipped.empty());
 }
 
@@ -248,8 +243,7 @@ TEST(Natural_parameterization, a_flat_sheet_comes_out_similar)
     const Planar_points uv = IT::natural_parameterization(t);
     EXPECT_LE(largest_distance(aligned(uv, points), points), 1e-9);
     EXPECT_NEAR(std::hypot(uv.front()[0] - uv.back()[0], uv.front()[1] - uv.back()[1]),
-                std::hypot(points.front()[0] - points.back()[0], points.front()[1] - points.back()[1]),
-                1e-9);
+                std::hypot(points.front()[0] - points.back()[0], points.front()[1] - points.back()[1]), 1e-9);
     EXPECT_NEAR(distortion(t, uv).maximum, 1, 1e-6);
     EXPECT_TRUE(IT::check_parameterization(t.connectivity(), uv).is_locally_injective());
   }
@@ -279,9 +273,7 @@ TEST(Natural_parameterization, is_stationary)
     const Triangulation t = triangulation_of(samples::disk_with_spike(16, 10, 1, 0.4), is_Delaunay);
     const IT::Delta_complex& c = t.connectivity();
     const Planar_points uv = IT::natural_parameterization(t);
-    const auto at = [&](IT::Vertex_index v) {
-      return std::complex<double>(uv[v.idx()][0], uv[v.idx()][1]);
-    };
+    const auto at = [&](IT::Vertex_index v) { return std::complex<double>(uv[v.idx()][0], uv[v.idx()][1]); };
     std::vector<std::complex<double>> derivative(c.number_of_vertices());
     for (IT::Edge_index e : c.edges()) {
       const IT::Vertex_index v = c.source(c.halfedge(e)), w = c.target(c.halfedge(e));
@@ -339,8 +331,8 @@ TEST(Parameterization_quality, distortion_of_known_maps)
 
 TEST(Parameterization_quality, mean_and_percentile_are_weighted_with_area)
 {
-  const IT::Distortion_summary s = IT::summarize_distortion(
-    {5, 1, 2, std::numeric_limits<double>::infinity()}, {0.5, 98, 1.5, 0});
+  const IT::Distortion_summary s =
+    IT::summarize_distortion({5, 1, 2, std::numeric_limits<double>::infinity()}, {0.5, 98, 1.5, 0});
   EXPECT_DOUBLE_EQ(s.mean, (2.5 + 98 + 3) / 100);
   EXPECT_EQ(s.percentile_99, 2);
   EXPECT_EQ(s.maximum, 5);
@@ -370,8 +362,7 @@ TEST(Circle_pattern, circles_meet_at_the_given_angles)
     const auto angle = [&](IT::Halfedge_index h) {
       const auto &i = pattern.uv[c.source(h).idx()], &j = pattern.uv[c.target(h).idx()],
                  &k = pattern.uv[c.target(c.next(h)).idx()];
-      return std::arg(std::complex<double>(j[0] - k[0], j[1] - k[1]) /
-                      std::complex<double>(i[0] - k[0], i[1] - k[1]));
+      return std::arg(std::complex<double>(j[0] - k[0], j[1] - k[1]) / std::complex<double>(i[0] - k[0], i[1] - k[1]));
     };
     std::vector<double> around(c.number_of_vertices(), 0);
     for (IT::Edge_index e : c.edges()) {
@@ -396,10 +387,9 @@ TEST(Circle_pattern, circles_meet_at_the_given_angles)
 TEST(Circle_pattern, an_inner_vertex_with_two_corners_cannot_be_flat)
 {
   // Two triangles glued along two sides: vertex 1 has two corners.
-  const IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(
-    2, std::vector<std::array<std::size_t, 2>>{{0, 4}, {1, 3}});
-  const Triangulation t = Triangulation::from_lengths(
-    complex, std::vector<double>(complex.number_of_edges(), 1.));
+  const IT::Delta_complex complex =
+    IT::make_Delta_complex_from_gluing(2, std::vector<std::array<std::size_t, 2>>{{0, 4}, {1, 3}});
+  const Triangulation t = Triangulation::from_lengths(complex, std::vector<double>(complex.number_of_edges(), 1.));
   expect_topology_error([&] { IT::circle_pattern_parameterization(t); }, "inner vertex");
 }
 
@@ -413,8 +403,7 @@ TEST(Circle_pattern, its_angles_are_all_that_is_asked_of_them_and_as_near_as_can
   std::vector<double> around(c.number_of_vertices(), 0);
   for (IT::Face_index f : c.faces()) {
     const IT::Halfedge_index h = c.halfedge(f);
-    EXPECT_NEAR(found.angles[h.idx()] + found.angles[c.next(h).idx()] + found.angles[c.prev(h).idx()],
-                M_PI, 1e-11);
+    EXPECT_NEAR(found.angles[h.idx()] + found.angles[c.next(h).idx()] + found.angles[c.prev(h).idx()], M_PI, 1e-11);
     EXPECT_NEAR(given[h.idx()] + given[c.next(h).idx()] + given[c.prev(h).idx()], M_PI, 1e-9);
   }
   for (IT::Halfedge_index h : c.halfedges())

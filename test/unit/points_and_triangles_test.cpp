@@ -114,12 +114,11 @@ TEST_F(Points_and_triangles, errors_name_the_element)
     Defect defect;
     const char* message;
   };
-  const Bad table[] = {
-    {points, {{{0, 1, 2}}, {{0, 2, 7}}}, Defect::BAD_INDEX, "face 1 names vertex 7"},
-    {points, {{{0, 1, 2}}, {{0, 2, 2}}}, Defect::REPEATED_CORNER, "face 1 has vertex 2"},
-    {points, {{{0, 1, 2}}, {{0, 1, 3}}}, Defect::INCONSISTENT_ORIENTATION, "edge 0-1 of face 1"},
-    {{points[0], points[1], {{0, nan, 0}}}, {{{0, 1, 2}}}, Defect::NOT_FINITE, "vertex 2"},
-    {{points[0], points[1], points[1]}, {{{0, 1, 2}}}, Defect::ZERO_LENGTH_EDGE, "1"}};
+  const Bad table[] = {{points, {{{0, 1, 2}}, {{0, 2, 7}}}, Defect::BAD_INDEX, "face 1 names vertex 7"},
+                       {points, {{{0, 1, 2}}, {{0, 2, 2}}}, Defect::REPEATED_CORNER, "face 1 has vertex 2"},
+                       {points, {{{0, 1, 2}}, {{0, 1, 3}}}, Defect::INCONSISTENT_ORIENTATION, "edge 0-1 of face 1"},
+                       {{points[0], points[1], {{0, nan, 0}}}, {{{0, 1, 2}}}, Defect::NOT_FINITE, "vertex 2"},
+                       {{points[0], points[1], points[1]}, {{{0, 1, 2}}}, Defect::ZERO_LENGTH_EDGE, "1"}};
   for (const Bad& bad : table)
     try {
       IT::intrinsic_Delaunay_triangulation(bad.points, bad.triangles);

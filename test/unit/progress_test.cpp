@@ -26,8 +26,8 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 
 Triangulation Delaunay_triangulation(const samples::Indexed_triangles& surface)
 {
-  Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
-                  surface.points, IT::Filtered_edge_length_traits());
+  Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points,
+                  IT::Filtered_edge_length_traits());
   IT::flip_to_Delaunay(t);
   return t;
 }
@@ -58,18 +58,24 @@ TEST(Progress, overlay)
   const Triangulation t = Delaunay_triangulation(samples::bad_torus(60, 60));
   ASSERT_GT(t.connectivity().number_of_edges(), 10000u);
   const IT::Overlay overlay(t);
-  expect_progress([&](const IT::Progress_function& progress) { IT::Overlay(t, CGAL::parameters::visitor(progress)); }, 8);
+  expect_progress([&](const IT::Progress_function& progress) { IT::Overlay(t, CGAL::parameters::visitor(progress)); },
+                  8);
   const auto find_positions = [&](const IT::Progress_function& progress) {
     IT::Overlay_positions(IT::internal::engine(t), overlay, CGAL::parameters::visitor(progress));
   };
   expect_progress(find_positions, 3);
-  expect_progress([&](const IT::Progress_function& progress) { IT::Common_subdivision(t, CGAL::parameters::visitor(progress)); }, 11);
+  expect_progress(
+    [&](const IT::Progress_function& progress) { IT::Common_subdivision(t, CGAL::parameters::visitor(progress)); }, 11);
 }
 
 TEST(Progress, circle_pattern)
 {
   const Triangulation t = Delaunay_triangulation(samples::disk_with_spike(16, 10, 1, 0.3));
-  expect_progress([&](const IT::Progress_function& progress) { IT::circle_pattern_parameterization(t, CGAL::parameters::visitor(progress)); }, 5);
+  expect_progress(
+    [&](const IT::Progress_function& progress) {
+      IT::circle_pattern_parameterization(t, CGAL::parameters::visitor(progress));
+    },
+    5);
 }
 
 } // namespace

@@ -67,8 +67,9 @@ void expect_refined(const Triangulation& triangulation, const IT::Refinement_rep
 TEST(Refine_Delaunay, leaves_no_thin_triangle)
 {
   for (const samples::Indexed_triangles& surface :
-       {samples::torus(), samples::bad_torus(30, 30), samples::bumpy_dome(), samples::disk_with_spike(), samples::Schwarz_lantern(), samples::cap(1e-17), samples::cap(0.1),
-        samples::prism(), samples::pillow(60), samples::strip(200, 30)}) {
+       {samples::torus(), samples::bad_torus(30, 30), samples::bumpy_dome(), samples::disk_with_spike(),
+        samples::Schwarz_lantern(), samples::cap(1e-17), samples::cap(0.1), samples::prism(), samples::pillow(60),
+        samples::strip(200, 30)}) {
     Triangulation triangulation = triangulation_of(surface);
     const IT::Refinement_report report = IT::refine_Delaunay(triangulation);
     expect_refined(triangulation, report);
@@ -78,7 +79,8 @@ TEST(Refine_Delaunay, leaves_no_thin_triangle)
 
 TEST(Refine_Delaunay, makes_large_triangles_small)
 {
-  Triangulation triangulation = triangulation_of({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}});
+  Triangulation triangulation =
+    triangulation_of({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}});
   const IT::Refinement_report report = IT::refine_Delaunay(triangulation, CGAL::parameters::maximum_edge_length(0.05));
   expect_refined(triangulation, report, 25, 0.05);
   EXPECT_TRUE(report.unrefined.empty());
@@ -109,7 +111,8 @@ TEST(Refine_Delaunay, protects_small_cones)
 // A triangle with a corner of one degree between border edges.
 TEST(Refine_Delaunay, leaves_small_corners_of_the_border)
 {
-  Triangulation triangulation = triangulation_of({{{0, 0, 0}, {1, 0, 0}, {std::cos(CGAL_PI / 180), std::sin(CGAL_PI / 180), 0}}, {{0, 1, 2}}});
+  Triangulation triangulation =
+    triangulation_of({{{0, 0, 0}, {1, 0, 0}, {std::cos(CGAL_PI / 180), std::sin(CGAL_PI / 180), 0}}, {{0, 1, 2}}});
   const IT::Refinement_report report = IT::refine_Delaunay(triangulation);
   expect_refined(triangulation, report);
   ASSERT_FALSE(report.unrefined.empty());
@@ -193,15 +196,18 @@ TEST(Refine_Delaunay, estimates_how_many_vertices_are_needed)
 {
   const samples::Indexed_triangles square = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   // A tube around which triangles cannot be longer than it is wide.
-  const samples::Indexed_triangles tube = {{{0, 0, 0}, {1, 0, 0}, {0, 1e-4, 0}, {1, 1e-4, 0}, {0, 0, 1e-4}, {1, 0, 1e-4}},
-                                      {{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}, {4, 5, 1}, {4, 1, 0}}};
+  const samples::Indexed_triangles tube = {
+    {{0, 0, 0}, {1, 0, 0}, {0, 1e-4, 0}, {1, 1e-4, 0}, {0, 0, 1e-4}, {1, 0, 1e-4}},
+    {{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}, {4, 5, 1}, {4, 1, 0}}};
   const double infinity = std::numeric_limits<double>::infinity();
   for (const auto& [surface, edge, circumradius] :
-       {std::tuple{square, 0.02, infinity}, std::tuple{square, infinity, 0.012}, std::tuple{tube, infinity, infinity}}) {
+       {std::tuple{square, 0.02, infinity}, std::tuple{square, infinity, 0.012},
+        std::tuple{tube, infinity, infinity}}) {
     Triangulation triangulation = triangulation_of(surface);
     Progress_visitor visitor;
     const IT::Refinement_report report = IT::refine_Delaunay(
-      triangulation, CGAL::parameters::maximum_edge_length(edge).maximum_circumradius(circumradius).visitor(std::ref(visitor)));
+      triangulation,
+      CGAL::parameters::maximum_edge_length(edge).maximum_circumradius(circumradius).visitor(std::ref(visitor)));
     const double needed = double(report.insertions + report.segment_splits);
     EXPECT_EQ(report.status, IT::Refinement_status::REFINED);
     EXPECT_GT(double(visitor.first_estimate), 0.5 * needed);
@@ -213,9 +219,11 @@ TEST(Refine_Delaunay, estimates_how_many_vertices_are_needed)
 // A smallest size ends the splits of edges for their own sake as well.
 TEST(Refine_Delaunay, splits_no_edge_below_the_smallest_size)
 {
-  const samples::Indexed_triangles needle = {{{0, 0, 0}, {1, 0, 0}, {0.6, 1e-5, 0}, {0.3, 1e-5, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const samples::Indexed_triangles needle = {{{0, 0, 0}, {1, 0, 0}, {0.6, 1e-5, 0}, {0.3, 1e-5, 0}},
+                                             {{0, 1, 2}, {0, 2, 3}}};
   Triangulation triangulation = triangulation_of(needle);
-  const IT::Refinement_report report = IT::refine_Delaunay(triangulation, CGAL::parameters::minimum_size(1e-3).splits_encroached_edges(true));
+  const IT::Refinement_report report =
+    IT::refine_Delaunay(triangulation, CGAL::parameters::minimum_size(1e-3).splits_encroached_edges(true));
   expect_refined(triangulation, report);
   EXPECT_GT(report.segment_splits, 100u);
   EXPECT_LT(report.segment_splits, 3000u);
@@ -270,7 +278,8 @@ TEST(Refine_Delaunay, ends_at_the_tips_of_needles)
     std::vector<bool> is_constrained(triangulation.connectivity().number_of_edges());
     for (std::size_t e = 0; e < is_constrained.size(); e += std::size_t(step))
       is_constrained[e] = true;
-    const auto map = boost::make_function_property_map<IT::Edge_index, bool>([&](IT::Edge_index e) { return is_constrained[e.idx()]; });
+    const auto map = boost::make_function_property_map<IT::Edge_index, bool>(
+      [&](IT::Edge_index e) { return is_constrained[e.idx()]; });
     IT::refine_Delaunay(triangulation, CGAL::parameters::edge_is_constrained_map(map).maximum_number(200));
     EXPECT_TRUE(triangulation.connectivity().is_valid());
   }

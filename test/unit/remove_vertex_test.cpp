@@ -50,7 +50,8 @@ using Edge_set = std::vector<std::tuple<std::uint32_t, std::uint32_t, double, st
 Edge_set edges_without_ties(const Triangulation& triangulation)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
-  const IT::internal::Normal_coordinates& coordinates = IT::internal::engine(triangulation).correspondence().coordinates();
+  const IT::internal::Normal_coordinates& coordinates =
+    IT::internal::engine(triangulation).correspondence().coordinates();
   Edge_set result;
   for (IT::Edge_index e : complex.edges()) {
     if (complex.is_flippable(e) && triangulation.sign_of_cotangent_weight(e) == CGAL::ZERO)
@@ -105,8 +106,9 @@ TEST(Remove_vertex, undoes_insertions_in_any_order)
 {
   std::mt19937 random(1);
   for (const samples::Indexed_triangles& surface :
-       {samples::sheared_grid(), samples::random_diagonal_grid(), samples::torus(), samples::bad_torus(30, 30), samples::bumpy_dome(), samples::disk_with_spike(),
-        samples::Schwarz_lantern(), samples::cap(), samples::cap(0), samples::prism(16), samples::pillow(60), samples::sliver_sheet(12), samples::helical_tube()})
+       {samples::sheared_grid(), samples::random_diagonal_grid(), samples::torus(), samples::bad_torus(30, 30),
+        samples::bumpy_dome(), samples::disk_with_spike(), samples::Schwarz_lantern(), samples::cap(), samples::cap(0),
+        samples::prism(16), samples::pillow(60), samples::sliver_sheet(12), samples::helical_tube()})
     for (unsigned largest_coordinate : {1u, 1000u}) {
       Triangulation triangulation = Delaunay_triangulation_of(surface);
       const Edge_set before = edges_without_ties(triangulation);
@@ -135,7 +137,8 @@ TEST(Remove_vertex, on_a_line_across_a_fold)
   while (complex.source(h).idx() > 1)
     h = complex.next_around_target(h);
   const IT::Edge_index line = complex.edge(h);
-  const IT::Removed_elements removed = IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>(triangulation).unsplit_edge(h);
+  const IT::Removed_elements removed =
+    IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>(triangulation).unsplit_edge(h);
   EXPECT_DOUBLE_EQ(triangulation.squared_length(removed.edge_after(line)), 8);
   EXPECT_DOUBLE_EQ(triangulation.length(removed.edge_after(line)), std::sqrt(8.));
 }
@@ -147,7 +150,9 @@ TEST(Remove_vertex, flat_parts_are_decided_as_by_unfolding)
   std::mt19937 random(7);
   std::uint64_t in_planes = 0;
   std::size_t ties = 0;
-  for (const samples::Indexed_triangles& surface : {samples::prism(8), samples::prism(12, 1), samples::sheared_grid(6, 6), samples::random_diagonal_grid(6), samples::cap(), samples::cap(0)})
+  for (const samples::Indexed_triangles& surface :
+       {samples::prism(8), samples::prism(12, 1), samples::sheared_grid(6, 6), samples::random_diagonal_grid(6),
+        samples::cap(), samples::cap(0)})
     for (unsigned largest_coordinate : {1u, 3u, 1000000u}) {
       Triangulation triangulation = Delaunay_triangulation_of(surface);
       const IT::Delta_complex& complex = triangulation.connectivity();
@@ -172,7 +177,8 @@ TEST(Remove_vertex, flat_parts_are_decided_as_by_unfolding)
 TEST(Remove_vertex, between_insertions)
 {
   std::mt19937 random(2);
-  for (const samples::Indexed_triangles& surface : {samples::torus(8, 6), samples::bumpy_dome(), samples::pillow(20), samples::helical_tube()}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::torus(8, 6), samples::bumpy_dome(), samples::pillow(20), samples::helical_tube()}) {
     Triangulation triangulation = Delaunay_triangulation_of(surface);
     const Edge_set before = edges_without_ties(triangulation);
     for (int i = 0; i < 30; ++i) {
@@ -211,10 +217,12 @@ TEST(Remove_vertex, joins_the_parts_of_border_and_constrained_edges)
 {
   std::mt19937 random(3);
   for (const samples::Indexed_triangles& surface : {samples::bumpy_dome(), samples::torus(8, 6), samples::cap()}) {
-    Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
+    Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
+                                surface.points);
     const IT::Delta_complex input = triangulation.connectivity();
-    const auto fixed = CGAL::parameters::edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>(
-      [&](IT::Edge_index e) { return is_constrained(triangulation, e); }));
+    const auto fixed =
+      CGAL::parameters::edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>(
+        [&](IT::Edge_index e) { return is_constrained(triangulation, e); }));
     IT::internal::engine(triangulation);
     IT::flip_to_Delaunay(triangulation, fixed);
     const std::size_t before = number_of_constrained(triangulation);
@@ -238,9 +246,10 @@ TEST(Remove_vertex, joins_the_parts_of_border_and_constrained_edges)
       std::vector<bool> before_removal;
       for (IT::Edge_index e : triangulation.connectivity().edges())
         before_removal.push_back(is_constrained(triangulation, e));
-      IT::remove_vertex(triangulation, random_inserted_vertex(triangulation, random),
-                        CGAL::parameters::edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>(
-                          [&](IT::Edge_index e) { return before_removal[e.idx()]; })));
+      IT::remove_vertex(
+        triangulation, random_inserted_vertex(triangulation, random),
+        CGAL::parameters::edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>(
+          [&](IT::Edge_index e) { return before_removal[e.idx()]; })));
       ASSERT_TRUE(triangulation.connectivity().is_valid(true));
     }
     EXPECT_EQ(number_of_constrained(triangulation), before);
@@ -266,7 +275,8 @@ TEST(Remove_vertex, in_the_middle_of_a_square)
       IT::remove_vertex(triangulation, IT::Vertex_index(triangulation.connectivity().number_of_vertices() - 1));
     expect_consistent(triangulation);
     expect_overlay(triangulation);
-    const IT::internal::Normal_coordinates& coordinates = IT::internal::engine(triangulation).correspondence().coordinates();
+    const IT::internal::Normal_coordinates& coordinates =
+      IT::internal::engine(triangulation).correspondence().coordinates();
     for (IT::Edge_index e : triangulation.connectivity().edges()) {
       EXPECT_EQ(coordinates.number_of_crossings(e), coordinates.is_original(e) ? 0 : 1);
       crossed += coordinates.is_original(e) ? 0 : 1;
@@ -279,7 +289,8 @@ TEST(Remove_vertex, in_the_middle_of_a_square)
 TEST(Remove_vertex, of_a_torus_with_one_vertex)
 {
   std::mt19937 random(4);
-  for (const samples::Glued_triangles& gluing : {samples::one_vertex_torus(), samples::sheared_one_vertex_torus(20), samples::one_vertex_torus(1, 10, 10)}) {
+  for (const samples::Glued_triangles& gluing :
+       {samples::one_vertex_torus(), samples::sheared_one_vertex_torus(20), samples::one_vertex_torus(1, 10, 10)}) {
     IT::Delta_complex input = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
     const std::vector<double> lengths(gluing.side_lengths.begin(), gluing.side_lengths.begin() + 3);
     Triangulation triangulation = Triangulation::from_lengths(std::move(input), lengths);
@@ -326,7 +337,8 @@ TEST(Remove_vertex, refuses_vertices_of_the_input)
   Triangulation triangulation = Delaunay_triangulation_of(samples::torus(8, 6));
   const IT::Delta_complex before = triangulation.connectivity();
   EXPECT_THROW(IT::remove_vertex(triangulation, IT::Vertex_index(0)), IT::Invalid_removal_error);
-  EXPECT_THROW(IT::remove_vertex(triangulation, IT::Vertex_index(before.number_of_vertices())), IT::Invalid_removal_error);
+  EXPECT_THROW(IT::remove_vertex(triangulation, IT::Vertex_index(before.number_of_vertices())),
+               IT::Invalid_removal_error);
   EXPECT_EQ(triangulation.connectivity(), before);
 }
 

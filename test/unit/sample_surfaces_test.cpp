@@ -337,8 +337,8 @@ TEST(Sample_surfaces, faces_are_counterclockwise)
   EXPECT_NEAR(volume(samples::prism(1000, 3)), 5 * pi, 0.001);
   EXPECT_GT(volume(samples::helical_tube()), 0);
   EXPECT_EQ(volume(samples::pillow()), 0);
-  for (const auto& flat : {samples::cap(0.1), samples::random_diagonal_grid(), samples::sheared_grid(), samples::strip(),
-                           samples::disk_with_spike(), samples::sliver_sheet(40, 1, 0)})
+  for (const auto& flat : {samples::cap(0.1), samples::random_diagonal_grid(), samples::sheared_grid(),
+                           samples::strip(), samples::disk_with_spike(), samples::sliver_sheet(40, 1, 0)})
     for (std::size_t face = 0; face < flat.triangles.size(); ++face)
       ASSERT_GT(area_vector(flat, face)[2], 0) << "face " << face;
 }

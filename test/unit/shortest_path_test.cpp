@@ -49,7 +49,8 @@ Triangulation Delaunay(const samples::Indexed_triangles& surface)
 }
 
 // How much longer the path is than the distance, as a part of that; and the path on the input.
-double excess(Triangulation& triangulation, Vertex_index s, Vertex_index t, std::vector<Surface_point>* points = nullptr)
+double excess(Triangulation& triangulation, Vertex_index s, Vertex_index t,
+              std::vector<Surface_point>* points = nullptr)
 {
   const IT::Shortest_path start = IT::shortest_path(triangulation, s, t);
   EXPECT_TRUE(start.is_complete);
@@ -66,11 +67,12 @@ TEST(Shortest_path, is_as_long_as_the_distance)
 {
   std::mt19937 random(3);
   for (const samples::Indexed_triangles& surface :
-       {samples::bumpy_sphere(24, 16), samples::bad_torus(16, 12), samples::Schwarz_lantern(8, 24), samples::pillow(30), samples::random_diagonal_grid(20, 20), samples::strip(60, 12, 1),
-        samples::sheared_grid(15, 15, 5)}) {
+       {samples::bumpy_sphere(24, 16), samples::bad_torus(16, 12), samples::Schwarz_lantern(8, 24), samples::pillow(30),
+        samples::random_diagonal_grid(20, 20), samples::strip(60, 12, 1), samples::sheared_grid(15, 15, 5)}) {
     const Triangulation triangulation = Delaunay(surface);
     for (int i = 0; i < 15; ++i) {
-      const Vertex_index s(random() % std::uint32_t(surface.points.size())), t(random() % std::uint32_t(surface.points.size()));
+      const Vertex_index s(random() % std::uint32_t(surface.points.size())),
+        t(random() % std::uint32_t(surface.points.size()));
       if (s == t)
         continue;
       Triangulation copy = triangulation;
@@ -102,7 +104,8 @@ TEST(Shortest_path, of_very_large_and_small_surfaces)
       for (double& x : p)
         x = std::ldexp(x, exponent);
     Triangulation scaled = Delaunay(surface);
-    EXPECT_EQ(IT::shortest_edge_path(scaled, Vertex_index(0), Vertex_index(17)), IT::shortest_edge_path(triangulation, Vertex_index(0), Vertex_index(17)));
+    EXPECT_EQ(IT::shortest_edge_path(scaled, Vertex_index(0), Vertex_index(17)),
+              IT::shortest_edge_path(triangulation, Vertex_index(0), Vertex_index(17)));
     EXPECT_LT(std::abs(excess(scaled, Vertex_index(0), Vertex_index(17))), 1e-9);
     Triangulation again = Delaunay(surface);
     EXPECT_EQ(IT::shortest_path(again, Vertex_index(0), Vertex_index(17)).distance, std::ldexp(distance, exponent));
@@ -197,12 +200,14 @@ double border_length(const IT::Cut_surface& surface)
 
 IT::Cut_surface cut(const samples::Indexed_triangles& surface, const std::vector<Surface_point>& path)
 {
-  return IT::cut_along_path(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points, path);
+  return IT::cut_along_path(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
+                            surface.points, path);
 }
 
 TEST(Cut_along_path, opens_the_surface_on_both_sides)
 {
-  for (const samples::Indexed_triangles& surface : {samples::bumpy_sphere(24, 16), samples::pillow(30), samples::bad_torus(16, 12)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::bumpy_sphere(24, 16), samples::pillow(30), samples::bad_torus(16, 12)}) {
     Triangulation triangulation = Delaunay(surface);
     std::vector<Surface_point> path;
     const Vertex_index s(1), t(std::uint32_t(surface.points.size() / 2));
@@ -210,7 +215,8 @@ TEST(Cut_along_path, opens_the_surface_on_both_sides)
     double length = 0;
     const Delta_complex input = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      const auto p = IT::point_in_space(input, surface.points, path[i]), q = IT::point_in_space(input, surface.points, path[i + 1]);
+      const auto p = IT::point_in_space(input, surface.points, path[i]),
+                 q = IT::point_in_space(input, surface.points, path[i + 1]);
       length += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
     }
     const IT::Cut_surface whole = cut(surface, {}), opened = cut(surface, path);
@@ -221,14 +227,16 @@ TEST(Cut_along_path, opens_the_surface_on_both_sides)
     EXPECT_EQ(opened.points.size(), surface.points.size() + opened.locations.size());
     EXPECT_EQ(opened.input_faces.size(), opened.triangles.size());
     for (std::size_t v = surface.points.size(); v < opened.points.size(); ++v)
-      EXPECT_EQ(opened.points[v], IT::point_in_space(input, surface.points, opened.locations[v - surface.points.size()]));
+      EXPECT_EQ(opened.points[v],
+                IT::point_in_space(input, surface.points, opened.locations[v - surface.points.size()]));
   }
 }
 
 // A torus of two triangles: all edges join its vertex with itself.
 TEST(Cut_along_path, refuses_edges_with_the_same_ends)
 {
-  const Delta_complex torus = IT::make_Delta_complex_from_gluing(2, std::vector<std::array<int, 2>>{{0, 3}, {1, 4}, {2, 5}});
+  const Delta_complex torus =
+    IT::make_Delta_complex_from_gluing(2, std::vector<std::array<int, 2>>{{0, 3}, {1, 4}, {2, 5}});
   const std::vector<std::array<double, 3>> points{{0, 0, 0}};
   const Halfedge_index h = torus.halfedge(IT::Face_index(0));
   EXPECT_THROW(IT::cut_along_path(torus, points, {{h, {1, 1, 2}}, {h, {1, 2, 1}}}), IT::Invalid_surface_error);
@@ -263,16 +271,19 @@ TEST(Cut_along_path, leaves_a_slit_within_a_face_and_along_an_edge)
   const double border = border_length(cut(surface, {}));
   const Halfedge_index h = [&] {
     for (Halfedge_index g : complex.halfedges())
-      if (!complex.is_border(complex.halfedge(complex.source(g))) && !complex.is_border(complex.halfedge(complex.target(g))))
+      if (!complex.is_border(complex.halfedge(complex.source(g))) &&
+          !complex.is_border(complex.halfedge(complex.target(g))))
         return g;
     return Halfedge_index();
   }();
   ASSERT_TRUE(h.is_valid());
   for (const std::vector<Surface_point>& path :
-       {std::vector<Surface_point>{{h, {0.5, 0.25, 0.25}}, {h, {0.125, 0.5, 0.375}}}, std::vector<Surface_point>{{h, {1, 0, 0}}, {h, {0, 1, 0}}},
+       {std::vector<Surface_point>{{h, {0.5, 0.25, 0.25}}, {h, {0.125, 0.5, 0.375}}},
+        std::vector<Surface_point>{{h, {1, 0, 0}}, {h, {0, 1, 0}}},
         std::vector<Surface_point>{{h, {0.5, 0.5, 0}}, {h, {0.25, 0.25, 0.5}}}}) {
     const IT::Cut_surface opened = cut(surface, path);
-    const auto p = IT::point_in_space(complex, surface.points, path[0]), q = IT::point_in_space(complex, surface.points, path[1]);
+    const auto p = IT::point_in_space(complex, surface.points, path[0]),
+               q = IT::point_in_space(complex, surface.points, path[1]);
     EXPECT_NEAR(border_length(opened), border + 2 * std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]), 1e-12);
     EXPECT_NEAR(area(opened), area(cut(surface, {})), 1e-12);
   }
@@ -287,7 +298,13 @@ TEST(Cut_along_path, refuses_what_is_no_path)
   EXPECT_THROW(cut(surface, {{h, {1, 0, 0}}, {h, {0, -1, 0}}}), IT::Invalid_point_error);
   EXPECT_THROW(cut(surface, {{Halfedge_index(), {1, 0, 0}}, {h, {0, 1, 0}}}), IT::Invalid_point_error);
   // Across each other.
-  EXPECT_THROW(cut(surface, {{h, {0.5, 0.5, 0}}, {h, {0.2, 0, 0.8}}, {h, {0.8, 0, 0.2}}, {h, {0, 0.5, 0.5}}, {h, {0.9, 0.1, 0}}, {h, {0.6, 0, 0.4}}}), IT::Invalid_point_error);
+  EXPECT_THROW(cut(surface, {{h, {0.5, 0.5, 0}},
+                             {h, {0.2, 0, 0.8}},
+                             {h, {0.8, 0, 0.2}},
+                             {h, {0, 0.5, 0.5}},
+                             {h, {0.9, 0.1, 0}},
+                             {h, {0.6, 0, 0.4}}}),
+               IT::Invalid_point_error);
 }
 
 // A thousand pairs of vertices of surfaces of all kinds.
@@ -298,13 +315,16 @@ TEST(Shortest_path, between_vertices_of_scans_and_parts)
     GTEST_SKIP() << "no evaluation data";
   std::mt19937 random(5);
   std::size_t number_of_pairs = 0;
-  for (const char* name : {"table1/cathead.off", "table1/bunnyhead.off", "table1/beautiful_freak.off", "good/cgal_rotor.off", "good/cgal_pipe.off"}) {
+  for (const char* name : {"table1/cathead.off", "table1/bunnyhead.off", "table1/beautiful_freak.off",
+                           "good/cgal_rotor.off", "good/cgal_pipe.off"}) {
     samples::Indexed_triangles surface;
     IT::read_triangles((folder / name).string(), surface.points, surface.triangles);
     const Triangulation triangulation = Delaunay(surface);
     for (int i = 0; i < 200; ++i) {
-      const Vertex_index s(random() % std::uint32_t(surface.points.size())), t(random() % std::uint32_t(surface.points.size()));
-      if (s == t || triangulation.connectivity().halfedge(s) == Halfedge_index() || triangulation.connectivity().halfedge(t) == Halfedge_index())
+      const Vertex_index s(random() % std::uint32_t(surface.points.size())),
+        t(random() % std::uint32_t(surface.points.size()));
+      if (s == t || triangulation.connectivity().halfedge(s) == Halfedge_index() ||
+          triangulation.connectivity().halfedge(t) == Halfedge_index())
         continue;
       Triangulation copy = triangulation;
       EXPECT_LT(std::abs(excess(copy, s, t)), 1e-9) << name << ' ' << s.idx() << ' ' << t.idx();

@@ -60,12 +60,16 @@ const std::vector<std::string> tasks = {"triangulation", "overlay", "Laplacian"}
 // Loops, multiple edges, faces that are glued to themselves, few vertices, ties, zero areas.
 TEST(SystemJudge, CallsTheExactResultRight)
 {
-  std::vector<Surface> surfaces = {
-    surface_of(samples::bumpy_sphere(12, 8)), surface_of(samples::helical_tube(20)), surface_of(samples::prism(12)),
-    surface_of(samples::cap(0)), surface_of(samples::one_vertex_torus()), surface_of(samples::sheared_one_vertex_torus(20)),
-    surface_of(samples::sheared_one_vertex_torus(10)),
-    surface_of(samples::self_glued_sphere()), surface_of(samples::pillow(12)),
-    surface_of(samples::random_diagonal_grid(5, 5, 1, 1))};
+  std::vector<Surface> surfaces = {surface_of(samples::bumpy_sphere(12, 8)),
+                                   surface_of(samples::helical_tube(20)),
+                                   surface_of(samples::prism(12)),
+                                   surface_of(samples::cap(0)),
+                                   surface_of(samples::one_vertex_torus()),
+                                   surface_of(samples::sheared_one_vertex_torus(20)),
+                                   surface_of(samples::sheared_one_vertex_torus(10)),
+                                   surface_of(samples::self_glued_sphere()),
+                                   surface_of(samples::pillow(12)),
+                                   surface_of(samples::random_diagonal_grid(5, 5, 1, 1))};
   for (std::uint64_t seed = 1; seed < 10; ++seed)
     surfaces.push_back(surface_of(samples::random_gluing(20, seed, seed % 2 == 0, seed % 3 == 0)));
   for (const Surface& surface : surfaces) {
@@ -101,9 +105,9 @@ TEST(SystemJudge, DoesNotDependOnTheOrderOfFaces)
 
 TEST(SystemJudge, LeavesTheChoiceOfDiagonalsInTiesFree)
 {
-  for (const Surface& surface :
-       {surface_of(samples::prism(40)), surface_of(samples::random_diagonal_grid(8, 8)), surface_of(internal::box(4, 1)),
-        surface_of(samples::pillow(20)), surface_of(samples::one_vertex_torus(3, 4, 5))}) {
+  for (const Surface& surface : {surface_of(samples::prism(40)), surface_of(samples::random_diagonal_grid(8, 8)),
+                                 surface_of(internal::box(4, 1)), surface_of(samples::pillow(20)),
+                                 surface_of(samples::one_vertex_torus(3, 4, 5))}) {
     Own_triangulation t = Delaunay_triangulation(surface);
     ASSERT_GT(flip_ties(t, 0), 0u);
     for (const std::string& task : tasks) {
@@ -133,7 +137,8 @@ TEST(SystemJudge, CallsAMissingFlipWrong)
   std::size_t tried = 0;
   for (IT::Edge_index e : exact.connectivity().edges()) {
     Own_triangulation t = exact;
-    if (!t.connectivity().is_flippable(e) || t.cotangent_weight(e) < 0.1 || t.flip(e) != Own_triangulation::Flip_outcome::FLIPPED)
+    if (!t.connectivity().is_flippable(e) || t.cotangent_weight(e) < 0.1 ||
+        t.flip(e) != Own_triangulation::Flip_outcome::FLIPPED)
       continue;
     ++tried;
     const Judgement judgement = judge("triangulation", surface, result_of(t));

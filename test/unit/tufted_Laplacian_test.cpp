@@ -84,7 +84,8 @@ void check_operator(const IT::Tufted_Laplacian& result)
 }
 
 // A soup with edges of many faces, faces in one plane and turned any way.
-void make_soup(std::mt19937& random, Points& points, Triangles& triangles, int size, int number_of_points, int number_of_faces)
+void make_soup(std::mt19937& random, Points& points, Triangles& triangles, int size, int number_of_points,
+               int number_of_faces)
 {
   std::uniform_int_distribution<int> coordinate(-size, size);
   points.clear();
@@ -133,7 +134,8 @@ TEST(Tufted_Laplacian, an_obtuse_triangle_is_flipped_across_its_border)
 
 TEST(Tufted_Laplacian, closed_oriented_surfaces_have_the_same_bits_as_the_intrinsic_operator)
 {
-  for (const samples::Indexed_triangles& surface : {samples::bumpy_sphere(30, 15), samples::torus(20, 10), samples::bad_torus(12, 12)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::bumpy_sphere(30, 15), samples::torus(20, 10), samples::bad_torus(12, 12)}) {
     typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
     Mesh mesh;
     for (const auto& [x, y, z] : surface.points)
@@ -208,8 +210,9 @@ TEST(Tufted_Laplacian, matrices_are_sums_over_the_flipped_cover)
   Triangles triangles;
   for (int round = 0; round < 40; ++round) {
     make_soup(random, points, triangles, 6, 12, 25);
-    triangles.erase(std::remove_if(triangles.begin(), triangles.end(), [&](const auto& t) { return !has_area(points, t); }),
-                    triangles.end());
+    triangles.erase(
+      std::remove_if(triangles.begin(), triangles.end(), [&](const auto& t) { return !has_area(points, t); }),
+      triangles.end());
     IT::Tufted_cover cover = IT::make_tufted_cover(points, triangles);
     IT::flip_to_Delaunay(cover.triangulation);
     EXPECT_TRUE(IT::verify_Delaunay(cover.triangulation).is_Delaunay());
@@ -256,7 +259,8 @@ TEST(Tufted_Laplacian, the_order_of_everything_is_of_no_importance)
     std::shuffle(number.begin(), number.end(), random);
     Points moved(points.size());
     for (std::size_t v = 0; v < points.size(); ++v) // by a rotation times 3
-      moved[number[v]] = {2 * points[v][0] - points[v][1] + 2 * points[v][2], 2 * points[v][0] + 2 * points[v][1] - points[v][2],
+      moved[number[v]] = {2 * points[v][0] - points[v][1] + 2 * points[v][2],
+                          2 * points[v][0] + 2 * points[v][1] - points[v][2],
                           -points[v][0] + 2 * points[v][1] + 2 * points[v][2]};
     Triangles shuffled;
     for (auto t : triangles) {
@@ -291,8 +295,7 @@ TEST(Tufted_Laplacian, a_fixed_border_gives_the_operator_of_the_mesh)
 TEST(Tufted_Laplacian, surfaces_given_by_lengths)
 {
   const samples::Indexed_triangles surface = samples::bumpy_dome(9, 7);
-  const IT::Delta_complex complex =
-    IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
   std::vector<double> lengths;
   for (IT::Edge_index e : complex.edges()) {
     const IT::Halfedge_index h = complex.halfedge(e);
@@ -306,8 +309,8 @@ TEST(Tufted_Laplacian, surfaces_given_by_lengths)
   expect_near(Dense(by_lengths.stiffness), Dense(by_points.stiffness), 1e-10);
   expect_near(Dense(by_lengths.mass), Dense(by_points.mass), 1e-10);
 
-  const IT::Delta_complex torus = IT::make_Delta_complex_from_gluing(
-    2, std::vector<std::array<int, 2>>{{0, 3}, {1, 4}, {2, 5}});
+  const IT::Delta_complex torus =
+    IT::make_Delta_complex_from_gluing(2, std::vector<std::array<int, 2>>{{0, 3}, {1, 4}, {2, 5}});
   const IT::Tufted_Laplacian one = IT::tufted_Laplacian(torus, {3, 4, 5});
   EXPECT_EQ(Dense(one.stiffness), Dense::Zero(1, 1));
   EXPECT_NEAR(one.mass.coeff(0, 0), 12, 1e-14);
@@ -382,7 +385,8 @@ TEST(Tufted_Laplacian, a_function_ends_weights_that_are_computed_exactly)
     triangles.push_back({2 * i, 2 * i + 2, 2 * i + 3});
     triangles.push_back({2 * i, 2 * i + 3, 2 * i + 1});
   }
-  IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> t(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
+  IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> t(
+    IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
   t.set_interruption([] { return false; });
   EXPECT_THROW(IT::stiffness_matrix(t), IT::Cancelled_error);
 }

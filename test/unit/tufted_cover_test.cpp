@@ -234,8 +234,8 @@ TEST(Tufted_cover, Moebius_strip_has_a_torus)
 TEST(Tufted_cover, a_closed_surface_is_its_own_cover_however_its_faces_are_turned)
 {
   const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {9, 9, 9}};
-  for (const Triangles& triangles : {Triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
-                                     Triangles{{0, 2, 1}, {1, 0, 3}, {3, 2, 1}, {2, 0, 3}}}) {
+  for (const Triangles& triangles :
+       {Triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, Triangles{{0, 2, 1}, {1, 0, 3}, {3, 2, 1}, {2, 0, 3}}}) {
     const Tufted_cover cover = IT::make_tufted_cover(points, triangles);
     check_cover(cover, points);
     EXPECT_EQ(cover.triangulation.connectivity().number_of_faces(), 4u);
@@ -331,8 +331,7 @@ TEST(Tufted_cover, parts_without_area_are_dropped)
 {
   // A fin that joins nothing, and one that is given twice, so that the two enclose one more part.
   const Points points = {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}, {2, 0, 0}, {7, 0, 0}, {8, 0, 0}, {9, 0, 0}};
-  const Tufted_cover cover =
-    IT::make_tufted_cover(points, Triangles{{0, 1, 2}, {4, 5, 6}, {0, 1, 3}, {0, 1, 3}});
+  const Tufted_cover cover = IT::make_tufted_cover(points, Triangles{{0, 1, 2}, {4, 5, 6}, {0, 1, 3}, {0, 1, 3}});
   check_cover(cover, points);
   EXPECT_EQ(cover.report.faces_without_area, 1u);
   EXPECT_EQ(cover.report.unreferenced_vertices, 3u);

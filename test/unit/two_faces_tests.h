@@ -39,8 +39,19 @@ bool are_same(T a, T b)
 const std::vector<double>& special_numbers()
 {
   using Limits = std::numeric_limits<double>;
-  static const std::vector<double> numbers{
-    0., -0., 1., -1., 3., 1. / 3., -1e-160, 1e160, 5e-324, Limits::max(), Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()};
+  static const std::vector<double> numbers{0.,
+                                           -0.,
+                                           1.,
+                                           -1.,
+                                           3.,
+                                           1. / 3.,
+                                           -1e-160,
+                                           1e160,
+                                           5e-324,
+                                           Limits::max(),
+                                           Limits::infinity(),
+                                           -Limits::infinity(),
+                                           Limits::quiet_NaN()};
   return numbers;
 }
 
@@ -96,30 +107,12 @@ std::vector<std::array<Point, 3>> triangles()
   return result;
 }
 
-double area(double a)
-{
-  return a;
-}
-double error(double)
-{
-  return 0;
-}
-double area(const IT::Bounded_area& a)
-{
-  return a.value;
-}
-double error(const IT::Bounded_area& a)
-{
-  return a.error;
-}
-double first(const Two_doubles& a)
-{
-  return a.first();
-}
-double second(const Two_doubles& a)
-{
-  return a.second();
-}
+double area(double a) { return a; }
+double error(double) { return 0; }
+double area(const IT::Bounded_area& a) { return a.value; }
+double error(const IT::Bounded_area& a) { return a.error; }
+double first(const Two_doubles& a) { return a.first(); }
+double second(const Two_doubles& a) { return a.second(); }
 template <class Two_faces>
 IT::Bounded_area first(const Two_faces& a)
 {
@@ -147,10 +140,10 @@ TYPED_TEST(Two_faces, have_the_numbers_of_each)
   for (std::size_t n = 0; n + 1 < all.size(); ++n) {
     const auto &s = all[n], &t = all[n + 1];
     const auto both = [&](int i) {
-      return IT::internal::Two_points{Two_doubles(s[i][0], t[i][0]), Two_doubles(s[i][1], t[i][1]), Two_doubles(s[i][2], t[i][2])};
+      return IT::internal::Two_points{Two_doubles(s[i][0], t[i][0]), Two_doubles(s[i][1], t[i][1]),
+                                      Two_doubles(s[i][2], t[i][2])};
     };
-    const Two_doubles pq = edge(both(0), both(1)), qr = edge(both(1), both(2)),
-                      pr = edge(both(0), both(2));
+    const Two_doubles pq = edge(both(0), both(1)), qr = edge(both(1), both(2)), pr = edge(both(0), both(2));
     const auto areas = face(both(0), both(1), both(2));
     const auto of_corners = bounds(areas, pq, qr, pr);
     int number = 0;
@@ -180,9 +173,9 @@ bool is_known(const Triangulation& t, IT::Edge_index e)
   for (IT::Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))}) {
     if (complex.is_border(h))
       return false;
-    sum += t.traits().compute_cotangent_bounds_object()(
-      t.face_data(complex.face(h)), t.edge_data(e), t.edge_data(complex.edge(complex.next(h))),
-      t.edge_data(complex.edge(complex.prev(h))))[0];
+    sum += t.traits().compute_cotangent_bounds_object()(t.face_data(complex.face(h)), t.edge_data(e),
+                                                        t.edge_data(complex.edge(complex.next(h))),
+                                                        t.edge_data(complex.edge(complex.prev(h))))[0];
   }
   return sum > 0;
 }

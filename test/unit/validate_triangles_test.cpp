@@ -42,7 +42,8 @@ Points curve(const int n)
 Polygons tetrahedron() { return {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}; }
 
 // Expects one fatal finding, of this defect, and returns it.
-IT::Finding only_fatal(const IT::Surface_report& report, const Defect defect, const Indices& elements, const std::size_t count)
+IT::Finding only_fatal(const IT::Surface_report& report, const Defect defect, const Indices& elements,
+                       const std::size_t count)
 {
   std::size_t fatal = 0;
   for (const IT::Finding& finding : report.findings)
@@ -125,8 +126,7 @@ TEST(Validate_triangles, any_ranges_of_points_and_indices)
 TEST(Validate_triangles, empty)
 {
   only_fatal(IT::examine_polygons(Points(), Polygons()), Defect::EMPTY, {}, 1);
-  const IT::Finding finding =
-    only_fatal(IT::examine_polygons(curve(4), Polygons()), Defect::EMPTY, {}, 1);
+  const IT::Finding finding = only_fatal(IT::examine_polygons(curve(4), Polygons()), Defect::EMPTY, {}, 1);
   EXPECT_TRUE(contains(finding.description, "4 vertices but no face"));
 }
 
@@ -139,16 +139,14 @@ TEST(Validate_triangles, bad_index)
   EXPECT_EQ(finding.description, "face 4 names vertex 4, but there are 4 vertices");
   EXPECT_TRUE(contains(IT::message(finding), "and 1 more face like it; "));
   // Faces, but no vertex at all.
-  only_fatal(IT::examine_polygons(Points(), tetrahedron()), Defect::BAD_INDEX, {0, 1, 2, 3},
-             4);
+  only_fatal(IT::examine_polygons(Points(), tetrahedron()), Defect::BAD_INDEX, {0, 1, 2, 3}, 4);
 }
 
 TEST(Validate_triangles, polygons)
 {
   const Polygons faces = {{0, 1, 2}, {0, 2, 3, 4}, {}, {5}, {5, 6}};
   const IT::Surface_report report = IT::examine_polygons(curve(7), faces);
-  const IT::Finding finding =
-    only_fatal(report, Defect::NOT_A_TRIANGLE, {1, 2, 3, 4}, 4);
+  const IT::Finding finding = only_fatal(report, Defect::NOT_A_TRIANGLE, {1, 2, 3, 4}, 4);
   EXPECT_EQ(finding.description, "face 1 (corners 0, 2, 3, 4) has 4 corners instead of 3");
   EXPECT_TRUE(contains(IT::message(finding), "triangulate"));
   EXPECT_EQ(report.number_of_edges, 6u);
@@ -187,8 +185,8 @@ TEST(Validate_triangles, not_finite)
 TEST(Validate_triangles, duplicate_faces)
 {
   // A triangle and its back side: closed, but the same three corners.
-  IT::Finding finding = only_fatal(IT::examine_polygons(curve(3), Polygons{{0, 1, 2}, {2, 1, 0}}),
-                                   Defect::DUPLICATE_FACE, {1}, 1);
+  IT::Finding finding =
+    only_fatal(IT::examine_polygons(curve(3), Polygons{{0, 1, 2}, {2, 1, 0}}), Defect::DUPLICATE_FACE, {1}, 1);
   EXPECT_EQ(finding.description, "face 1 (corners 2, 1, 0) has the same corners as face 0");
   // At edges with more than two faces.
   Polygons faces = tetrahedron();
@@ -205,8 +203,7 @@ TEST(Validate_triangles, non_manifold_edge)
 {
   const Polygons fan = {{0, 2, 4}, {3, 4, 2}, {2, 4, 1}};
   const IT::Surface_report report = IT::examine_polygons(curve(5), fan);
-  const IT::Finding finding =
-    only_fatal(report, Defect::NON_MANIFOLD_EDGE, {0}, 1);
+  const IT::Finding finding = only_fatal(report, Defect::NON_MANIFOLD_EDGE, {0}, 1);
   EXPECT_EQ(finding.edges, (std::vector<std::array<std::size_t, 2>>{{{2, 4}}}));
   EXPECT_EQ(finding.description, "edge 2-4 has 3 faces (faces 0, 1, 2)");
   EXPECT_EQ(report.number_of_edges, 7u);
@@ -249,20 +246,17 @@ TEST(Validate_triangles, non_manifold_vertex)
 {
   // Two triangles that touch, two tetrahedra that touch, a triangle on top of a tetrahedron.
   IT::Finding finding =
-    only_fatal(IT::examine_polygons(curve(5), Polygons{{1, 0, 2}, {3, 4, 2}}),
-               Defect::NON_MANIFOLD_VERTEX, {2}, 1);
+    only_fatal(IT::examine_polygons(curve(5), Polygons{{1, 0, 2}, {3, 4, 2}}), Defect::NON_MANIFOLD_VERTEX, {2}, 1);
   EXPECT_EQ(finding.description, "the faces around vertex 2 form 2 fans that touch only there"
                                  " (one with face 0, another with face 1)");
   Polygons pair = tetrahedron();
   for (const std::vector<std::size_t>& face : tetrahedron())
     pair.push_back({face[0] + 3, face[1] + 3, face[2] + 3});
-  only_fatal(IT::examine_polygons(curve(7), pair), Defect::NON_MANIFOLD_VERTEX,
-             {3}, 1);
+  only_fatal(IT::examine_polygons(curve(7), pair), Defect::NON_MANIFOLD_VERTEX, {3}, 1);
   Polygons hat = tetrahedron();
   hat.push_back({1, 4, 5});
   hat.push_back({2, 6, 7});
-  only_fatal(IT::examine_polygons(curve(8), hat), Defect::NON_MANIFOLD_VERTEX,
-             {1, 2}, 2);
+  only_fatal(IT::examine_polygons(curve(8), hat), Defect::NON_MANIFOLD_VERTEX, {1, 2}, 2);
 }
 
 TEST(Validate_triangles, zero_length_edge)
@@ -293,8 +287,7 @@ TEST(Validate_triangles, range_of_lengths)
   EXPECT_TRUE(triangles(1e308, 1e308).findings.empty());
   EXPECT_TRUE(triangles(1e-150, 1e20).findings.empty());
   EXPECT_TRUE(triangles(1e-70, 1e110).findings.empty());
-  const IT::Finding finding = only_fatal(triangles(1e-150, 1e150), Defect::OUT_OF_RANGE,
-                                         {0}, 1);
+  const IT::Finding finding = only_fatal(triangles(1e-150, 1e150), Defect::OUT_OF_RANGE, {0}, 1);
   EXPECT_EQ(finding.edges, (std::vector<std::array<std::size_t, 2>>{{{0, 1}}}));
   EXPECT_TRUE(contains(finding.description, "edge 0-1 (length about 1e-150) and edge 0-2 (length about 1e+150)"))
     << finding.description;
@@ -448,7 +441,8 @@ TEST(Validate_triangles, the_quick_question_has_the_same_answer)
   Polygons triangles;
   grid(7, points, triangles);
   compare(points, triangles);
-  for (const double x : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1e300, 1.7e308}) {
+  for (const double x :
+       {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1e300, 1.7e308}) {
     Points spoilt = points;
     spoilt[11][2] = x;
     compare(spoilt, triangles);
@@ -464,7 +458,8 @@ TEST(Validate_triangles, the_quick_question_has_the_same_answer)
 
 TEST(Turned_triangles, make_neighbors_agree)
 {
-  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}};
+  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                                  {2, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}};
   // The second triangle runs against the first, the third with it; the last is a part of its own.
   std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 3, 2}, {1, 4, 2}, {5, 7, 6}};
   EXPECT_EQ(IT::turned_triangles(points, triangles), (std::vector<std::size_t>{1}));

@@ -61,7 +61,9 @@ Triangulation Delaunay(const samples::Indexed_triangles& surface)
 // Rings of vertices around an apex at the origin, and one triangle after the other between them; flat inside for an angle of 2π.
 Triangulation cone(double angle, std::size_t sides, std::size_t rings, double radius = 1)
 {
-  const auto vertex = [&](std::size_t ring, std::size_t i) { return std::uint32_t(ring == 0 ? 0 : 1 + (ring - 1) * sides + i % sides); };
+  const auto vertex = [&](std::size_t ring, std::size_t i) {
+    return std::uint32_t(ring == 0 ? 0 : 1 + (ring - 1) * sides + i % sides);
+  };
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for (std::size_t r = 0; r < rings; ++r)
     for (std::size_t i = 0; i < sides; ++i) {
@@ -72,14 +74,18 @@ Triangulation cone(double angle, std::size_t sides, std::size_t rings, double ra
   const Delta_complex complex = IT::make_Delta_complex_from_triangles(1 + rings * sides, triangles);
   const auto place = [&](Vertex_index v) {
     const std::size_t n = v.idx();
-    return n == 0 ? Complex(0) : std::polar(radius * double(1 + (n - 1) / sides) / double(rings), angle / double(sides) * double((n - 1) % sides));
+    return n == 0 ? Complex(0)
+                  : std::polar(radius * double(1 + (n - 1) / sides) / double(rings),
+                               angle / double(sides) * double((n - 1) % sides));
   };
   std::vector<double> lengths;
   for (Edge_index e : complex.edges()) {
     const Halfedge_index h = complex.halfedge(e);
     const Complex a = place(complex.source(h)), b = place(complex.target(h));
     // Between neighbors, whatever the numbers say where the ring is closed.
-    const bool is_radial = std::abs(a) == 0 || std::abs(b) == 0 || (complex.source(h).idx() + sides - 1) % sides == (complex.target(h).idx() + sides - 1) % sides;
+    const bool is_radial =
+      std::abs(a) == 0 || std::abs(b) == 0 ||
+      (complex.source(h).idx() + sides - 1) % sides == (complex.target(h).idx() + sides - 1) % sides;
     const double turn = is_radial ? 0 : angle / double(sides);
     lengths.push_back(std::abs(std::abs(a) - std::polar(std::abs(b), turn)));
   }
@@ -103,7 +109,8 @@ samples::Indexed_triangles cut_on_sphere(samples::Indexed_triangles result, int 
   for (; cuts > 0; --cuts) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [position, is_new] = middles.insert({{std::min(a, b), std::max(a, b)}, std::uint32_t(result.points.size())});
+      const auto [position, is_new] =
+        middles.insert({{std::min(a, b), std::max(a, b)}, std::uint32_t(result.points.size())});
       if (is_new) {
         const auto &p = result.points[a], &q = result.points[b];
         result.points.push_back({p[0] + q[0], p[1] + q[1], p[2] + q[2]});
@@ -133,7 +140,8 @@ samples::Indexed_triangles sphere(int cuts)
   for (std::uint32_t i = 0; i < 12; ++i)
     for (std::uint32_t j = i + 1; j < 12; ++j)
       for (std::uint32_t k = j + 1; k < 12; ++k)
-        if (std::max({(point(i) - point(j)).norm(), (point(j) - point(k)).norm(), (point(k) - point(i)).norm()}) < 2.1) {
+        if (std::max({(point(i) - point(j)).norm(), (point(j) - point(k)).norm(), (point(k) - point(i)).norm()}) <
+            2.1) {
           const bool is_outside = (point(j) - point(i)).cross(point(k) - point(i)).dot(point(i)) > 0;
           result.triangles.push_back({i, is_outside ? j : k, is_outside ? k : j});
         }
@@ -150,7 +158,8 @@ samples::Indexed_triangles sphere_of_octahedron(int cuts)
 }
 
 // What a loop of halfedges does to a vector at the end.
-Complex turn_around(const Delta_complex& complex, const std::vector<Vector>& vectors, const std::vector<Halfedge_index>& loop)
+Complex turn_around(const Delta_complex& complex, const std::vector<Vector>& vectors,
+                    const std::vector<Halfedge_index>& loop)
 {
   Complex result = 1;
   for (Halfedge_index h : loop)
@@ -218,7 +227,8 @@ double smallest_eigenvalue(const Triangulation& t)
 
 TEST(Connection_Laplacian, is_positive_semidefinite_on_closed_Delaunay_surfaces)
 {
-  for (const samples::Indexed_triangles& surface : {samples::bumpy_sphere(12, 8), samples::bad_torus(9, 9), samples::Schwarz_lantern(6, 12), samples::pillow(20)})
+  for (const samples::Indexed_triangles& surface :
+       {samples::bumpy_sphere(12, 8), samples::bad_torus(9, 9), samples::Schwarz_lantern(6, 12), samples::pillow(20)})
     EXPECT_GT(smallest_eigenvalue(Delaunay(surface)), -1e-15);
   EXPECT_LT(smallest_eigenvalue(make_triangulation(samples::pillow(20))), -1e-4);
 }
@@ -349,7 +359,9 @@ TEST(Transport, on_a_cone_depends_on_the_side_of_the_apex)
   const Triangulation t = cone(angle, sides, rings);
   const auto vectors = IT::halfedge_vectors_in_vertex(t);
   const Delta_complex& c = t.connectivity();
-  const auto vertex = [&](std::size_t ring, std::size_t i) { return Vertex_index(std::uint32_t(1 + (ring - 1) * sides + i % sides)); };
+  const auto vertex = [&](std::size_t ring, std::size_t i) {
+    return Vertex_index(std::uint32_t(1 + (ring - 1) * sides + i % sides));
+  };
   // The direction away from the apex, in the frame of a vertex: opposite to that of the edge inwards.
   const auto outwards = [&](std::size_t ring, std::size_t i) {
     Complex result = 0;
@@ -361,7 +373,8 @@ TEST(Transport, on_a_cone_depends_on_the_side_of_the_apex)
   };
   const Complex source = outwards(8, 0);
   ASSERT_NEAR(std::abs(source), 1, 1e-12);
-  const auto field = IT::Vector_heat_method(t).transport_tangent_vectors({{vertex(8, 0), {3 * source.real(), 3 * source.imag()}}});
+  const auto field =
+    IT::Vector_heat_method(t).transport_tangent_vectors({{vertex(8, 0), {3 * source.real(), 3 * source.imag()}}});
   for (std::size_t i : {6u, 12u, 16u, 32u, 36u, 42u}) {
     // In the plane of the cone cut open opposite to the source, the field is constant.
     const double turn = angle / double(sides) * (i <= sides / 2 ? double(i) : double(i) - double(sides));
@@ -395,7 +408,9 @@ TEST(Transport, averages_between_sources_and_keeps_their_vectors)
   };
   const Complex a(1, 0), b(0, 5);
   const auto field = heat.transport_tangent_vectors({{left, in_frame(left, a)}, {right, in_frame(right, b)}});
-  const auto in_plane = [&](Vertex_index v) { return complex_number(field[v.idx()]) / turn_of_frame(t, surface.points, v); };
+  const auto in_plane = [&](Vertex_index v) {
+    return complex_number(field[v.idx()]) / turn_of_frame(t, surface.points, v);
+  };
   EXPECT_LT(std::abs(in_plane(left) - a), 1e-14);
   EXPECT_LT(std::abs(in_plane(right) - b), 1e-14);
   EXPECT_LT(std::abs(in_plane(nearest(0.3 * width, height / 2)) - a), 1e-3);
@@ -439,8 +454,11 @@ TEST(Vector_heat_method, can_be_cancelled)
 // A strip that is a hundred thousand times as long as it is wide would ask for as many.
 TEST(Vector_heat_method, inserts_no_more_than_some_vertices_for_each)
 {
-  const std::vector<std::array<double, 3>> points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1e-5, 0}, {1, 1e-5, 0}, {2, 1e-5, 0}, {0, 2e-5, 0}, {7, 2e-5, 0}, {2, 2e-5, 0}};
-  const std::vector<std::array<int, 3>> triangles = {{0, 1, 4}, {1, 2, 5}, {3, 4, 7}, {4, 5, 8}, {0, 4, 3}, {1, 5, 4}, {3, 7, 6}, {4, 8, 7}};
+  const std::vector<std::array<double, 3>> points = {{0, 0, 0},    {1, 0, 0},    {2, 0, 0},
+                                                     {0, 1e-5, 0}, {1, 1e-5, 0}, {2, 1e-5, 0},
+                                                     {0, 2e-5, 0}, {7, 2e-5, 0}, {2, 2e-5, 0}};
+  const std::vector<std::array<int, 3>> triangles = {{0, 1, 4}, {1, 2, 5}, {3, 4, 7}, {4, 5, 8},
+                                                     {0, 4, 3}, {1, 5, 4}, {3, 7, 6}, {4, 8, 7}};
   IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> triangulation(
     IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
   IT::flip_to_Delaunay(triangulation);
@@ -453,7 +471,8 @@ TEST(Vector_heat_method, gives_numbers_or_infinity_everywhere)
 {
   samples::Indexed_triangles surface = samples::random_diagonal_grid(3, 3);
   const std::uint32_t n = std::uint32_t(surface.points.size());
-  surface.points.insert(surface.points.end(), {{9, 9, 9}, {20, 0, 0}, {21, 0, 0}, {20, 1, 0}, {30, 0, 0}, {31, 0, 0}, {30.25, 0, 0}});
+  surface.points.insert(surface.points.end(),
+                        {{9, 9, 9}, {20, 0, 0}, {21, 0, 0}, {20, 1, 0}, {30, 0, 0}, {31, 0, 0}, {30.25, 0, 0}});
   surface.triangles.push_back({n + 1, n + 2, n + 3});
   surface.triangles.push_back({n + 4, n + 5, n + 6}); // of zero area
   const Triangulation t = Delaunay(surface);

@@ -56,8 +56,7 @@ public:
   // number type has flipped a hinge that is not convex, and Cancelled_error if the visitor says so.
   template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
   Overlay_positions(const internal::Exact_engine& engine, const Overlay& overlay,
-                    const NamedParameters& np = parameters::default_values(),
-                    ConcurrencyTag = ConcurrencyTag())
+                    const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
     : number_of_input_vertices_(overlay.number_of_input_vertices()),
       number_of_original_vertices_(overlay.number_of_original_vertices()),
       on_intrinsic_edge_(overlay.number_of_crossings(), internal::default_init),
@@ -72,18 +71,18 @@ public:
     const std::size_t n = intrinsic.number_of_edges();
     if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
       internal::report_progress(progress, 0, what);
-      internal::for_each_block<ConcurrencyTag>(n, internal::elements_of_block, [&](std::size_t first, std::size_t last) {
-        find_crossings(engine, overlay, first, last, internal::Loop_progress({}, what, 0, 1, n));
-      });
+      internal::for_each_block<ConcurrencyTag>(
+        n, internal::elements_of_block, [&](std::size_t first, std::size_t last) {
+          find_crossings(engine, overlay, first, last, internal::Loop_progress({}, what, 0, 1, n));
+        });
     } else {
       find_crossings(engine, overlay, 0, n, internal::Loop_progress(progress, what, 0, 1, n));
     }
-    internal::for_each_block<ConcurrencyTag>(
-      input.number_of_edges(), internal::elements_of_block,
-      [&](std::size_t first, std::size_t last) {
-        for (std::size_t e = first; e < last; ++e)
-          make_ascending(overlay, Edge_index(size_type(e)));
-      });
+    internal::for_each_block<ConcurrencyTag>(input.number_of_edges(), internal::elements_of_block,
+                                             [&](std::size_t first, std::size_t last) {
+                                               for (std::size_t e = first; e < last; ++e)
+                                                 make_ascending(overlay, Edge_index(size_type(e)));
+                                             });
   }
   /// \endcond
 
@@ -149,8 +148,8 @@ private:
   using size_type = Overlay::size_type;
 
   // Of the intrinsic edges from `first` to `last`.
-  void find_crossings(const internal::Exact_engine& engine, const Overlay& overlay,
-                      std::size_t first, std::size_t last, const internal::Loop_progress& progress);
+  void find_crossings(const internal::Exact_engine& engine, const Overlay& overlay, std::size_t first, std::size_t last,
+                      const internal::Loop_progress& progress);
 
   void make_ascending(const Overlay& overlay, Edge_index input_edge)
   {
@@ -201,10 +200,7 @@ private:
     return x.idx() - number_of_original_vertices_;
   }
 
-  static double along(Halfedge_index side, double position)
-  {
-    return (side.idx() & 1) ? 1 - position : position;
-  }
+  static double along(Halfedge_index side, double position) { return (side.idx() & 1) ? 1 - position : position; }
 
   size_type number_of_input_vertices_;
   size_type number_of_original_vertices_;
@@ -239,9 +235,11 @@ public:
   /// \exception Integer_overflow_error if there are 2^31 segments or more
   /// \exception Undecided_error as the constructor of `Overlay_positions`
   /// \exception Cancelled_error if the visitor says so
-  template <class Traits, class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
+  template <class Traits, class NamedParameters = parameters::Default_named_parameters,
+            class ConcurrencyTag = Sequential_tag>
   explicit Common_subdivision(const Intrinsic_triangulation<Traits>& triangulation,
-                              const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
+                              const NamedParameters& np = parameters::default_values(),
+                              ConcurrencyTag = ConcurrencyTag())
     : Common_subdivision(internal::Released_engine{internal::engine<ConcurrencyTag>(triangulation), {}},
                          internal::progress_function_of(np), ConcurrencyTag())
   {}
@@ -249,9 +247,11 @@ public:
   /// \brief as above, from a triangulation that is given up: nothing of it is copied, and its stored numbers are freed before the
   /// overlay is built.
   /// \tparam ConcurrencyTag as above
-  template <class Traits, class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
+  template <class Traits, class NamedParameters = parameters::Default_named_parameters,
+            class ConcurrencyTag = Sequential_tag>
   explicit Common_subdivision(Intrinsic_triangulation<Traits>&& triangulation,
-                              const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
+                              const NamedParameters& np = parameters::default_values(),
+                              ConcurrencyTag = ConcurrencyTag())
     : Common_subdivision(internal::Engine_access::give_up(triangulation), internal::progress_function_of(np),
                          ConcurrencyTag())
   {}
@@ -333,7 +333,8 @@ private:
   {
     engine_.set_interruption(go_further);
     engine_.prepare<ConcurrencyTag>();
-    return Overlay(engine_.connectivity(), engine_.correspondence(), visitor(progress, 0, part_of_graph), ConcurrencyTag());
+    return Overlay(engine_.connectivity(), engine_.correspondence(), visitor(progress, 0, part_of_graph),
+                   ConcurrencyTag());
   }
 
   internal::Exact_engine engine_;
@@ -345,11 +346,13 @@ private:
 /// \brief returns the triangles of a convex polygon, such as a face of the overlay, so that the smallest has the largest area.
 /// \param corners the polygon, counterclockwise; three at least
 /// \return three indices of corners for each triangle, counterclockwise. O(n³)
-inline std::vector<std::array<std::size_t, 3>> triangulate_convex_polygon(const std::vector<std::array<double, 3>>& corners)
+inline std::vector<std::array<std::size_t, 3>>
+triangulate_convex_polygon(const std::vector<std::array<double, 3>>& corners)
 {
   std::vector<std::array<std::size_t, 3>> result;
-  internal::Convex_polygon_triangulation(corners).for_each_triangle(
-    [&](std::size_t a, std::size_t b, std::size_t c) { result.push_back({a, b, c}); });
+  internal::Convex_polygon_triangulation(corners).for_each_triangle([&](std::size_t a, std::size_t b, std::size_t c) {
+    result.push_back({a, b, c});
+  });
   return result;
 }
 

@@ -85,7 +85,8 @@ public:
     /// \brief makes the face with these corners.
     /// \tparam Number `FT`, or two numbers for two faces
     template <class Number>
-    Number operator()(const std::array<Number, 3>& p, const std::array<Number, 3>& q, const std::array<Number, 3>& r) const
+    Number operator()(const std::array<Number, 3>& p, const std::array<Number, 3>& q,
+                      const std::array<Number, 3>& r) const
     {
       return internal::four_areas_3(p, q, r);
     }
@@ -146,18 +147,14 @@ public:
   struct Compute_area
   {
     /// returns the area.
-    FT operator()(const Face_data& f, const Edge_data&, const Edge_data&, const Edge_data&) const
-    {
-      return f / FT(4);
-    }
+    FT operator()(const Face_data& f, const Edge_data&, const Edge_data&, const Edge_data&) const { return f / FT(4); }
   };
   /// gives the cotangent of the corner opposite to edge ij in the face ijk.
   /// \pre the area is not zero
   struct Compute_cotangent
   {
     /// returns the cotangent.
-    FT operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
-                  const Edge_data& ki) const
+    FT operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk, const Edge_data& ki) const
     {
       return twice_scalar_product(jk, ki, ij) / ijk;
     }
@@ -172,7 +169,8 @@ public:
       return internal::rounded(internal::cotangent_bounds(ij, jk, ki, ijk));
     }
     std::array<internal::Two_doubles, 3> operator()(const internal::Two_doubles& ijk, const internal::Two_doubles& ij,
-                                                    const internal::Two_doubles& jk, const internal::Two_doubles& ki) const
+                                                    const internal::Two_doubles& jk,
+                                                    const internal::Two_doubles& ki) const
     {
       return internal::cotangent_bounds(ij, jk, ki, ijk);
     }

@@ -143,10 +143,12 @@ public:
     /// \brief makes the face with these corners.
     /// \tparam Number `double`, or two of them for two faces
     template <class Number>
-    auto operator()(const std::array<Number, 3>& p, const std::array<Number, 3>& q, const std::array<Number, 3>& r) const
+    auto operator()(const std::array<Number, 3>& p, const std::array<Number, 3>& q,
+                    const std::array<Number, 3>& r) const
     {
       using Areas = std::conditional_t<std::is_same<Number, double>::value, Bounded_area, internal::Two_bounded_areas>;
-      const Number sum = internal::squared_distance_3(p, q) + internal::squared_distance_3(q, r) + internal::squared_distance_3(p, r);
+      const Number sum =
+        internal::squared_distance_3(p, q) + internal::squared_distance_3(q, r) + internal::squared_distance_3(p, r);
       return Areas{internal::four_areas_3(p, q, r), initial_error(sum)};
     }
     // Kahan's formula: each factor is right up to 2 u, a up to 10 u, and 15 / √3 < 14.
@@ -178,8 +180,7 @@ public:
       // p_k b is wrong by at most |p_k| f / 1.5 + 0.84 e (b + f / 1.5). Its rounding and that of
       // the sum add 2.01 u |p_k| |b| <= |p_k| f / 9, and the same holds for p_l a: 0.9 times
       // the following covers all of it.
-      const double bound =
-        e * (std::abs(p_l) + b + f) + f * (std::abs(p_k) + a + e) + tiny;
+      const double bound = e * (std::abs(p_l) + b + f) + f * (std::abs(p_k) + a + e) + tiny;
       if (!(std::abs(value) > bound))
         return Boolean::indeterminate();
       return value > 0;
@@ -240,14 +241,13 @@ public:
       // and 9 u s_kl are added to the bounds of the two faces, of which the other two sides are;
       // 16 u s_kl makes up for the last terms, and for (3).
       const double of_sides =
-        sum + sum * r * (1.42 * (std::abs(along) + std::abs(across) + sum) + 1.03 * s_kl) +
-        16 * u * s_kl;
+        sum + sum * r * (1.42 * (std::abs(along) + std::abs(across) + sum) + 1.03 * s_kl) + 16 * u * s_kl;
       // x_k b and x_l a together are wrong by at most 0.78 (|x_k| f + |x_l| e) +
       // 0.84 (e b + f a + 4/3 e f), rounding of product and sum included. For (2), take 1.5 times
       // that, and as much of the area as r and the last product are wrong.
       const double of_products = e * b + f * a + 1.4 * e * f;
-      const Two of_area = r * (1.27 * (abs(at_k) * f + abs(at_l) * e + of_products) + 1.03 * abs(area) * sum) +
-                          4 * u * abs(area);
+      const Two of_area =
+        r * (1.27 * (abs(at_k) * f + abs(at_l) * e + of_products) + 1.03 * abs(area) * sum) + 4 * u * abs(area);
       const Two error = max_of(of_area, of_sides) + tiny;
       flipped.ilk.error = error.first();
       flipped.jkl.error = error.second();
@@ -274,8 +274,9 @@ public:
       return internal::rounded(internal::cotangent_bounds(ij, jk, ki, ijk.value));
     }
     /// \cond SKIP_IN_MANUAL
-    std::array<internal::Two_doubles, 3> operator()(const internal::Two_bounded_areas& ijk, const internal::Two_doubles& ij,
-                                                    const internal::Two_doubles& jk, const internal::Two_doubles& ki) const
+    std::array<internal::Two_doubles, 3> operator()(const internal::Two_bounded_areas& ijk,
+                                                    const internal::Two_doubles& ij, const internal::Two_doubles& jk,
+                                                    const internal::Two_doubles& ki) const
     {
       std::array<internal::Two_doubles, 3> bounds = internal::cotangent_bounds(ij, jk, ki, ijk.value);
       const internal::Two_doubles least = 0x1p25 * ijk.error;
@@ -301,8 +302,7 @@ public:
     /// The bound is infinite unless the squared lengths have relative errors of at most 6 u;
     /// they are shared with other faces, so they must not be replaced otherwise.
     template <class Number>
-    Face_data operator()(const Number& four_areas, const Number& ij, const Number& jk,
-                         const Number& ki) const
+    Face_data operator()(const Number& four_areas, const Number& ij, const Number& jk, const Number& ki) const
     {
       if (!(is_tight(ij) && is_tight(jk) && is_tight(ki)))
         return {four_areas.hi(), std::numeric_limits<double>::infinity()};
@@ -347,8 +347,7 @@ public:
   struct Compute_area
   {
     /// returns the area.
-    double operator()(const Face_data& f, const Edge_data&, const Edge_data&,
-                      const Edge_data&) const
+    double operator()(const Face_data& f, const Edge_data&, const Edge_data&, const Edge_data&) const
     {
       return f.value / 4;
     }
@@ -357,8 +356,7 @@ public:
   struct Compute_cotangent
   {
     /// returns the cotangent.
-    double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
-                      const Edge_data& ki) const
+    double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk, const Edge_data& ki) const
     {
       return twice_scalar_product(jk, ki, ij) / ijk.value;
     }
@@ -372,8 +370,7 @@ public:
     // is less than (0.92 + 0.73 |c|) E / a, and its two roundings add 2.01 u |c|, which is below
     // 0.11 |c| E / a by (3).
     /// returns the cotangent and its bound.
-    Bounded_double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
-                              const Edge_data& ki) const
+    Bounded_double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk, const Edge_data& ki) const
     {
       if (!(ijk.value > 8 * ijk.error))
         return {0, std::numeric_limits<double>::infinity()};

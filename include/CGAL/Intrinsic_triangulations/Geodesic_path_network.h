@@ -126,7 +126,8 @@ public:
     using parameters::get_parameter;
     const internal::Standard_arithmetic arithmetic;
     auto observer = internal::observer_of(np);
-    budget_ = choose_parameter(get_parameter(np, internal_np::maximum_number), (std::numeric_limits<std::uint64_t>::max)());
+    budget_ =
+      choose_parameter(get_parameter(np, internal_np::maximum_number), (std::numeric_limits<std::uint64_t>::max)());
     report_ = {};
     is_stopped_ = false;
     go_further_ = [&] { return observer.go_further(report_.tests, report_.flips); };
@@ -422,8 +423,9 @@ private:
     journal_ = &flips;
     bool is_shorter = false;
     try {
-      is_shorter = leads_round(s, wedge, is_on_left) &&
-                   (paths_.first(p) == Linked_paths::none || certainly((precise_length(p) - length_before).sign() == NEGATIVE));
+      is_shorter =
+        leads_round(s, wedge, is_on_left) &&
+        (paths_.first(p) == Linked_paths::none || certainly((precise_length(p) - length_before).sign() == NEGATIVE));
     } catch (...) {
       undo(s, loop, flips);
       throw;

@@ -67,8 +67,9 @@ struct Heat_options
 template <class NamedParameters>
 Heat_options heat_options_of(const NamedParameters& np)
 {
-  const Heat_options result{value_of<Parameter::HEAT_BOUNDARY>(np, Heat_boundary::NEUMANN), value_of<Parameter::TIME_COEFFICIENT>(np, 1.),
-                            value_of<Parameter::KEEPS_RIDGES>(np, true), go_further_function_of(np)};
+  const Heat_options result{value_of<Parameter::HEAT_BOUNDARY>(np, Heat_boundary::NEUMANN),
+                            value_of<Parameter::TIME_COEFFICIENT>(np, 1.), value_of<Parameter::KEEPS_RIDGES>(np, true),
+                            go_further_function_of(np)};
   require_time_coefficient(result.time_coefficient);
   return result;
 }
@@ -144,7 +145,8 @@ public:
   /// \exception Numerical_error if a matrix cannot be factorized
   /// \exception Cancelled_error if the visitor says so
   template <class Traits, class NamedParameters = parameters::Default_named_parameters>
-  explicit Heat_method(const Intrinsic_triangulation<Traits>& triangulation, const NamedParameters& np = parameters::default_values())
+  explicit Heat_method(const Intrinsic_triangulation<Traits>& triangulation,
+                       const NamedParameters& np = parameters::default_values())
     : Heat_method(
         internal::heat_options_of(np), [&] { return internal::make_heat_surface(triangulation); },
         [&] { return internal::Distance_bounds(triangulation, internal::Row_of_vertex(triangulation.connectivity())); })
@@ -265,7 +267,8 @@ private:
   Heat_method(internal::Heat_options options, const MakeSurface& make_surface, const MakeBounds& make_bounds)
     : options_(std::move(options)), interruption_(std::make_unique<internal::Interruption>(options_.go_further)),
       surface_(std::make_unique<internal::Heat_surface>(make_surface())),
-      diffusion_(std::make_unique<Diffusion>(*surface_, options_.time_coefficient, *interruption_)), bounds_(make_bounds())
+      diffusion_(std::make_unique<Diffusion>(*surface_, options_.time_coefficient, *interruption_)),
+      bounds_(make_bounds())
   {}
 
   std::uint32_t row_of_input(std::size_t v) const
@@ -329,7 +332,8 @@ private:
     distances_.resize(surface_->size());
     for (std::size_t v = 0; v < distances_.size(); ++v) {
       const std::uint32_t row = row_of_input(v);
-      distances_[v] = is_reachable[row] ? std::ldexp(of_rows[row], surface_->exponent) : std::numeric_limits<double>::infinity();
+      distances_[v] =
+        is_reachable[row] ? std::ldexp(of_rows[row], surface_->exponent) : std::numeric_limits<double>::infinity();
     }
   }
 
@@ -372,7 +376,8 @@ private:
     if (options_.boundary == Heat_boundary::NEUMANN || !has_border())
       return internal::flux_of_unit_gradient(*surface_, spread, spread);
     if (!cold_border_)
-      cold_border_ = std::make_unique<Diffusion>(*surface_, options_.time_coefficient, *interruption_, surface_->is_border);
+      cold_border_ =
+        std::make_unique<Diffusion>(*surface_, options_.time_coefficient, *interruption_, surface_->is_border);
     const internal::Layered_heat cold = cold_border_->spread(heat_of_sources(pins), is_reachable);
     if (options_.boundary == Heat_boundary::DIRICHLET)
       return internal::flux_of_unit_gradient(*surface_, cold, spread);

@@ -54,9 +54,7 @@ public:
   using Halfedge = Overlay::Halfedge;
 
   /// constructs the overlay of a triangulation and itself: every segment has the label `BOTH`.
-  explicit Incremental_overlay(const Delta_complex& input)
-    : input_(input), intrinsic_(input), graph_(input)
-  {}
+  explicit Incremental_overlay(const Delta_complex& input) : input_(input), intrinsic_(input), graph_(input) {}
 
   /// \brief flips intrinsic edge `e`, as `Delta_complex::flip()` does.
   ///
@@ -185,8 +183,7 @@ std::string difference_of_overlays(const Overlay& overlay, const Incremental_ove
 /// \param overlay built from the integers
 /// \param incremental updated flip by flip
 /// \param verbose whether the first difference is described on `std::cerr`
-bool are_same_overlay(const Overlay& overlay, const Incremental_overlay& incremental,
-                      bool verbose = false);
+bool are_same_overlay(const Overlay& overlay, const Incremental_overlay& incremental, bool verbose = false);
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

@@ -102,16 +102,15 @@ public:
   /// \exception Invalid_surface_error if a coordinate is not finite, an edge has length
   ///   zero, or squared lengths leave the range of the number type. O(size).
   template <class PointRange>
-  Intrinsic_triangulation(Delta_complex connectivity, const PointRange& points,
-                          const Traits& traits = Traits())
+  Intrinsic_triangulation(Delta_complex connectivity, const PointRange& points, const Traits& traits = Traits())
     : Intrinsic_triangulation(std::move(connectivity), converted(points), traits)
   {}
 
   /// \brief as above, and takes the points over instead of copying them.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
   template <class ConcurrencyTag = Sequential_tag>
-  Intrinsic_triangulation(Delta_complex connectivity, Point_vector&& points,
-                          const Traits& traits = Traits(), ConcurrencyTag = ConcurrencyTag())
+  Intrinsic_triangulation(Delta_complex connectivity, Point_vector&& points, const Traits& traits = Traits(),
+                          ConcurrencyTag = ConcurrencyTag())
     : Intrinsic_triangulation(std::move(connectivity), std::move(points), traits, ConcurrencyTag(),
                               internal::Null_copier())
   {}
@@ -126,7 +125,8 @@ public:
     const Arithmetic arithmetic;
     arithmetic.check();
     exponent_ = internal::normalize_points<ConcurrencyTag>(points, internal::Is_used_vertex{engine_.connectivity()});
-    internal::construct_metric_from_points<ConcurrencyTag>(engine_.connectivity(), copier, traits_, points, edges_, faces_, bounds_);
+    internal::construct_metric_from_points<ConcurrencyTag>(engine_.connectivity(), copier, traits_, points, edges_,
+                                                           faces_, bounds_);
     if constexpr (uses_exact_geometry)
       keep_input(Input_metric::from_normalized_points(std::move(points), exponent_));
   }
@@ -146,8 +146,7 @@ public:
     arithmetic.check();
     Intrinsic_triangulation t(std::move(connectivity), traits);
     t.exponent_ = internal::normalize_lengths(lengths);
-    internal::construct_metric_from_lengths(t.connectivity(), t.traits_, lengths, t.edges_,
-                                            t.faces_, t.bounds_);
+    internal::construct_metric_from_lengths(t.connectivity(), t.traits_, lengths, t.edges_, t.faces_, t.bounds_);
     if constexpr (uses_exact_geometry)
       t.keep_input(Input_metric::from_normalized_lengths(std::move(lengths), t.exponent_));
     return t;
@@ -155,7 +154,8 @@ public:
 
   /// \brief as above, with lengths of any number type, which are rounded to `FT` if it cannot hold them.
   template <class LengthRange>
-  static Intrinsic_triangulation from_lengths(Delta_complex connectivity, const LengthRange& lengths, const Traits& traits = Traits())
+  static Intrinsic_triangulation from_lengths(Delta_complex connectivity, const LengthRange& lengths,
+                                              const Traits& traits = Traits())
   {
     std::vector<FT> converted_lengths;
     converted_lengths.reserve(std::size_t(std::distance(lengths.begin(), lengths.end())));
@@ -170,10 +170,8 @@ public:
   /// For traits with exact geometry only.
   /// \exception Invalid_surface_error if a squared length is not positive, or three
   ///   violate the triangle inequality; equality is accepted. O(size) rational operations.
-  static Intrinsic_triangulation
-  from_metric(Delta_complex connectivity,
-              Input_metric metric,
-              const Traits& traits = Traits())
+  static Intrinsic_triangulation from_metric(Delta_complex connectivity, Input_metric metric,
+                                             const Traits& traits = Traits())
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
@@ -192,10 +190,7 @@ public:
   /// Needed for `verify_Delaunay()` and for everything that relates input and result.
   /// With `Filtered_edge_length_traits` the constructors do it.
   /// \param metric the exact metric of the current, as yet unflipped triangulation
-  void keep_input(Input_metric metric)
-  {
-    engine_.keep_input(std::move(metric));
-  }
+  void keep_input(Input_metric metric) { engine_.keep_input(std::move(metric)); }
 
   /// \brief sets what exact decisions accept as a tie from now on. \pre `keeps_input()`
   void set_tie_proof(Tie_proof tie_proof)
@@ -411,8 +406,8 @@ private:
     Point_vector result;
     result.reserve(std::size_t(std::distance(points.begin(), points.end())));
     for (const auto& p : points)
-      result.push_back({internal::convert_number<FT>(p[0]), internal::convert_number<FT>(p[1]),
-                        internal::convert_number<FT>(p[2])});
+      result.push_back(
+        {internal::convert_number<FT>(p[0]), internal::convert_number<FT>(p[1]), internal::convert_number<FT>(p[2])});
     return result;
   }
 
@@ -493,8 +488,9 @@ private:
     typename Traits::Flipped_hinge_data flipped{};
     traits_.construct_flipped_hinge_object()(hinge(e), flipped);
     const Hinge_halfedges now = connectivity().hinge(e);
-    flip_back({now.ij, now.lj, now.jk, now.ji, now.ki, now.il},
-              {flipped.kl, flipped.jkl, flipped.ilk, now.ij, now.ji}); // both stay in their faces, as other sides need not
+    flip_back(
+      {now.ij, now.lj, now.jk, now.ji, now.ki, now.il},
+      {flipped.kl, flipped.jkl, flipped.ilk, now.ij, now.ji}); // both stay in their faces, as other sides need not
   }
 
   // ---------------------------------------------------------------- new vertices: nothing is flipped
@@ -656,8 +652,7 @@ private:
 
   void recompute(Halfedge_index h, const internal::Exact_engine::Corner& c)
   {
-    const Face_data face =
-      traits_.construct_refined_data_object()(c.four_areas, c.s_first, c.s_second, c.s_opposite);
+    const Face_data face = traits_.construct_refined_data_object()(c.four_areas, c.s_first, c.s_second, c.s_opposite);
     if (face.error < std::numeric_limits<double>::infinity())
       replace(h, c);
   }
@@ -721,7 +716,8 @@ private:
 
   // The corner of a triangle with these sides.
   template <class Number>
-  static internal::Exact_engine::Corner triangle(const Number& four_areas, const Number& s_first, const Number& s_second, const Number& s_opposite)
+  static internal::Exact_engine::Corner triangle(const Number& four_areas, const Number& s_first,
+                                                 const Number& s_second, const Number& s_opposite)
   {
     return {s_first + s_second - s_opposite, four_areas, s_first, s_second, s_opposite};
   }
@@ -741,9 +737,11 @@ private:
     for (const Straight_line& line : sides) {
       if (connectivity().is_border(line.first))
         continue;
-      const internal::Exact_engine::Corner &a = at(connectivity().prev(line.first)), &b = at(connectivity().next(line.second));
+      const internal::Exact_engine::Corner &a = at(connectivity().prev(line.first)),
+                                           &b = at(connectivity().next(line.second));
       const auto length = sqrt(a.s_second) + sqrt(b.s_first);
-      result.emplace_back(line.result, triangle(a.four_areas + b.four_areas, a.s_opposite, b.s_opposite, length * length));
+      result.emplace_back(line.result,
+                          triangle(a.four_areas + b.four_areas, a.s_opposite, b.s_opposite, length * length));
     }
     return result;
   }
@@ -767,9 +765,8 @@ private:
   void bound_corners(Halfedge_index h)
   {
     const Halfedge_index next = connectivity().next(h), prev = connectivity().prev(h);
-    internal::bound_corners(traits_, h, next, prev, face_data(connectivity().face(h)),
-                            edge_data(edge(h)), edge_data(edge(next)), edge_data(edge(prev)),
-                            bounds_);
+    internal::bound_corners(traits_, h, next, prev, face_data(connectivity().face(h)), edge_data(edge(h)),
+                            edge_data(edge(next)), edge_data(edge(prev)), bounds_);
   }
 
   // The new edge leads from one side of the old one to the other: its ends can only coincide if
@@ -793,7 +790,8 @@ private:
   BOOST_NOINLINE Replaced_numbers replaced_numbers(const Hinge_halfedges& around) const
   {
     const Face_index f = connectivity().face(around.ij), g = connectivity().face(around.ji);
-    return {edge_data(edge(around.ij)), face_data(f), face_data(g), connectivity().halfedge(f), connectivity().halfedge(g)};
+    return {edge_data(edge(around.ij)), face_data(f), face_data(g), connectivity().halfedge(f),
+            connectivity().halfedge(g)};
   }
 
   // Of the edge that a flip has made. An exception undoes it.
@@ -850,7 +848,10 @@ struct Released_engine
 struct Engine_access
 {
   template <class Triangulation>
-  static const internal::Exact_engine& engine(const Triangulation& triangulation) { return triangulation.engine_; }
+  static const internal::Exact_engine& engine(const Triangulation& triangulation)
+  {
+    return triangulation.engine_;
+  }
 
   // Afterwards the triangulation can only be destroyed or assigned to; its stored numbers are freed.
   template <class Traits>

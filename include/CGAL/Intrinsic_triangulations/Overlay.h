@@ -120,7 +120,8 @@ public:
   /// \pre `triangulation.keeps_input()`
   /// \exception Integer_overflow_error if there are 2^31 segments or more
   /// \exception Cancelled_error if the visitor says so
-  template <class Traits, class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
+  template <class Traits, class NamedParameters = parameters::Default_named_parameters,
+            class ConcurrencyTag = Sequential_tag>
   explicit Overlay(const Intrinsic_triangulation<Traits>& triangulation,
                    const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
     : Overlay(triangulation.connectivity(), internal::engine<ConcurrencyTag>(triangulation).correspondence(), np,
@@ -231,10 +232,7 @@ public:
   }
   /// returns the halfedge of the input that contains `h`, with the same direction; the
   /// null descriptor if the label is `INTRINSIC`.
-  Halfedge_index input_halfedge(Halfedge h) const
-  {
-    return Halfedge_index(arrays_.input_halfedge(h.idx()));
-  }
+  Halfedge_index input_halfedge(Halfedge h) const { return Halfedge_index(arrays_.input_halfedge(h.idx())); }
   /// \brief returns a side of the input face that contains `face(h)`, on which `target(h)` lies.
   ///
   /// If `target(h)` is a vertex of the surface, this is the side that begins there,

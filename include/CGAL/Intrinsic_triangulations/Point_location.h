@@ -63,8 +63,9 @@ public:
   ///
   /// \param subdivision the common subdivision, which must outlive the map and stay where it is
   explicit Point_location(const Common_subdivision& subdivision)
-    : input_{subdivision.input(), subdivision.overlay(), subdivision.positions()},
-      intrinsic_{subdivision.intrinsic(), subdivision.overlay(), subdivision.positions()},
+    : input_{subdivision.input(), subdivision.overlay(), subdivision.positions()}, intrinsic_{subdivision.intrinsic(),
+                                                                                              subdivision.overlay(),
+                                                                                              subdivision.positions()},
       exact_side_(internal::engine(subdivision), subdivision.overlay()),
       correspondence_(internal::engine(subdivision).correspondence())
   {
@@ -89,10 +90,9 @@ public:
     const Surface_point p = checked(input_.complex, point);
     if (!has_inserted_.empty() && p.dimension() > 0 && has_inserted_[input_.complex.face(p.halfedge).idx()])
       return beside_inserted_vertices(p);
-    return map(input_, intrinsic_, p,
-               [this](Overlay::Halfedge chord, Halfedge_index, const Surface_point& p) {
-                 return exact_side_.of_intrinsic_chord(chord, p);
-               });
+    return map(input_, intrinsic_, p, [this](Overlay::Halfedge chord, Halfedge_index, const Surface_point& p) {
+      return exact_side_.of_intrinsic_chord(chord, p);
+    });
   }
 
   /// \brief returns the position of a point of the intrinsic triangulation in the input; as
@@ -109,8 +109,7 @@ private:
   using Coordinates = internal::Coordinates;
 
   template <class From, class To, class ExactSide>
-  Surface_point map(const From& from, const To& to, const Surface_point& point,
-                    const ExactSide& exact_side) const
+  Surface_point map(const From& from, const To& to, const Surface_point& point, const ExactSide& exact_side) const
   {
     if (point.dimension() == 0)
       return at_vertex(from, to, point);
@@ -157,7 +156,8 @@ private:
       if (chord == before[(i + 1) % before.size()])
         return at(input_.overlay.target(chord));
     }
-    return before.empty() ? in_face(input_, intrinsic_, found.face, point) : on_chord(input_, intrinsic_, before.front(), point);
+    return before.empty() ? in_face(input_, intrinsic_, found.face, point)
+                          : on_chord(input_, intrinsic_, before.front(), point);
   }
 
   struct Place_on_input_edge
@@ -177,7 +177,8 @@ private:
       const Overlay::Vertex v = overlay.input_crossing(e, i);
       if (overlay.is_crossing(v))
         continue;
-      const auto [c, d] = internal::coordinates_on_edge(input, correspondence_.location(overlay.original_vertex(v)), along);
+      const auto [c, d] =
+        internal::coordinates_on_edge(input, correspondence_.location(overlay.original_vertex(v)), along);
       const Sign order = internal::compare_products(b, c, d, a); // b / (a + b) and d / (c + d)
       if (order == ZERO)
         return {v, {}};
@@ -198,14 +199,13 @@ private:
   static Surface_point checked(const Delta_complex& complex, const Surface_point& point)
   {
     if (point.halfedge.idx() >= complex.number_of_halfedges() || complex.is_border(point.halfedge))
-      throw Invalid_point_error("a point has to be given in a face: halfedge " +
-                                std::to_string(point.halfedge.idx()) + " has none");
+      throw Invalid_point_error("a point has to be given in a face: halfedge " + std::to_string(point.halfedge.idx()) +
+                                " has none");
     double largest = 0;
     for (double x : point.coordinates) {
       if (!(x >= 0 && x <= (std::numeric_limits<double>::max)()))
         throw Invalid_point_error("a barycentric coordinate of a point in the face of halfedge " +
-                                  std::to_string(point.halfedge.idx()) +
-                                  " is negative or not finite");
+                                  std::to_string(point.halfedge.idx()) + " is negative or not finite");
       largest = (std::max)(largest, x);
     }
     if (largest == 0)
@@ -234,10 +234,10 @@ private:
 
   // The part is that of the side that the point lies on.
   template <class From, class To>
-  static Surface_point on_common_edge(const From& from, const To& to, Overlay::Halfedge part, const Surface_point& point)
+  static Surface_point on_common_edge(const From& from, const To& to, Overlay::Halfedge part,
+                                      const Surface_point& point)
   {
-    const auto [source, target] =
-      internal::coordinates_on_edge(from.complex, point, from.halfedge(part));
+    const auto [source, target] = internal::coordinates_on_edge(from.complex, point, from.halfedge(part));
     double before = target / (source + target), behind = source / (source + target);
     const auto [from_begin, from_end] = from.ends(part);
     const auto [to_begin, to_end] = to.ends(part);
@@ -254,34 +254,30 @@ private:
 
   // The chord begins where `part` ends.
   template <class From, class To>
-  static Surface_point on_chord(const From& from, const To& to, Overlay::Halfedge part,
-                                const Surface_point& point)
+  static Surface_point on_chord(const From& from, const To& to, Overlay::Halfedge part, const Surface_point& point)
   {
     const Overlay::Halfedge chord = from.overlay.next(part);
     const Halfedge_index h = to.halfedge(chord);
-    const double t = internal::fraction_between(
-      internal::corner_coordinates(from, part, point.halfedge),
-      internal::corner_coordinates(from, chord, point.halfedge), normalized(point.coordinates));
+    const double t = internal::fraction_between(internal::corner_coordinates(from, part, point.halfedge),
+                                                internal::corner_coordinates(from, chord, point.halfedge),
+                                                normalized(point.coordinates));
     const auto [begin, end] = to.ends(chord);
     const Coordinates result = internal::between({1 - begin, begin, 0}, {1 - end, end, 0}, t);
     return on_edge(to.complex, h, result[0], result[1]);
   }
 
   template <class From, class To>
-  static Surface_point in_face(const From& from, const To& to, Overlay::Face f,
-                               const Surface_point& point)
+  static Surface_point in_face(const From& from, const To& to, Overlay::Face f, const Surface_point& point)
   {
     const Halfedge_index h = to.complex.halfedge(to.face(f));
     Coordinates result =
-      internal::affine_image(internal::corners_in_both(from, point.halfedge, to, h, f),
-                             normalized(point.coordinates));
+      internal::affine_image(internal::corners_in_both(from, point.halfedge, to, h, f), normalized(point.coordinates));
     for (double& x : result)
       x = positive(x);
     return {h, result};
   }
 
-  static Surface_point on_edge(const Delta_complex& complex, Halfedge_index h, double source,
-                               double target)
+  static Surface_point on_edge(const Delta_complex& complex, Halfedge_index h, double source, double target)
   {
     if (complex.is_border(h))
       return {complex.opposite(h), {positive(target), positive(source), 0}};
@@ -341,7 +337,8 @@ private:
   {
     const Vector along = difference(j, i);
     const double squared_length = scalar_product(along, along);
-    const double t = squared_length > 0 ? (std::min)((std::max)(-scalar_product(corners_[i], along) / squared_length, 0.), 1.) : 0;
+    const double t =
+      squared_length > 0 ? (std::min)((std::max)(-scalar_product(corners_[i], along) / squared_length, 0.), 1.) : 0;
     std::array<double, 3> point{0, 0, 0};
     point[i] = 1 - t;
     point[j] = t;

@@ -55,12 +55,12 @@ enum class Coincident_vertices {
 /// \brief what was found in the triangles, and what was done with them.
 struct Tufted_cover_report
 {
-  std::size_t number_of_vertices = 0;    ///< the vertices given
-  std::size_t number_of_faces = 0;       ///< the faces given
-  std::size_t nonmanifold_edges = 0;     ///< edges with more than two faces
-  std::size_t nonmanifold_vertices = 0;  ///< vertices whose faces form more than one fan
-  std::size_t border_edges = 0;          ///< edges with one face
-  bool is_orientable = true;             ///< whether all faces can be turned so that they agree across each edge with two faces
+  std::size_t number_of_vertices = 0;   ///< the vertices given
+  std::size_t number_of_faces = 0;      ///< the faces given
+  std::size_t nonmanifold_edges = 0;    ///< edges with more than two faces
+  std::size_t nonmanifold_vertices = 0; ///< vertices whose faces form more than one fan
+  std::size_t border_edges = 0;         ///< edges with one face
+  bool is_orientable = true; ///< whether all faces can be turned so that they agree across each edge with two faces
   std::size_t repeated_corner_faces = 0; ///< faces dropped because they name a vertex twice
   std::size_t collapsed_faces = 0;       ///< faces dropped because corners of theirs were merged
   std::size_t zero_length_faces = 0;     ///< faces dropped by `Coincident_vertices::DROP`
@@ -118,8 +118,9 @@ template <class NamedParameters>
 Cover_options cover_options_of(const NamedParameters& np)
 {
   return {value_of<Parameter::SURFACE_COVER>(np, Surface_cover::TUFTED),
-          value_of<Parameter::COINCIDENT_VERTICES>(np, Coincident_vertices::MERGE), value_of<Parameter::IS_WELDED>(np, false),
-          value_of<Parameter::MOLLIFICATION>(np, 0.), go_further_function_of(np)};
+          value_of<Parameter::COINCIDENT_VERTICES>(np, Coincident_vertices::MERGE),
+          value_of<Parameter::IS_WELDED>(np, false), value_of<Parameter::MOLLIFICATION>(np, 0.),
+          go_further_function_of(np)};
 }
 
 template <class PointRange>
@@ -237,7 +238,8 @@ Tufted_cover make_tufted_cover(const PointRange& points, const TriangleRange& tr
 {
   const internal::Standard_arithmetic arithmetic;
   const internal::Points copied = internal::copy_points(points);
-  return internal::build_cover(copied, internal::copy_triangles(triangles, copied.size()), internal::cover_options_of(np));
+  return internal::build_cover(copied, internal::copy_triangles(triangles, copied.size()),
+                               internal::cover_options_of(np));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCover

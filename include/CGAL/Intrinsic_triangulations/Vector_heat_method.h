@@ -93,7 +93,8 @@ public:
   /// \exception Undecided_error as `angle()`
   /// \exception Cancelled_error if the visitor says so, as from all member functions
   template <class Traits, class NamedParameters = parameters::Default_named_parameters>
-  explicit Vector_heat_method(const Intrinsic_triangulation<Traits>& triangulation, const NamedParameters& np = parameters::default_values())
+  explicit Vector_heat_method(const Intrinsic_triangulation<Traits>& triangulation,
+                              const NamedParameters& np = parameters::default_values())
     : number_of_vertices_(triangulation.connectivity().number_of_vertices()),
       interruption_(std::make_unique<internal::Interruption>(internal::go_further_function_of(np)))
   {
@@ -201,13 +202,16 @@ public:
     const std::vector<Eigen::VectorXcd> axis = vectors_->spread_likewise(direction, spread);
     // What comes over an edge has gone further by that edge, which is turned back on all the ways from the source.
     const auto add_steps = [&](Positions& right, std::size_t layer) {
-      const auto turned_back = [&](const Complex& step, std::size_t l, std::uint32_t v) { return step * std::conj(axis[l][v]); };
+      const auto turned_back = [&](const Complex& step, std::size_t l, std::uint32_t v) {
+        return step * std::conj(axis[l][v]);
+      };
       for (const auto& edge : vectors_->edges()) {
         const auto add = [&](std::uint32_t to, std::uint32_t from, const Complex& vector) {
           Complex step = turned_back(vector, layer, from);
           if (layer > 0 && spread.behind[layer - 1][from] && !spread.behind[layer - 1][to]) {
             const Complex before = turned_back(vector, layer - 1, from);
-            step += Complex(std::ldexp(before.real(), spread.factor(layer - 1)), std::ldexp(before.imag(), spread.factor(layer - 1)));
+            step += Complex(std::ldexp(before.real(), spread.factor(layer - 1)),
+                            std::ldexp(before.imag(), spread.factor(layer - 1)));
           }
           right(to, 0) += edge.weight * step.real();
           right(to, 1) += edge.weight * step.imag();
@@ -216,7 +220,8 @@ public:
         add(edge.i, edge.j, edge.ji);
       }
     };
-    const std::vector<Positions> positions = scalars_->spread_likewise(Positions(Positions::Zero(rows(), 2)), spread, add_steps);
+    const std::vector<Positions> positions =
+      scalars_->spread_likewise(Positions(Positions::Zero(rows(), 2)), spread, add_steps);
     std::vector<Vector> result;
     result.reserve(number_of_vertices_);
     for (std::size_t v = 0; v < number_of_vertices_; ++v) {
@@ -251,7 +256,8 @@ private:
 
   // Let edges be h long, on a surface of size 1, and t = c h². Heat that spreads over a width of about √√t errs by about √t = √c h; and as it
   // sees in which directions edges run, by about 1/c. The sum of both is least if c is as h^(-2/3). The factor is measured.
-  static std::vector<double> square_roots_of_times(const std::vector<std::uint32_t>& component, const std::optional<double>& coefficient)
+  static std::vector<double> square_roots_of_times(const std::vector<std::uint32_t>& component,
+                                                   const std::optional<double>& coefficient)
   {
     if (coefficient)
       return std::vector<double>(component.size(), std::sqrt(*coefficient));

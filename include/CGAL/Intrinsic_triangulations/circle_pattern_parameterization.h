@@ -41,10 +41,11 @@ struct Circle_pattern
   Planar_points uv; ///< the position of each vertex; the image has the area of the surface
   /// the angles whose circle pattern it is: for each halfedge, the one opposite to it in its face, and 0 for a border halfedge
   std::vector<double> angles;
-  std::size_t number_of_clipped_edges = 0; ///< interior edges whose two angles on the surface sum to more than is allowed
-  double largest_change = 0;               ///< of an angle on the surface, in radians
-  double gradient = 0;                     ///< the largest component of the energy's gradient at the end
-  int iterations = 0;                      ///< the number of steps of Newton's method
+  std::size_t number_of_clipped_edges =
+    0;                       ///< interior edges whose two angles on the surface sum to more than is allowed
+  double largest_change = 0; ///< of an angle on the surface, in radians
+  double gradient = 0;       ///< the largest component of the energy's gradient at the end
+  int iterations = 0;        ///< the number of steps of Newton's method
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -75,8 +76,7 @@ public:
   // 2π minus twice the sum of the angles, for each face.
   Eigen::VectorXd gradient(const Eigen::VectorXd& rho) const
   {
-    Eigen::VectorXd result =
-      Eigen::VectorXd::Constant(rho.size(), boost::math::constants::two_pi<double>());
+    Eigen::VectorXd result = Eigen::VectorXd::Constant(rho.size(), boost::math::constants::two_pi<double>());
     for (Halfedge_index h : complex_.halfedges())
       if (!complex_.is_border(h))
         result[complex_.face(h).idx()] -= 2 * angle(h, rho);
@@ -127,8 +127,7 @@ public:
 private:
   double intersection_angle(Halfedge_index h) const
   {
-    return boost::math::constants::pi<double>() - angles_[h.idx()] -
-           angles_[complex_.opposite(h).idx()];
+    return boost::math::constants::pi<double>() - angles_[h.idx()] - angles_[complex_.opposite(h).idx()];
   }
   double weight(Halfedge_index h, double difference) const
   {
@@ -144,8 +143,7 @@ private:
       if (complex_.is_border(e))
         continue;
       const Halfedge_index h = complex_.halfedge(e);
-      const int k = int(complex_.face(h).idx()) - 1,
-                l = int(complex_.face(complex_.opposite(h)).idx()) - 1;
+      const int k = int(complex_.face(h).idx()) - 1, l = int(complex_.face(complex_.opposite(h)).idx()) - 1;
       const double w = weight(h);
       if (k >= 0)
         entries.emplace_back(k, k, w);
@@ -177,8 +175,8 @@ constexpr double circle_pattern_tolerance = 1e-10;
 // for nothing, so no step may change their ratios too much at once. The energy is convex, so
 // that its slope along the direction grows: a step is short enough as soon as the slope at
 // its end is at most half as steep upwards as it was downwards at the start.
-inline void minimize(const Circle_pattern_energy& energy, Eigen::VectorXd& rho,
-                     Circle_pattern& result, const Progress_function& progress)
+inline void minimize(const Circle_pattern_energy& energy, Eigen::VectorXd& rho, Circle_pattern& result,
+                     const Progress_function& progress)
 {
   Eigen::VectorXd gradient = energy.gradient(rho);
   result.gradient = gradient.cwiseAbs().maxCoeff();
@@ -219,8 +217,7 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 {
   using Vector = std::complex<double>;
   std::vector<Vector> position(complex.number_of_vertices(), 0);
-  std::vector<bool> is_placed(complex.number_of_vertices(), false),
-    is_reached(complex.number_of_faces(), false);
+  std::vector<bool> is_placed(complex.number_of_vertices(), false), is_reached(complex.number_of_faces(), false);
   std::vector<std::pair<Halfedge_index, Vector>> queue;
   const auto reach = [&](Halfedge_index h, const Vector& side) {
     if (!complex.is_border(h) && !is_reached[complex.face(h).idx()]) {
@@ -235,16 +232,14 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
     }
   };
   const Halfedge_index first = complex.halfedge(Face_index(0));
-  const Vector first_side =
-    2 * std::exp(rho[0]) * std::sin(energy.angle(first, rho));
+  const Vector first_side = 2 * std::exp(rho[0]) * std::sin(energy.angle(first, rho));
   place(complex.source(first), 0);
   place(complex.target(first), first_side);
   reach(first, first_side);
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const auto [ij, side] = queue[next];
     const Halfedge_index jk = complex.next(ij), ki = complex.prev(ij);
-    const double at_i = energy.angle(jk, rho), at_j = energy.angle(ki, rho),
-                 at_k = energy.angle(ij, rho);
+    const double at_i = energy.angle(jk, rho), at_j = energy.angle(ki, rho), at_k = energy.angle(ij, rho);
     const Vector ik = side * std::polar(std::sin(at_j) / std::sin(at_k), at_i);
     place(complex.target(jk), position[complex.source(ij).idx()] + ik);
     reach(complex.opposite(ij), -side);
@@ -338,7 +333,8 @@ template <class Traits, class NamedParameters = parameters::Default_named_parame
 Circle_pattern circle_pattern_parameterization(const Intrinsic_triangulation<Traits>& triangulation,
                                                const NamedParameters& np = parameters::default_values())
 {
-  return circle_pattern_parameterization(triangulation.connectivity(), edge_lengths(triangulation), face_areas(triangulation), np);
+  return circle_pattern_parameterization(triangulation.connectivity(), edge_lengths(triangulation),
+                                         face_areas(triangulation), np);
 }
 
 } // namespace Intrinsic_triangulations

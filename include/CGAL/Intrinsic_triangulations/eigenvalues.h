@@ -66,8 +66,8 @@ inline void append_smallest_eigenvalues(const Eigen::SparseMatrix<double>& stiff
   mass *= unit;
   Eigen::VectorXd values;
   if (n <= 64 || 3 * k > n) {
-    values = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(stiffness), Eigen::MatrixXd(mass),
-                                                                       Eigen::EigenvaluesOnly)
+    values = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(stiffness),
+                                                                       Eigen::MatrixXd(mass), Eigen::EigenvaluesOnly)
                .eigenvalues();
   } else {
     Shifted_inverse inverse(stiffness, mass);
@@ -172,8 +172,7 @@ public:
     for (std::uint32_t v = 0; v < n; ++v)
       components.make_set(v);
     for (Edge_index e : complex.edges())
-      components.union_set(complex.source(complex.halfedge(e)).idx(),
-                           complex.target(complex.halfedge(e)).idx());
+      components.union_set(complex.source(complex.halfedge(e)).idx(), complex.target(complex.halfedge(e)).idx());
     std::vector<bool> has_border(n, false), is_grounded(n, false);
     for (Vertex_index v : complex.vertices())
       if (is_on_border(complex, v))
@@ -330,9 +329,7 @@ inline Extreme_eigenvalues extreme_eigenvalues(const Delta_complex& complex,
   Eigen::SparseMatrix<double> interior = domain.interior(stiffness);
   if (interior.rows() <= 32) { // the least that leaves room for a Krylov space
     const Eigen::VectorXd all =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(interior),
-                                                     Eigen::EigenvaluesOnly)
-        .eigenvalues();
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(interior), Eigen::EigenvaluesOnly).eigenvalues();
     return {all[domain.number_of_closed_components()], all[all.size() - 1]};
   }
   // Spectra takes eigenvalues far below 1 for zeros. With a largest one of about 1, those of
@@ -341,8 +338,7 @@ inline Extreme_eigenvalues extreme_eigenvalues(const Delta_complex& complex,
   interior /= unit;
   Spectra::SparseSymMatProd<double> product(interior);
   internal::Pseudoinverse pseudoinverse(domain, stiffness / unit);
-  return {unit / internal::largest_eigenvalue(pseudoinverse),
-          unit * internal::largest_eigenvalue(product)};
+  return {unit / internal::largest_eigenvalue(pseudoinverse), unit * internal::largest_eigenvalue(product)};
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -366,8 +362,7 @@ struct Weight_histogram
 /// \param number_of_intervals their number
 /// \pre `low < high`, `number_of_intervals > 0`, and there is a weight for each edge. O(size).
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), figure 6.
-inline Weight_histogram weight_histogram(const Delta_complex& complex,
-                                         const std::vector<double>& weights, double low,
+inline Weight_histogram weight_histogram(const Delta_complex& complex, const std::vector<double>& weights, double low,
                                          double high, std::size_t number_of_intervals)
 {
   CGAL_precondition(low < high && number_of_intervals > 0);
@@ -382,9 +377,8 @@ inline Weight_histogram weight_histogram(const Delta_complex& complex,
     else if (w >= high)
       ++histogram.above;
     else
-      ++histogram.counts[(std::min)(
-        std::size_t((w - low) / (high - low) * double(number_of_intervals)),
-        number_of_intervals - 1)];
+      ++histogram.counts[(std::min)(std::size_t((w - low) / (high - low) * double(number_of_intervals)),
+                                    number_of_intervals - 1)];
   }
   return histogram;
 }

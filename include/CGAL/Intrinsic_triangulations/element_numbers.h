@@ -122,7 +122,8 @@ template <class ConcurrencyTag = Sequential_tag, class Traits,
 std::vector<double> edge_lengths(const Intrinsic_triangulation<Traits>& triangulation,
                                  const NamedParameters& np = parameters::default_values())
 {
-  return internal::Element_measurer<ConcurrencyTag, Traits>(triangulation, internal::progress_function_of(np)).lengths();
+  return internal::Element_measurer<ConcurrencyTag, Traits>(triangulation, internal::progress_function_of(np))
+    .lengths();
 }
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
@@ -150,7 +151,8 @@ template <class ConcurrencyTag = Sequential_tag, class Traits,
 std::vector<double> cotangents(const Intrinsic_triangulation<Traits>& triangulation,
                                const NamedParameters& np = parameters::default_values())
 {
-  return internal::Element_measurer<ConcurrencyTag, Traits>(triangulation, internal::progress_function_of(np)).cotangents();
+  return internal::Element_measurer<ConcurrencyTag, Traits>(triangulation, internal::progress_function_of(np))
+    .cotangents();
 }
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
@@ -175,8 +177,8 @@ std::vector<double> cotangents(const Intrinsic_triangulation<Traits>& triangulat
 template <class ConcurrencyTag = Sequential_tag, class Traits>
 std::vector<double> cotangent_weights(const Intrinsic_triangulation<Traits>& triangulation)
 {
-  return internal::numbers_of_elements<ConcurrencyTag, Edge_index>(
-    triangulation.connectivity().number_of_edges(), internal::Cotangent_weight<Traits>(triangulation));
+  return internal::numbers_of_elements<ConcurrencyTag, Edge_index>(triangulation.connectivity().number_of_edges(),
+                                                                   internal::Cotangent_weight<Traits>(triangulation));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
@@ -191,8 +193,8 @@ std::vector<double> cotangent_weights(const Intrinsic_triangulation<Traits>& tri
 template <class ConcurrencyTag = Sequential_tag, class Traits>
 std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulation)
 {
-  return internal::numbers_of_elements<ConcurrencyTag, Face_index>(
-    triangulation.connectivity().number_of_faces(), internal::Face_area<Traits>(triangulation));
+  return internal::numbers_of_elements<ConcurrencyTag, Face_index>(triangulation.connectivity().number_of_faces(),
+                                                                   internal::Face_area<Traits>(triangulation));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
@@ -251,7 +253,8 @@ double angle(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_inde
 /// \exception Undecided_error as `angle()`
 template <class ConcurrencyTag = Sequential_tag, class Traits,
           class NamedParameters = parameters::Default_named_parameters>
-std::vector<double> opposite_angles(const Intrinsic_triangulation<Traits>& triangulation, double relative_error = 0x1p-49,
+std::vector<double> opposite_angles(const Intrinsic_triangulation<Traits>& triangulation,
+                                    double relative_error = 0x1p-49,
                                     const NamedParameters& np = parameters::default_values())
 {
   return internal::Element_measurer<ConcurrencyTag, Traits>(triangulation, internal::progress_function_of(np))

@@ -55,8 +55,7 @@ public:
 
   /// constructs the error from what is wrong, the first offending element, how many there are, and the
   /// message that names them.
-  Invalid_surface_error(Defect defect, std::size_t element, std::size_t count,
-                        const std::string& message)
+  Invalid_surface_error(Defect defect, std::size_t element, std::size_t count, const std::string& message)
     : Error(message), defect_(defect), element_(element), count_(count)
   {}
 

@@ -52,16 +52,16 @@ namespace internal {
 
 // \param triangulation a Whole_triangulation, or what has its members
 template <class ConcurrencyTag, class Triangulation, class ConstraintMap, class Visitor>
-Flip_report flip_all(Triangulation triangulation, const ConstraintMap& is_constrained,
-                     Visitor& visitor, std::uint64_t budget)
+Flip_report flip_all(Triangulation triangulation, const ConstraintMap& is_constrained, Visitor& visitor,
+                     std::uint64_t budget)
 {
   const Edge_index::size_type n = triangulation.connectivity().number_of_edges();
   triangulation.engine().begin_journal();
   Edge_marks marks(n, default_init);
   if (n != 0)
     std::memset(marks.data(), int(Edge_mark::CANDIDATE), n);
-  Delaunay_flipper<Triangulation, ConstraintMap, Visitor> flipper(triangulation, is_constrained,
-                                                                  visitor, budget, marks);
+  Delaunay_flipper<Triangulation, ConstraintMap, Visitor> flipper(triangulation, is_constrained, visitor, budget,
+                                                                  marks);
   std::optional<Standard_arithmetic> arithmetic;
   if constexpr (Triangulation::Traits::Uses_exact_geometry::value)
     arithmetic.emplace();
@@ -86,17 +86,17 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
   using parameters::get_parameter;
   constexpr bool is_exact = Traits::Has_exact_decisions::value;
 
-  const std::uint64_t budget = choose_parameter(
-    get_parameter(np, internal_np::maximum_number),
-    is_exact ? (std::numeric_limits<std::uint64_t>::max)()
-             : default_maximum_number_of_flips(triangulation.connectivity().number_of_edges()));
+  const std::uint64_t budget =
+    choose_parameter(get_parameter(np, internal_np::maximum_number),
+                     is_exact ? (std::numeric_limits<std::uint64_t>::max)()
+                              : default_maximum_number_of_flips(triangulation.connectivity().number_of_edges()));
   auto observer = observer_of(np);
   if constexpr (Traits::Uses_exact_geometry::value &&
                 !parameters::is_default_parameter<NamedParameters, Parameter_tag<Parameter::TIE_PROOF>>::value)
     triangulation.set_tie_proof(get_parameter(np, Parameter_tag<Parameter::TIE_PROOF>()));
   if constexpr (decltype(observer)::template sees_tests<typename Traits::Boolean>)
-    return flip_all<Sequential_tag>(Watched_triangulation<Traits, decltype(observer)>(triangulation, observer), is_constrained,
-                                    observer, budget);
+    return flip_all<Sequential_tag>(Watched_triangulation<Traits, decltype(observer)>(triangulation, observer),
+                                    is_constrained, observer, budget);
   else
     return flip_all<ConcurrencyTag>(Whole_triangulation<Traits>(triangulation), is_constrained, observer, budget);
 }

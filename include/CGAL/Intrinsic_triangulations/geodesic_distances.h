@@ -37,7 +37,7 @@ namespace Intrinsic_triangulations {
 /// \brief what `geodesic_distances()` found.
 struct Geodesic_distances
 {
-  std::vector<double> distances;    ///< of all vertices, in the unit of the input; infinite where no source is connected
+  std::vector<double> distances; ///< of all vertices, in the unit of the input; infinite where no source is connected
   std::uint64_t number_of_ways = 0; ///< how many bundles of straight ways were followed from a face to the next
   bool is_complete = true;          ///< whether all were. If not, distances may be as large as those along edges
 };
@@ -119,7 +119,8 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
 /// Source: J. Chen, Y. Han, "Shortest paths on a polyhedron", 1996; V. Surazhsky et al., "Fast exact and approximate geodesics on meshes",
 /// 2005; S. Xin, G. Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem", 2009.
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
-Geodesic_distances geodesic_distances(const Intrinsic_triangulation<Traits>& triangulation, const std::vector<Vertex_index>& sources,
+Geodesic_distances geodesic_distances(const Intrinsic_triangulation<Traits>& triangulation,
+                                      const std::vector<Vertex_index>& sources,
                                       const NamedParameters& np = parameters::default_values())
 {
   const internal::Row_of_vertex row(triangulation.connectivity());

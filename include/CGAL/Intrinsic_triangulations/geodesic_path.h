@@ -45,8 +45,8 @@ namespace Intrinsic_triangulations {
 ///
 /// O(n log n) for the n edges that are nearer to the source than the target.
 template <class Traits>
-std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Traits>& triangulation, Vertex_index source,
-                                               Vertex_index target)
+std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Traits>& triangulation,
+                                               Vertex_index source, Vertex_index target)
 {
   const Delta_complex& complex = triangulation.connectivity();
   for (Vertex_index v : {source, target})
@@ -81,8 +81,8 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
   std::vector<Halfedge_index> path;
   for (Vertex_index v = target; v != source; v = complex.source(path.back())) {
     if (!arrival[v.idx()].is_valid())
-      throw Invalid_argument_error("no path along edges leads from vertex " + std::to_string(source.idx()) + " to vertex " +
-                                   std::to_string(target.idx()));
+      throw Invalid_argument_error("no path along edges leads from vertex " + std::to_string(source.idx()) +
+                                   " to vertex " + std::to_string(target.idx()));
     path.push_back(arrival[v.idx()]);
   }
   std::reverse(path.begin(), path.end());
@@ -170,8 +170,8 @@ namespace internal {
 
 // From a triangulation of the mesh that has both vertices.
 template <class TriangleMesh, class Traits, class NamedParameters>
-Geodesic_path shortened_edge_path(const TriangleMesh& mesh, Intrinsic_triangulation<Traits>& triangulation, Vertex_index source,
-                                  Vertex_index target, const NamedParameters& np)
+Geodesic_path shortened_edge_path(const TriangleMesh& mesh, Intrinsic_triangulation<Traits>& triangulation,
+                                  Vertex_index source, Vertex_index target, const NamedParameters& np)
 {
   const auto start = shortest_edge_path(triangulation, source, target);
   Geodesic_path_network<Traits> network(triangulation);
@@ -213,7 +213,8 @@ Geodesic_path shortened_edge_path(const TriangleMesh& mesh, Intrinsic_triangulat
 /// \exception Invalid_argument_error if no path along edges joins the two vertices
 /// \exception Undecided_error, Cancelled_error as the function `shorten` of `Geodesic_path_network`
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
-Geodesic_path geodesic_path(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+Geodesic_path geodesic_path(const TriangleMesh& mesh,
+                            typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
                             typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
                             const NamedParameters& np = parameters::default_values())
 {

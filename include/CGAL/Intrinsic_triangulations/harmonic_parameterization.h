@@ -53,23 +53,20 @@ inline std::vector<Halfedge_index> disk_boundary(const Delta_complex& complex)
   const std::size_t components = internal::number_of_components(complex),
                     boundaries = internal::number_of_boundaries(complex);
   if (components != 1)
-    internal::throw_no_disk("has " + std::to_string(components) +
-                            " components: take one at a time");
+    internal::throw_no_disk("has " + std::to_string(components) + " components: take one at a time");
   if (boundaries == 0)
     internal::throw_no_disk("is closed: cut it open along edges, or remove a face");
   if (boundaries > 1)
     internal::throw_no_disk("has " + std::to_string(boundaries) +
                             " boundaries: fill all but one, or cut from one to the other");
   const long long euler = (long long)(internal::number_of_vertices_with_faces(complex)) -
-                          (long long)(complex.number_of_edges()) +
-                          (long long)(complex.number_of_faces());
+                          (long long)(complex.number_of_edges()) + (long long)(complex.number_of_faces());
   if (euler != 1)
-    internal::throw_no_disk("has " + std::to_string((1 - euler) / 2) +
-                            " handles: cut each of them open along edges");
+    internal::throw_no_disk("has " + std::to_string((1 - euler) / 2) + " handles: cut each of them open along edges");
 
   const auto halfedges = complex.halfedges();
-  const Halfedge_index first = *std::find_if(
-    halfedges.begin(), halfedges.end(), [&](Halfedge_index h) { return complex.is_border(h); });
+  const Halfedge_index first =
+    *std::find_if(halfedges.begin(), halfedges.end(), [&](Halfedge_index h) { return complex.is_border(h); });
   std::vector<Halfedge_index> boundary;
   Halfedge_index h = first;
   do {
@@ -114,8 +111,7 @@ inline Planar_points positions_on_circle(const std::vector<double>& boundary_len
 /// \return the position where each edge begins
 /// \exception Invalid_argument_error if the polygon is not strictly convex and counterclockwise, has a coordinate
 ///   that is not finite or beyond 1e300, or has more corners than the boundary has vertices. O(size).
-inline Planar_points positions_on_polygon(const std::vector<double>& boundary_lengths,
-                                          const Planar_points& corners)
+inline Planar_points positions_on_polygon(const std::vector<double>& boundary_lengths, const Planar_points& corners)
 {
   const std::vector<double> lengths = internal::over_largest(boundary_lengths);
   const std::size_t n = lengths.size(), m = corners.size();
@@ -125,12 +121,10 @@ inline Planar_points positions_on_polygon(const std::vector<double>& boundary_le
         throw Invalid_argument_error("corner " + std::to_string(i) +
                                      " of the polygon: a coordinate is not finite, or beyond 1e300");
   for (std::size_t i = 0; i < m; ++i) {
-    const bool turns_left = m >= 3 && internal::planar_orientation(
-                                        corners[i], corners[(i + 1) % m], corners[(i + 2) % m]) ==
-                                        LEFT_TURN;
-    const bool is_around = i == 0 || i + 1 == m ||
-                           internal::planar_orientation(corners[0], corners[i], corners[i + 1]) ==
-                             LEFT_TURN;
+    const bool turns_left =
+      m >= 3 && internal::planar_orientation(corners[i], corners[(i + 1) % m], corners[(i + 2) % m]) == LEFT_TURN;
+    const bool is_around =
+      i == 0 || i + 1 == m || internal::planar_orientation(corners[0], corners[i], corners[i + 1]) == LEFT_TURN;
     if (!turns_left || !is_around)
       throw Invalid_argument_error("corner " + std::to_string(i) +
                                    " of the polygon: it is not strictly convex and counterclockwise there");
@@ -150,9 +144,8 @@ inline Planar_points positions_on_polygon(const std::vector<double>& boundary_le
   std::vector<std::size_t> vertex_at{0};
   for (std::size_t i = 1; i < m; ++i) {
     const double wanted = along_polygon[i] / along_polygon.back() * along_boundary.back();
-    std::size_t v = std::size_t(
-      std::lower_bound(along_boundary.begin(), along_boundary.end() - 1, wanted) -
-      along_boundary.begin());
+    std::size_t v =
+      std::size_t(std::lower_bound(along_boundary.begin(), along_boundary.end() - 1, wanted) - along_boundary.begin());
     if (v > 0 && wanted - along_boundary[v - 1] < along_boundary[v] - wanted)
       --v;
     vertex_at.push_back((std::min)((std::max)(v, vertex_at.back() + 1), n - (m - i)));
@@ -199,8 +192,7 @@ inline Planar_points positions_on_polygon(const std::vector<double>& boundary_le
 ///
 /// One sparse Cholesky factorization.
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 3.2.
-inline Planar_points harmonic_parameterization(const Delta_complex& complex,
-                                               const std::vector<double>& weights,
+inline Planar_points harmonic_parameterization(const Delta_complex& complex, const std::vector<double>& weights,
                                                const Planar_points& boundary_positions)
 {
   const std::vector<Halfedge_index> boundary = disk_boundary(complex);
@@ -214,8 +206,7 @@ inline Planar_points harmonic_parameterization(const Delta_complex& complex,
     is_fixed[v] = true;
     x.row(Eigen::Index(v)) << boundary_positions[i][0], boundary_positions[i][1];
   }
-  internal::solve_with_fixed_values(stiffness_matrix(complex, weights), is_fixed, x,
-                                    "the Laplace-Beltrami operator");
+  internal::solve_with_fixed_values(stiffness_matrix(complex, weights), is_fixed, x, "the Laplace-Beltrami operator");
   Planar_points uv;
   uv.reserve(complex.number_of_vertices());
   for (Eigen::Index v = 0; v < x.rows(); ++v)
@@ -236,8 +227,7 @@ Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& t
   const Delta_complex& complex = triangulation.connectivity();
   return harmonic_parameterization(
     complex, cotangent_weights(triangulation),
-    positions_on_circle(
-      internal::boundary_lengths(complex, disk_boundary(complex), edge_lengths(triangulation))));
+    positions_on_circle(internal::boundary_lengths(complex, disk_boundary(complex), edge_lengths(triangulation))));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
@@ -254,9 +244,8 @@ Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& t
   const Delta_complex& complex = triangulation.connectivity();
   return harmonic_parameterization(
     complex, cotangent_weights(triangulation),
-    positions_on_polygon(
-      internal::boundary_lengths(complex, disk_boundary(complex), edge_lengths(triangulation)),
-      polygon));
+    positions_on_polygon(internal::boundary_lengths(complex, disk_boundary(complex), edge_lengths(triangulation)),
+                         polygon));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
@@ -277,10 +266,8 @@ Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& t
 ///
 /// Sources: M. Desbrun, M. Meyer, P. Alliez, "Intrinsic parameterizations of surface meshes",
 /// 2002; B. Lévy, S. Petitjean, N. Ray, J. Maillot, "Least squares conformal maps", 2002.
-inline Planar_points natural_parameterization(const Delta_complex& complex,
-                                              const std::vector<double>& weights,
-                                              const std::vector<double>& lengths,
-                                              const std::vector<double>& areas)
+inline Planar_points natural_parameterization(const Delta_complex& complex, const std::vector<double>& weights,
+                                              const std::vector<double>& lengths, const std::vector<double>& areas)
 {
   const std::vector<Halfedge_index> boundary = disk_boundary(complex);
   const std::size_t n = complex.number_of_vertices();
@@ -304,16 +291,14 @@ inline Planar_points natural_parameterization(const Delta_complex& complex,
   Eigen::SparseMatrix<double> energy(Eigen::Index(2 * n), Eigen::Index(2 * n));
   energy.setFromTriplets(entries.begin(), entries.end());
 
-  const std::vector<double> sides =
-    internal::over_largest(internal::boundary_lengths(complex, boundary, lengths));
+  const std::vector<double> sides = internal::over_largest(internal::boundary_lengths(complex, boundary, lengths));
   double total = 0, sum = 0;
   for (double l : sides)
     total += l;
   std::size_t middle = 0;
   while (sum < total / 2)
     sum += sides[middle++];
-  const std::size_t first = complex.source(boundary.front()).idx(),
-                    second = complex.target(boundary[middle - 1]).idx();
+  const std::size_t first = complex.source(boundary.front()).idx(), second = complex.target(boundary[middle - 1]).idx();
   std::vector<bool> is_fixed(2 * n, false);
   for (Vertex_index v : complex.vertices())
     is_fixed[v.idx()] = is_fixed[v.idx() + n] = !complex.halfedge(v).is_valid();
@@ -367,8 +352,7 @@ struct Parameterization_check
 /// \param complex the triangles
 /// \param uv the position of each vertex. \pre there is one for each. O(size).
 /// \exception Numerical_error if a coordinate is not finite
-inline Parameterization_check check_parameterization(const Delta_complex& complex,
-                                                     const Planar_points& uv)
+inline Parameterization_check check_parameterization(const Delta_complex& complex, const Planar_points& uv)
 {
   CGAL_precondition(uv.size() == complex.number_of_vertices());
   for (std::size_t v = 0; v < uv.size(); ++v)
@@ -378,8 +362,7 @@ inline Parameterization_check check_parameterization(const Delta_complex& comple
   for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f);
     const Orientation orientation = internal::planar_orientation(
-      uv[complex.source(h).idx()], uv[complex.target(h).idx()],
-      uv[complex.target(complex.next(h)).idx()]);
+      uv[complex.source(h).idx()], uv[complex.target(h).idx()], uv[complex.target(complex.next(h)).idx()]);
     if (orientation == RIGHT_TURN)
       check.flipped.push_back(f);
     else if (orientation == COLLINEAR)
@@ -399,10 +382,8 @@ inline Parameterization_check check_parameterization(const Delta_complex& comple
 /// \param lengths the length of each edge
 /// \param areas the area of each face
 /// \param uv the position of each vertex. O(size).
-inline std::vector<double> quasi_conformal_distortion(const Delta_complex& complex,
-                                                      const std::vector<double>& lengths,
-                                                      const std::vector<double>& areas,
-                                                      const Planar_points& uv)
+inline std::vector<double> quasi_conformal_distortion(const Delta_complex& complex, const std::vector<double>& lengths,
+                                                      const std::vector<double>& areas, const Planar_points& uv)
 {
   CGAL_precondition(lengths.size() == complex.number_of_edges());
   CGAL_precondition(areas.size() == complex.number_of_faces());
@@ -413,8 +394,7 @@ inline std::vector<double> quasi_conformal_distortion(const Delta_complex& compl
     const Halfedge_index ij = complex.halfedge(f), jk = complex.next(ij), ki = complex.next(jk);
     const double l_ij = lengths[complex.edge(ij).idx()], l_jk = lengths[complex.edge(jk).idx()],
                  l_ki = lengths[complex.edge(ki).idx()];
-    const auto &i = uv[complex.source(ij).idx()], &j = uv[complex.source(jk).idx()],
-               &k = uv[complex.source(ki).idx()];
+    const auto &i = uv[complex.source(ij).idx()], &j = uv[complex.source(jk).idx()], &k = uv[complex.source(ki).idx()];
     if (internal::planar_orientation(i, j, k) == COLLINEAR) {
       result.push_back(std::numeric_limits<double>::infinity());
       continue;
@@ -427,12 +407,11 @@ inline std::vector<double> quasi_conformal_distortion(const Delta_complex& compl
     // With i at the origin and j at (1, 0), k is (x, y).
     const double x = ((l_ki / l_ij - l_jk / l_ij) * (l_ki / l_ij + l_jk / l_ij) + 1) / 2,
                  y = 2 * (areas[f.idx()] / l_ij / l_ij);
-    const double a = between(i[0], j[0]), c = between(i[1], j[1]),
-                 b = (between(i[0], k[0]) - a * x) / y, d = (between(i[1], k[1]) - c * x) / y;
+    const double a = between(i[0], j[0]), c = between(i[1], j[1]), b = (between(i[0], k[0]) - a * x) / y,
+                 d = (between(i[1], k[1]) - c * x) / y;
     // Half the sum and half the difference of the singular values.
     const double half_sum = std::hypot(a + d, c - b) / 2, half_difference = std::hypot(a - d, b + c) / 2;
-    const double larger = (std::max)(half_sum, half_difference) +
-                          (std::min)(half_sum, half_difference);
+    const double larger = (std::max)(half_sum, half_difference) + (std::min)(half_sum, half_difference);
     const double determinant = std::abs(a * d - b * c);
     const double ratio = larger / determinant * larger;
     result.push_back(ratio >= 1        ? ratio // false for NaN as well
@@ -453,8 +432,7 @@ struct Distortion_summary
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief summarizes the distortion of the faces. Faces of zero area are ignored. O(n log n).
-inline Distortion_summary summarize_distortion(const std::vector<double>& distortion,
-                                               const std::vector<double>& areas)
+inline Distortion_summary summarize_distortion(const std::vector<double>& distortion, const std::vector<double>& areas)
 {
   CGAL_precondition(distortion.size() == areas.size());
   std::vector<std::size_t> order;
@@ -465,9 +443,7 @@ inline Distortion_summary summarize_distortion(const std::vector<double>& distor
       order.push_back(f);
       total += shares[f];
     }
-  std::sort(order.begin(), order.end(), [&](std::size_t f, std::size_t g) {
-    return distortion[f] < distortion[g];
-  });
+  std::sort(order.begin(), order.end(), [&](std::size_t f, std::size_t g) { return distortion[f] < distortion[g]; });
   Distortion_summary summary;
   if (order.empty())
     return summary;

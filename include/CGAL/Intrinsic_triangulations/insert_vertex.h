@@ -45,7 +45,8 @@ namespace internal {
 inline void check_new_vertex(const Delta_complex& input, const Surface_point& point)
 {
   const auto fail = [](const std::string& what) { throw Invalid_point_error("a new vertex " + what); };
-  if (!point.halfedge.is_valid() || point.halfedge.idx() >= input.number_of_halfedges() || input.is_border(point.halfedge))
+  if (!point.halfedge.is_valid() || point.halfedge.idx() >= input.number_of_halfedges() ||
+      input.is_border(point.halfedge))
     fail("needs a halfedge of an input face");
   double sum = 0;
   for (double x : point.coordinates) {
@@ -61,8 +62,7 @@ inline void check_new_vertex(const Delta_complex& input, const Surface_point& po
 
 // The halfedge of the current triangulation that coincides with the part of an input edge which contains a point of that, if
 // there is one. Vertices that were inserted cut the edge into parts.
-inline std::optional<Halfedge_index> halfedge_along(const internal::Exact_engine& engine,
-                                                    const Surface_point& point)
+inline std::optional<Halfedge_index> halfedge_along(const internal::Exact_engine& engine, const Surface_point& point)
 {
   const Delta_complex& complex = engine.connectivity();
   const internal::Correspondence& correspondence = engine.correspondence();
@@ -96,7 +96,8 @@ inline std::optional<Halfedge_index> halfedge_along(const internal::Exact_engine
 }
 
 // The vertex that was inserted at the point before, if it is a corner of the face of h.
-inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex, const internal::Correspondence& correspondence, Halfedge_index h,
+inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex,
+                                             const internal::Correspondence& correspondence, Halfedge_index h,
                                              const Surface_point& point)
 {
   const Delta_complex& input = correspondence.input();
@@ -105,7 +106,8 @@ inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex, const
     if (!correspondence.is_inserted(v))
       continue;
     const Surface_point& location = correspondence.location(v);
-    if (location.dimension() == 2 && input.face(location.halfedge) == input.face(point.halfedge) && are_same_points(input, location, point))
+    if (location.dimension() == 2 && input.face(location.halfedge) == input.face(point.halfedge) &&
+        are_same_points(input, location, point))
       return v;
   }
   return std::nullopt;
@@ -181,14 +183,16 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
   if (point.dimension() == 1) {
     const std::optional<Halfedge_index> h = internal::halfedge_along(engine, point);
     if (!h)
-      throw Invalid_point_error("a new vertex lies on an input edge that is no edge of the triangulation any more: move it into a face, or "
-                                "constrain that edge before flips");
+      throw Invalid_point_error(
+        "a new vertex lies on an input edge that is no edge of the triangulation any more: move it into a face, or "
+        "constrain that edge before flips");
     if (complex.is_self_glued(complex.edge(*h)))
       throw Invalid_point_error("a new vertex lies on an edge with the same face on both sides: move it into the face");
     if (const auto side = internal::side_without_area(triangulation, complex.edge(*h)))
-      throw Invalid_point_error("a new vertex lies on a side of face " +
-                                std::to_string(correspondence.input().face(correspondence.input_halfedge(*side)).idx()) +
-                                " of the input, which has no area: move it into another one");
+      throw Invalid_point_error(
+        "a new vertex lies on a side of face " +
+        std::to_string(correspondence.input().face(correspondence.input_halfedge(*side)).idx()) +
+        " of the input, which has no area: move it into another one");
     v = internal::Whole_triangulation<Traits>(triangulation).split_edge(*h, point);
   } else {
     internal::check_area(engine, point);
@@ -253,8 +257,10 @@ Removed_elements remove_vertex(Intrinsic_triangulation<Traits>& triangulation, V
   if constexpr (!decltype(observer)::Is_silent::value)
     scope.emplace(triangulation, [&observer] { return observer(); });
   if (v.idx() >= triangulation.connectivity().number_of_vertices() || !triangulation.is_inserted(v))
-    throw Invalid_removal_error("vertex " + std::to_string(v.idx()) + " was not inserted: only inserted vertices can be removed");
-  return internal::Vertex_remover<Traits, std::decay_t<decltype(is_constrained)>>(triangulation, v, is_constrained).remove();
+    throw Invalid_removal_error("vertex " + std::to_string(v.idx()) +
+                                " was not inserted: only inserted vertices can be removed");
+  return internal::Vertex_remover<Traits, std::decay_t<decltype(is_constrained)>>(triangulation, v, is_constrained)
+    .remove();
 }
 
 } // namespace Intrinsic_triangulations

@@ -53,8 +53,7 @@ Delta_complex make_Delta_complex(const FaceGraph& graph)
 ///   more than two faces, two faces traverse an edge in the same direction, or the faces
 ///   around a vertex form more than one fan
 template <class TriangleRange>
-Delta_complex make_Delta_complex_from_triangles(std::size_t number_of_vertices,
-                                                const TriangleRange& triangles)
+Delta_complex make_Delta_complex_from_triangles(std::size_t number_of_vertices, const TriangleRange& triangles)
 {
   return internal::Delta_complex_builder::from_triangles(number_of_vertices, triangles);
 }
@@ -70,8 +69,7 @@ Delta_complex make_Delta_complex_from_triangles(std::size_t number_of_vertices,
 /// \tparam SidePairRange a range of pairs (random access ranges of two) of side numbers
 /// \exception Invalid_surface_error if a side is out of range, glued twice or to itself
 template <class SidePairRange>
-Delta_complex make_Delta_complex_from_gluing(std::size_t number_of_faces,
-                                             const SidePairRange& glued_sides)
+Delta_complex make_Delta_complex_from_gluing(std::size_t number_of_faces, const SidePairRange& glued_sides)
 {
   return internal::Delta_complex_builder::from_gluing(number_of_faces, glued_sides);
 }
@@ -109,8 +107,7 @@ struct Gluing
 ///   more than a million isolated vertices, which `read_gluing()` would take for damage.
 ///   Then nothing is written. O(size).
 /// \pre `lengths.size() == complex.number_of_edges()`
-void write_gluing(std::ostream& os, const Delta_complex& complex,
-                  const std::vector<double>& lengths);
+void write_gluing(std::ostream& os, const Delta_complex& complex, const std::vector<double>& lengths);
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief reads a complex and the lengths of its edges in the format of `write_gluing()`.

@@ -90,7 +90,8 @@ class Observer
   struct Is_visitor : std::false_type
   {};
   template <class V>
-  struct Is_visitor<V, std::void_t<decltype(std::declval<V&>().go_further(std::declval<const Progress&>()))>> : std::true_type
+  struct Is_visitor<V, std::void_t<decltype(std::declval<V&>().go_further(std::declval<const Progress&>()))>>
+    : std::true_type
   {};
   template <class V, class = void>
   struct Has_after_flip : std::false_type
@@ -102,26 +103,32 @@ class Observer
   struct Has_before_step : std::false_type
   {};
   template <class V>
-  struct Has_before_step<V, std::void_t<decltype(std::declval<V&>().before_step(std::declval<const Refinement_progress&>()))>> : std::true_type
+  struct Has_before_step<
+    V, std::void_t<decltype(std::declval<V&>().before_step(std::declval<const Refinement_progress&>()))>>
+    : std::true_type
   {};
   template <class V, class = void>
   struct Has_after_insertion : std::false_type
   {};
   template <class V>
-  struct Has_after_insertion<V, std::void_t<decltype(std::declval<V&>().after_insertion(Vertex_index()))>> : std::true_type
+  struct Has_after_insertion<V, std::void_t<decltype(std::declval<V&>().after_insertion(Vertex_index()))>>
+    : std::true_type
   {};
 
   template <class V, class Boolean, class = void>
   struct Has_after_test : std::false_type
   {};
   template <class V, class Boolean>
-  struct Has_after_test<V, Boolean, std::void_t<decltype(std::declval<V&>().after_test(Edge_index(), std::declval<Boolean>()))>> : std::true_type
+  struct Has_after_test<V, Boolean,
+                        std::void_t<decltype(std::declval<V&>().after_test(Edge_index(), std::declval<Boolean>()))>>
+    : std::true_type
   {};
 
   using Visitor = std::remove_reference_t<decltype(unwrapped(std::declval<Given&>()))>;
   static_assert(Is_visitor<Visitor>::value || std::is_invocable_r_v<bool, Visitor&, const Progress&> ||
                   std::is_invocable_r_v<bool, Visitor&, double> || std::is_invocable_r_v<bool, Visitor&>,
-                "a visitor needs a member function bool go_further(const Progress&), or is itself a function of a Progress, of a fraction or "
+                "a visitor needs a member function bool go_further(const Progress&), or is itself a function of a "
+                "Progress, of a fraction or "
                 "of nothing that returns bool");
 
 public:
@@ -189,7 +196,9 @@ Progress_function progress_function_of(const NamedParameters& np)
   if constexpr (Given::Is_silent::value)
     return {};
   else
-    return [observer = observer_of(np)](double fraction) mutable { return observer.go_further(Progress{fraction, 0, 0, 0}); };
+    return [observer = observer_of(np)](double fraction) mutable {
+      return observer.go_further(Progress{fraction, 0, 0, 0});
+    };
 }
 template <class NamedParameters>
 std::function<bool()> go_further_function_of(const NamedParameters& np)
@@ -248,8 +257,7 @@ class Loop_progress
 public:
   Loop_progress(const Progress_function& progress, const char* what, double begin, double end,
                 std::size_t number_of_elements)
-    : progress_(progress), what_(what), begin_(begin),
-      step_((end - begin) / double(number_of_elements + 1))
+    : progress_(progress), what_(what), begin_(begin), step_((end - begin) / double(number_of_elements + 1))
   {}
   void at(std::size_t element) const
   {

@@ -117,7 +117,8 @@ struct Flips_before_refinement
 /// type of Steiner points for computing size-optimal quality-guaranteed Delaunay triangulations" (2009); on surfaces, N. Sharp,
 /// Y. Soliman, K. Crane, "Navigating intrinsic triangulations" (2019).
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
-Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation, const NamedParameters& np = parameters::default_values())
+Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation,
+                                  const NamedParameters& np = parameters::default_values())
 {
   using internal::Parameter;
   using internal::value_of;
@@ -130,7 +131,8 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   criteria.splits_encroached_edges = value_of<Parameter::SPLITS_ENCROACHED_EDGES>(np, criteria.splits_encroached_edges);
   criteria.minimum_size = value_of<Parameter::MINIMUM_SIZE>(np, criteria.minimum_size);
   if (!(criteria.minimum_angle <= 30 && criteria.minimum_size >= 0))
-    throw Invalid_argument_error("the minimum angle of a refinement has to be at most 30 degrees, and the minimum size at least 0");
+    throw Invalid_argument_error(
+      "the minimum angle of a refinement has to be at most 30 degrees, and the minimum size at least 0");
   const auto is_constrained = internal::edge_constraints_of(np);
   const Delta_complex& complex = triangulation.connectivity();
   std::vector<bool> is_segment(complex.number_of_edges());
@@ -144,7 +146,8 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
                                      (std::numeric_limits<std::uint64_t>::max)());
   const std::uint64_t maximum_number = choose_parameter(get_parameter(np, internal_np::maximum_number),
                                                         10 * std::uint64_t(complex.number_of_vertices()) + 1000000);
-  internal::Delaunay_refiner<Traits, Observer> refiner(triangulation, criteria, std::move(is_segment), observer, maximum_number);
+  internal::Delaunay_refiner<Traits, Observer> refiner(triangulation, criteria, std::move(is_segment), observer,
+                                                       maximum_number);
   std::optional<internal::Interruption_scope<Intrinsic_triangulation<Traits>>> scope;
   if constexpr (!Observer::Is_silent::value)
     scope.emplace(triangulation, [&refiner] { return refiner.asks_further(); });

@@ -37,8 +37,8 @@ struct Flip_report
   std::uint64_t flips = 0;                    ///< the number of flips
   std::uint64_t tests = 0;                    ///< the number of Delaunay tests
   std::vector<Edge_index> not_flippable;      ///< the edges that are not Delaunay, but have no other diagonal
-  std::vector<Edge_index> inconsistent;       ///< the edges that are not Delaunay although a flip should have made them so
-  std::vector<Edge_index> undecided;          ///< the edges that the number type could not decide
+  std::vector<Edge_index> inconsistent; ///< the edges that are not Delaunay although a flip should have made them so
+  std::vector<Edge_index> undecided;    ///< the edges that the number type could not decide
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
@@ -63,10 +63,11 @@ struct Unrefined_face
 /// \brief what a visitor of `refine_Delaunay()` is told before each step.
 struct Refinement_progress
 {
-  std::uint64_t points = 0;      ///< new vertices so far
-  std::size_t waiting_faces = 0; ///< an upper bound on the faces that do not meet the criteria: some of them may meet them by now
-  double size = 0;               ///< the shortest side of the face that is next, in the unit of the input
-  Face_index face;               ///< that face
+  std::uint64_t points = 0; ///< new vertices so far
+  std::size_t waiting_faces =
+    0;             ///< an upper bound on the faces that do not meet the criteria: some of them may meet them by now
+  double size = 0; ///< the shortest side of the face that is next, in the unit of the input
+  Face_index face; ///< that face
   /// about how many more vertices are needed at least: by faces that are too large, and by thin ones whose shortest sides are of that size.
   /// Taken from the areas of these faces at 1024 new vertices and whenever their number has doubled since
   std::uint64_t estimated_points = 0;
@@ -93,9 +94,9 @@ struct Refinement_report
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief how a path of a `Geodesic_path_network` stands.
 enum class Geodesic_status {
-  GEODESIC,       ///< locally shortest: at each inner vertex that is not fixed, the angles on both sides are at least π
-  CONTRACTIBLE,   ///< a closed curve that was shrunk to a point
-  BLOCKED,        ///< it can only be shortened over an edge of the network, or over edges that cannot be flipped
+  GEODESIC,     ///< locally shortest: at each inner vertex that is not fixed, the angles on both sides are at least π
+  CONTRACTIBLE, ///< a closed curve that was shrunk to a point
+  BLOCKED,      ///< it can only be shortened over an edge of the network, or over edges that cannot be flipped
   NOT_IMPROVABLE, ///< a loop of one edge that is no geodesic, for which no shorter path of edges was found
   UNFINISHED      ///< the budget did not suffice, or an exception ended the run
 };

@@ -59,8 +59,8 @@ template <class Traits>
 class Way_back
 {
 public:
-  Way_back(Intrinsic_triangulation<Traits>& triangulation, const Laid_out_faces& faces, const Window_propagation& windows,
-           const Interruption& interruption)
+  Way_back(Intrinsic_triangulation<Traits>& triangulation, const Laid_out_faces& faces,
+           const Window_propagation& windows, const Interruption& interruption)
     : triangulation_(triangulation), faces_(faces), windows_(windows), interruption_(interruption)
   {}
 
@@ -75,7 +75,8 @@ public:
     // v lies in the origin, and the way along the axis. It runs between the last corner on the left and that on the right.
     const double sine = std::sin(windows_.arrival(v).angle), cosine = std::cos(windows_.arrival(v).angle);
     const Laid_out_faces::Side& first = faces_.side(side);
-    corners_ = {{first.apex_x * cosine + first.apex_y * sine, first.apex_y * cosine - first.apex_x * sine}, {first.length * cosine, -first.length * sine}};
+    corners_ = {{first.apex_x * cosine + first.apex_y * sine, first.apex_y * cosine - first.apex_x * sine},
+                {first.length * cosine, -first.length * sine}};
     crossed_.clear();
     if (comes_from(faces_.side(faces_.prev(side)).vertex, corners_[0]))
       return complex().opposite(faces_.halfedge(faces_.prev(side)));
@@ -139,10 +140,13 @@ private:
     std::size_t budget = crossed_.size() * crossed_.size() + 100; // more flips come of rounding
     for (std::size_t i = 0; i < crossed_.size() && budget > 0;) {
       const Edge_index e = crossed_[i].edge;
-      const std::size_t before = i == 0 ? none : other_corner(i - 1, i), behind = i + 1 == crossed_.size() ? none : other_corner(i + 1, i);
+      const std::size_t before = i == 0 ? none : other_corner(i - 1, i),
+                        behind = i + 1 == crossed_.size() ? none : other_corner(i + 1, i);
       const bool is_less = before == none || behind == none || (corners_[before].y > 0) == (corners_[behind].y > 0);
-      if (!(is_less || is_in_circle(corners_[before], corners_[crossed_[i].right], corners_[crossed_[i].left], corners_[behind])) ||
-          !complex().is_flippable(e) || triangulation_.flip(e) != Intrinsic_triangulation<Traits>::Flip_outcome::FLIPPED) {
+      if (!(is_less || is_in_circle(corners_[before], corners_[crossed_[i].right], corners_[crossed_[i].left],
+                                    corners_[behind])) ||
+          !complex().is_flippable(e) ||
+          triangulation_.flip(e) != Intrinsic_triangulation<Traits>::Flip_outcome::FLIPPED) {
         ++i;
         continue;
       }
@@ -158,9 +162,10 @@ private:
     if (!crossed_.empty())
       return {};
     const Halfedge_index h = complex().halfedge(last), g = complex().opposite(h);
-    const auto joins = [&](Halfedge_index k) { return complex().source(k).idx() == v_ && complex().target(k).idx() == u; };
-    return joins(h) ? h : joins(g) ? g
-                                   : Halfedge_index();
+    const auto joins = [&](Halfedge_index k) {
+      return complex().source(k).idx() == v_ && complex().target(k).idx() == u;
+    };
+    return joins(h) ? h : joins(g) ? g : Halfedge_index();
   }
 
   // Whether s lies in the circle through p, q and r, which are counterclockwise, after that shortening.
@@ -245,7 +250,7 @@ struct Cut_surface
   /// of the vertices: first those of the input, then the others
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::uint32_t, 3>> triangles; ///< their corners
-  std::vector<std::uint32_t> input_faces;              ///< for each triangle, the face of the input that it is a part of
+  std::vector<std::uint32_t> input_faces; ///< for each triangle, the face of the input that it is a part of
   /// for each vertex behind those of the input, where it lies on the input: for data at the vertices, `interpolate()` gives its value
   std::vector<Surface_point> locations;
 };
@@ -268,7 +273,8 @@ struct Cut_surface
 ///
 /// O(size), and for each face the number of segments there times that of its pieces.
 template <class PointRange>
-Cut_surface cut_along_path(const Delta_complex& complex, const PointRange& points, const std::vector<Surface_point>& path)
+Cut_surface cut_along_path(const Delta_complex& complex, const PointRange& points,
+                           const std::vector<Surface_point>& path)
 {
   const internal::Cut_faces faces(complex, path);
   const std::vector<std::array<std::uint32_t, 3>>& triangles = faces.triangles();
@@ -281,8 +287,8 @@ Cut_surface cut_along_path(const Delta_complex& complex, const PointRange& point
       const std::uint32_t from = triangle[i], to = triangle[(i + 1) % 3];
       if (!sides.insert({key(from, to), std::uint32_t(corners.size())}).second)
         throw Invalid_surface_error(Invalid_surface_error::Defect::WRONG_TOPOLOGY, from, 1,
-                                    "two edges join vertex " + std::to_string(from) + " and vertex " + std::to_string(to) +
-                                      ": the corners of triangles do not tell them apart");
+                                    "two edges join vertex " + std::to_string(from) + " and vertex " +
+                                      std::to_string(to) + ": the corners of triangles do not tell them apart");
       corners.push_back(triangle[i]);
     }
   for (const auto& [from, to] : faces.seam())
@@ -308,7 +314,8 @@ Cut_surface cut_along_path(const Delta_complex& complex, const PointRange& point
   }
   for (std::size_t i = n; i < vertex_of.size(); ++i) {
     result.locations.push_back(faces.location(vertex_of[i]));
-    result.points.push_back(vertex_of[i] < n ? result.points[vertex_of[i]] : point_in_space(complex, points, result.locations.back()));
+    result.points.push_back(vertex_of[i] < n ? result.points[vertex_of[i]]
+                                             : point_in_space(complex, points, result.locations.back()));
   }
   for (std::size_t f = 0; f < triangles.size(); ++f)
     result.triangles.push_back({fans[3 * f], fans[3 * f + 1], fans[3 * f + 2]});

@@ -82,9 +82,8 @@ inline void check_number_of_points(std::size_t number_of_points, std::size_t num
 template <class TriangleMesh, class NamedParameters>
 auto points_of(const TriangleMesh& mesh, const NamedParameters& np)
 {
-  const auto point_map =
-    parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                 get_const_property_map(vertex_point, mesh));
+  const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                      get_const_property_map(vertex_point, mesh));
   using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
   std::vector<Point> points;
   points.reserve(num_vertices(mesh));
@@ -115,8 +114,7 @@ auto points_of(const TriangleMesh& mesh, const NamedParameters& np)
 /// \param complex the connectivity
 /// \param points a point for each vertex, in the order of the vertices
 /// \exception Invalid_surface_error if there are fewer or more points than vertices. O(size).
-template <class PointRange,
-          class = std::enable_if_t<boost::has_range_const_iterator<PointRange>::value>>
+template <class PointRange, class = std::enable_if_t<boost::has_range_const_iterator<PointRange>::value>>
 auto to_surface_mesh(const Delta_complex& complex, const PointRange& points)
 {
   using Point = std::decay_t<decltype(*std::begin(points))>;
@@ -140,8 +138,7 @@ auto to_surface_mesh(const Delta_complex& complex, const PointRange& points)
 /// \param triangulation the triangulation
 /// \param points a point for each vertex, in the order of the vertices
 /// \exception Invalid_surface_error if there are fewer or more points than vertices. O(size).
-template <class Traits, class PointRange,
-          class = std::enable_if_t<boost::has_range_const_iterator<PointRange>::value>>
+template <class Traits, class PointRange, class = std::enable_if_t<boost::has_range_const_iterator<PointRange>::value>>
 auto to_surface_mesh(const Intrinsic_triangulation<Traits>& triangulation, const PointRange& points)
 {
   using FT = typename Traits::FT;
@@ -256,10 +253,8 @@ auto overlay_to_surface_mesh(const Common_subdivision& subdivision, const PointR
 
   using Halfedge = typename Mesh::Halfedge_index;
   const Surface_point none{Halfedge_index(), {0, 0, 0}};
-  auto input_point =
-    mesh.template add_property_map<Halfedge, Surface_point>("h:input_point", none).first;
-  auto intrinsic_point =
-    mesh.template add_property_map<Halfedge, Surface_point>("h:intrinsic_point", none).first;
+  auto input_point = mesh.template add_property_map<Halfedge, Surface_point>("h:input_point", none).first;
+  auto intrinsic_point = mesh.template add_property_map<Halfedge, Surface_point>("h:intrinsic_point", none).first;
   const internal::Input_layer input_layer{subdivision.input(), overlay, subdivision.positions()};
   const internal::Intrinsic_layer intrinsic_layer{subdivision.intrinsic(), overlay, subdivision.positions()};
   for (Overlay::Halfedge h : overlay.halfedges())

@@ -86,7 +86,8 @@ inline double direction_on_input(const internal::Exact_engine& engine, Halfedge_
 
 // As above, for one of the halfedges that leave v.
 template <class Traits>
-std::pair<Halfedge_index, double> halfedge_with_direction(const Intrinsic_triangulation<Traits>& triangulation, Vertex_index v)
+std::pair<Halfedge_index, double> halfedge_with_direction(const Intrinsic_triangulation<Traits>& triangulation,
+                                                          Vertex_index v)
 {
   const Delta_complex& complex = triangulation.connectivity();
   const Halfedge_index first = complex.opposite(complex.halfedge(v));
@@ -222,8 +223,8 @@ inline Space_vector normalized(Space_vector a)
 inline Vertex_frame frame_of(Space_vector normal, const Space_vector& first)
 {
   const auto any_perpendicular = [](const Space_vector& a) {
-    const std::size_t smallest =
-      std::size_t(std::min_element(a.begin(), a.end(), [](double s, double t) { return std::abs(s) < std::abs(t); }) - a.begin());
+    const std::size_t smallest = std::size_t(
+      std::min_element(a.begin(), a.end(), [](double s, double t) { return std::abs(s) < std::abs(t); }) - a.begin());
     Space_vector axis{0, 0, 0};
     axis[smallest] = 1;
     return normalized(cross(a, axis));
@@ -276,7 +277,8 @@ std::vector<Vertex_frame> vertex_frames(const Intrinsic_triangulation<Traits>& t
     face_normals.push_back(internal::normalized(internal::cross(vectors[0], vectors[1])));
     for (std::size_t i = 0; i < 3; ++i) {
       const Space_vector turned = internal::cross(vectors[i], vectors[(i + 2) % 3]);
-      const double angle = std::atan2(std::sqrt(internal::dot(turned, turned)), -internal::dot(vectors[i], vectors[(i + 2) % 3]));
+      const double angle =
+        std::atan2(std::sqrt(internal::dot(turned, turned)), -internal::dot(vectors[i], vectors[(i + 2) % 3]));
       for (std::size_t k = 0; k < 3; ++k)
         normals[input.source(sides[i]).idx()][k] += angle * face_normals.back()[k];
     }

@@ -48,9 +48,10 @@ struct Traced_geodesic
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-Traced_geodesic trace(const internal::Exact_engine& engine, const Surface_direction& start, double length, std::size_t maximum_number);
-Traced_geodesic trace_in_triangulation(const internal::Exact_engine& engine, const Surface_direction& start, double length,
-                                       std::size_t maximum_number);
+Traced_geodesic trace(const internal::Exact_engine& engine, const Surface_direction& start, double length,
+                      std::size_t maximum_number);
+Traced_geodesic trace_in_triangulation(const internal::Exact_engine& engine, const Surface_direction& start,
+                                       double length, std::size_t maximum_number);
 Surface_direction direction_at_vertex(const internal::Exact_engine& engine, Halfedge_index h, double angle);
 } // namespace internal
 /// \endcond
@@ -97,8 +98,8 @@ Traced_geodesic trace_geodesic(const Intrinsic_triangulation<Traits>& triangulat
 /// \return the line
 /// \exception Invalid_point_error, Undecided_error, Cancelled_error as `trace_geodesic()`
 template <class Traits>
-Traced_geodesic trace_geodesic_in_triangulation(const Intrinsic_triangulation<Traits>& triangulation, const Surface_direction& start,
-                                                double length,
+Traced_geodesic trace_geodesic_in_triangulation(const Intrinsic_triangulation<Traits>& triangulation,
+                                                const Surface_direction& start, double length,
                                                 std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)())
 {
   return internal::trace_in_triangulation(internal::engine(triangulation), start, length, maximum_number);
@@ -113,7 +114,8 @@ Traced_geodesic trace_geodesic_in_triangulation(const Intrinsic_triangulation<Tr
 ///   of the faces at the vertex. Rounded by a few units in the last place
 /// \exception Invalid_point_error if the angle is not finite, there is no such halfedge, or the angle leads beyond the border
 template <class Traits>
-Surface_direction direction_at_vertex(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_index h, double angle)
+Surface_direction direction_at_vertex(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_index h,
+                                      double angle)
 {
   return internal::direction_at_vertex(internal::engine(triangulation), h, angle);
 }
@@ -123,8 +125,7 @@ namespace internal {
 
 // Appends the source of h, its crossings with input edges in order, and its target.
 // \pre `geometry.prepare()` was called
-void append_input_points(const internal::Exact_engine& engine, Halfedge_index h,
-                         std::vector<Surface_point>& points);
+void append_input_points(const internal::Exact_engine& engine, Halfedge_index h, std::vector<Surface_point>& points);
 
 } // namespace internal
 /// \endcond

@@ -65,9 +65,8 @@ struct Areas_in_both
     const internal::Exact_engine& engine = internal::engine(subdivision);
     const Delta_complex& complex = subdivision.input();
     for (Face_index f : complex.faces())
-      input.push_back(
-        area_in_input_unit(engine.metric().four_areas_double_double(complex, f).hi() / 4,
-                           engine.metric().unit_exponent(), f));
+      input.push_back(area_in_input_unit(engine.metric().four_areas_double_double(complex, f).hi() / 4,
+                                         engine.metric().unit_exponent(), f));
     for (Face_index f : subdivision.intrinsic().faces())
       intrinsic.push_back(engine.area(f));
   }
@@ -122,8 +121,7 @@ using Value_of = std::decay_t<decltype(std::declval<const Range&>()[0])>;
 // `edge_of` and `position_of` say where a crossing lies in `complex`; the vertices before, where those that are none of `complex` lie.
 template <class VertexValues, class EdgeOf, class PositionOf>
 auto interpolate_at_crossings(const Common_subdivision& subdivision, const Delta_complex& complex,
-                              const VertexValues& values, const EdgeOf& edge_of,
-                              const PositionOf& position_of)
+                              const VertexValues& values, const EdgeOf& edge_of, const PositionOf& position_of)
 {
   const Overlay& overlay = subdivision.overlay();
   CGAL_precondition(values.size() == complex.number_of_vertices());
@@ -138,8 +136,7 @@ auto interpolate_at_crossings(const Common_subdivision& subdivision, const Delta
   for (Overlay::Vertex x : overlay.crossings()) {
     const Halfedge_index h = complex.halfedge(edge_of(x));
     const double t = position_of(x);
-    result.push_back(Value((1 - t) * values[complex.source(h).idx()] +
-                           t * values[complex.target(h).idx()]));
+    result.push_back(Value((1 - t) * values[complex.source(h).idx()] + t * values[complex.target(h).idx()]));
   }
   return result;
 }
@@ -165,8 +162,7 @@ template <class VertexValues>
 auto interpolate_input_values(const Common_subdivision& subdivision, const VertexValues& values)
 {
   return internal::interpolate_at_crossings(
-    subdivision, subdivision.input(), values,
-    [&](Overlay::Vertex x) { return subdivision.overlay().input_edge(x); },
+    subdivision, subdivision.input(), values, [&](Overlay::Vertex x) { return subdivision.overlay().input_edge(x); },
     [&](Overlay::Vertex x) { return subdivision.positions().on_input_edge(x); });
 }
 
@@ -221,8 +217,7 @@ auto interpolate_input_corner_values(const Common_subdivision& subdivision, cons
     }
     const Halfedge_index side = layer.side(h);
     const double t = layer.on_side(h);
-    result[h.idx()] =
-      Value((1 - t) * values[input.prev(side).idx()] + t * values[side.idx()]);
+    result[h.idx()] = Value((1 - t) * values[input.prev(side).idx()] + t * values[side.idx()]);
   }
   return result;
 }

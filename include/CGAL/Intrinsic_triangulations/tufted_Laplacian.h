@@ -159,7 +159,9 @@ Tufted_Laplacian operator_of_cover(Tufted_cover cover, const NamedParameters& np
   result.flips = flip_to_Delaunay(cover.triangulation, np);
   cover.triangulation.set_interruption(go_further_function_of(np));
   result.stiffness = stiffness_matrix(cover, &result.minimum_weight);
-  result.mass = value_of<Parameter::MASS_TYPE>(np, Mass_type::LUMPED) == Mass_type::LUMPED ? lumped_mass_matrix(cover) : Galerkin_mass_matrix(cover);
+  result.mass = value_of<Parameter::MASS_TYPE>(np, Mass_type::LUMPED) == Mass_type::LUMPED
+                  ? lumped_mass_matrix(cover)
+                  : Galerkin_mass_matrix(cover);
   result.representative = std::move(cover.representative);
   result.report = cover.report;
   return result;

@@ -104,8 +104,9 @@ Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_length
     return internal::untwist(complex, squared_lengths, is_constrained, {});
   } else {
     auto observer = internal::observer_of(np);
-    return internal::untwist(complex, squared_lengths, is_constrained,
-                             [&observer](std::uint64_t tests, std::uint64_t flips) { return observer.go_further(tests, flips); });
+    return internal::untwist(
+      complex, squared_lengths, is_constrained,
+      [&observer](std::uint64_t tests, std::uint64_t flips) { return observer.go_further(tests, flips); });
   }
 }
 
@@ -118,7 +119,7 @@ struct Gluing_triangulation
 {
   Intrinsic_triangulation<Traits> triangulation; ///< its input is the gluing that the twists left
   Flip_report report;                            ///< the report of the flips after the twists
-  Untwisting untwisting;                         ///< the twists; `crossings` are those of the triangulation with the gluing that was given
+  Untwisting untwisting; ///< the twists; `crossings` are those of the triangulation with the gluing that was given
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -184,18 +185,23 @@ private:
 ///
 /// \exception Invalid_surface_error if a length is not positive, or the lengths of a face violate the triangle inequality; equality is accepted
 template <class NamedParameters = parameters::Default_named_parameters>
-auto intrinsic_Delaunay_triangulation(const Exact_gluing& gluing, const NamedParameters& np = parameters::default_values())
+auto intrinsic_Delaunay_triangulation(const Exact_gluing& gluing,
+                                      const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using Traits = typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters, Filtered_edge_length_traits>::type;
+  using Traits = typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
+                                                              Filtered_edge_length_traits>::type;
   using Triangulation = Intrinsic_triangulation<Traits>;
   static_assert(Triangulation::uses_exact_geometry, "needs traits that use exact geometry");
   const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
-  const bool is_fast = choose_parameter(get_parameter(np, internal::Parameter_tag<internal::Parameter::FAST_FORWARD>()), false);
-  const auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained), Static_boolean_property_map<Edge_index, false>());
+  const bool is_fast =
+    choose_parameter(get_parameter(np, internal::Parameter_tag<internal::Parameter::FAST_FORWARD>()), false);
+  const auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                                               Static_boolean_property_map<Edge_index, false>());
   auto observer = internal::observer_of(np);
-  const std::uint64_t budget = choose_parameter(get_parameter(np, internal_np::maximum_number), (std::numeric_limits<std::uint64_t>::max)());
+  const std::uint64_t budget =
+    choose_parameter(get_parameter(np, internal_np::maximum_number), (std::numeric_limits<std::uint64_t>::max)());
 
   Untwisting untwisting;
   const auto triangulation = [&] {
@@ -203,7 +209,8 @@ auto intrinsic_Delaunay_triangulation(const Exact_gluing& gluing, const NamedPar
     if (!is_fast) {
       untwisting.crossings = Crossing_counts(complex);
       if (!gluing.lengths.empty())
-        return Triangulation::from_lengths(std::move(complex), std::vector<typename Traits::FT>(gluing.lengths.begin(), gluing.lengths.end()), traits);
+        return Triangulation::from_lengths(
+          std::move(complex), std::vector<typename Traits::FT>(gluing.lengths.begin(), gluing.lengths.end()), traits);
     }
     std::vector<Rational> squares = gluing.lengths.empty() ? gluing.squared_lengths : squared_lengths(gluing.lengths);
     if (is_fast)
@@ -216,8 +223,10 @@ auto intrinsic_Delaunay_triangulation(const Exact_gluing& gluing, const NamedPar
   result.untwisting = std::move(untwisting);
   if (!result.untwisting.is_complete)
     throw Cancelled_error("the flips within tubes were cancelled");
-  internal::Counting_visitor<decltype(observer)> counting(observer, result.triangulation.connectivity(), result.untwisting.crossings);
-  result.report = internal::flip_all<Sequential_tag>(internal::Whole_triangulation<Traits>(result.triangulation), is_constrained, counting, budget);
+  internal::Counting_visitor<decltype(observer)> counting(observer, result.triangulation.connectivity(),
+                                                          result.untwisting.crossings);
+  result.report = internal::flip_all<Sequential_tag>(internal::Whole_triangulation<Traits>(result.triangulation),
+                                                     is_constrained, counting, budget);
   return result;
 }
 

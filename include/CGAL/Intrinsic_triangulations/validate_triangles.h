@@ -183,8 +183,7 @@ bool is_clean(const Delta_complex& complex, const PointRange& points)
   internal::Box box;
   for (Vertex_index v : complex.vertices()) {
     const std::array<double, 3> p = place(v);
-    if (!complex.halfedge(v).is_valid() ||
-        !(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
+    if (!complex.halfedge(v).is_valid() || !(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
       return false;
     for (int i = 0; i < 3; ++i)
       box.add(i, p[i]);

@@ -108,9 +108,8 @@ void check_numbers(const std::string& path)
 // A number that no vertex has, where 32 bits are not enough.
 std::uint32_t vertex_number(vtkIdType id)
 {
-  return id < 0 || id > (std::numeric_limits<std::uint32_t>::max)()
-           ? (std::numeric_limits<std::uint32_t>::max)()
-           : static_cast<std::uint32_t>(id);
+  return id < 0 || id > (std::numeric_limits<std::uint32_t>::max)() ? (std::numeric_limits<std::uint32_t>::max)()
+                                                                    : static_cast<std::uint32_t>(id);
 }
 
 } // namespace

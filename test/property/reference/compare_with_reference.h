@@ -54,13 +54,13 @@ struct Comparison
   std::vector<std::string> disagreements; // at most a few of each kind
   std::uint64_t flips = 0;                // of the package
   std::uint64_t reference_flips = 0;
-  std::uint64_t ties = 0;                                             // edges of the result whose opposite angles sum to pi
-  IT::Stage_counts stages;                                            // of the package's tests
-  double worst_length = 0;                                            // error of a length in units in the last place
-  double worst_area = 0;                                              // relative error of an area over 2^-50
-  double worst_cotangent = 0;                                         // error over 2^-50 (1 + |cot|)
-  double worst_weight = 0;                                            // error over 2^-49 (1 + the sum of |cot|)
-  std::vector<Tessellation_edge> tessellation;                        // of the package's result
+  std::uint64_t ties = 0;                      // edges of the result whose opposite angles sum to pi
+  IT::Stage_counts stages;                     // of the package's tests
+  double worst_length = 0;                     // error of a length in units in the last place
+  double worst_area = 0;                       // relative error of an area over 2^-50
+  double worst_cotangent = 0;                  // error over 2^-50 (1 + |cot|)
+  double worst_weight = 0;                     // error over 2^-49 (1 + the sum of |cot|)
+  std::vector<Tessellation_edge> tessellation; // of the package's result
   double inconsistency = -std::numeric_limits<double>::infinity();    // log10 of what rounding did to the reference
   double smallest_sine = 0;                                           // log10 of the closest decision
   double largest_tie_sine = -std::numeric_limits<double>::infinity(); // log10 of the largest number taken for zero
@@ -90,10 +90,7 @@ struct Stop_watch_visitor
 {
   const std::function<bool()>& ask;
   std::vector<IT::Edge_index> flipped;
-  bool go_further(const IT::Progress& progress)
-  {
-    return !ask || progress.tests % 256 != 0 || ask();
-  }
+  bool go_further(const IT::Progress& progress) { return !ask || progress.tests % 256 != 0 || ask(); }
   void after_flip(IT::Edge_index e) { flipped.push_back(e); }
 };
 
@@ -181,10 +178,10 @@ public:
     Stop_watch_visitor visitor{options_.go_further, {}};
     IT::Flip_report report;
     try {
-      report = IT::flip_to_Delaunay(
-        triangulation, CGAL::parameters::visitor(std::ref(visitor))
-                         .maximum_number(options_.maximum_number_of_flips)
-                         .edge_is_constrained_map(Constraint_map{&options_.is_constrained}));
+      report =
+        IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(std::ref(visitor))
+                                              .maximum_number(options_.maximum_number_of_flips)
+                                              .edge_is_constrained_map(Constraint_map{&options_.is_constrained}));
     } catch (const IT::Cancelled_error&) {
       report.status = IT::Flip_status::BUDGET_EXHAUSTED;
       report.flips = visitor.flipped.size();
@@ -283,7 +280,8 @@ private:
       const CGAL::Interval_nt<> interval = IT::internal::engine(triangulation).length_interval(e);
       const Real slack = exact * Real("1e-60"); // the reference is not exact either
       if (!(Real(interval.inf()) <= exact + slack && exact - slack <= Real(interval.sup())))
-        complain("interval", "edge ", e.idx(), " has length ", exact, ", not in ", interval.inf(), " ... ", interval.sup());
+        complain("interval", "edge ", e.idx(), " has length ", exact, ", not in ", interval.inf(), " ... ",
+                 interval.sup());
     }
     if (options_.compare_numbers)
       check_numbers(triangulation, replay);
@@ -360,8 +358,7 @@ private:
       if (!replay.is_flippable(e.idx()))
         continue;
       const Circle_test test = replay.circle_test(e.idx());
-      if (test == Circle_test::TIE ? weight != 0 : test == Circle_test::DELAUNAY ? weight < 0
-                                                                                 : weight > 0)
+      if (test == Circle_test::TIE ? weight != 0 : test == Circle_test::DELAUNAY ? weight < 0 : weight > 0)
         complain("weight", "of edge ", e.idx(), " has another sign: ", weight, " for ", exact);
     }
   }

@@ -21,9 +21,10 @@
 #endif
 
 // Decisions are exact only if each operation on doubles is rounded as IEEE 754 says.
-#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||  \
   defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error "Intrinsic_triangulations needs IEEE 754 arithmetic: compile without -Ofast, -ffast-math and the options that it implies"
+#error                                                                                                                 \
+  "Intrinsic_triangulations needs IEEE 754 arithmetic: compile without -Ofast, -ffast-math and the options that it implies"
 #endif
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
 #error "Intrinsic_triangulations needs doubles without excess precision: compile with -msse2 -mfpmath=sse"
@@ -31,11 +32,11 @@
 
 // Units of one program that were compiled with different values of `name` do not link: a symbol has one value.
 #if defined(__GNUC__) && defined(__ELF__)
-#define CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(name, value)                 \
-  __asm__(".globl CGAL_Intrinsic_triangulations_needs_same_" #name "_in_all_units\n" \
+#define CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(name, value)                                                   \
+  __asm__(".globl CGAL_Intrinsic_triangulations_needs_same_" #name "_in_all_units\n"                                   \
           ".set CGAL_Intrinsic_triangulations_needs_same_" #name "_in_all_units, " #value);
 #elif defined(_MSC_VER)
-#define CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(name, value) \
+#define CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(name, value)                                                   \
   __pragma(detect_mismatch("CGAL_Intrinsic_triangulations_needs_same_" #name "_in_all_units", #value))
 #else
 #define CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(name, value)

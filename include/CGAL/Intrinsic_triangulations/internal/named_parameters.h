@@ -51,11 +51,11 @@ struct Named_parameters : internal_np::Named_params_impl<T, Tag, Base>
   using base = internal_np::Named_params_impl<T, Tag, Base>; // CGAL looks for this name
   using base::base;
 
-#define CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(name, tag)          \
-  template <class K>                                                \
-  Named_parameters<K, tag, Named_parameters> name(const K& k) const \
-  {                                                                 \
-    return Named_parameters<K, tag, Named_parameters>(k, *this);    \
+#define CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(name, tag)                                                             \
+  template <class K>                                                                                                   \
+  Named_parameters<K, tag, Named_parameters> name(const K& k) const                                                    \
+  {                                                                                                                    \
+    return Named_parameters<K, tag, Named_parameters>(k, *this);                                                       \
   }
   CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(vertex_point_map, internal_np::vertex_point_t)
   CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(geom_traits, internal_np::geom_traits_t)
@@ -128,14 +128,16 @@ auto minimum_angle(const T& value)
 template <class T>
 auto maximum_circumradius(const T& value)
 {
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::MAXIMUM_CIRCUMRADIUS>(value);
+  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::MAXIMUM_CIRCUMRADIUS>(
+    value);
 }
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief the largest length of an edge, in the unit of the input.
 template <class T>
 auto maximum_edge_length(const T& value)
 {
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::MAXIMUM_EDGE_LENGTH>(value);
+  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::MAXIMUM_EDGE_LENGTH>(
+    value);
 }
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief the length of a side below which a face is not refined, in the unit of the input.
@@ -149,14 +151,16 @@ auto minimum_size(const T& value)
 template <class T>
 auto splits_encroached_edges(const T& value)
 {
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::SPLITS_ENCROACHED_EDGES>(value);
+  return Intrinsic_triangulations::internal::named<
+    Intrinsic_triangulations::internal::Parameter::SPLITS_ENCROACHED_EDGES>(value);
 }
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief the time for which heat spreads, in units of the squared mean length of the edges.
 template <class T>
 auto time_coefficient(const T& value)
 {
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::TIME_COEFFICIENT>(value);
+  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::TIME_COEFFICIENT>(
+    value);
 }
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief what heat does at the border: a `Heat_boundary`.
@@ -191,7 +195,8 @@ auto surface_cover(const T& value)
 template <class T>
 auto coincident_vertices(const T& value)
 {
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::COINCIDENT_VERTICES>(value);
+  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::COINCIDENT_VERTICES>(
+    value);
 }
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief whether all vertices at the same place become one.
@@ -235,8 +240,9 @@ auto edge_constraints_of(const NamedParameters& np)
 {
   const auto result = parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
                                                    Static_boolean_property_map<Edge_index, false>());
-  static_assert(std::is_convertible<Edge_index, typename boost::property_traits<std::decay_t<decltype(result)>>::key_type>::value,
-                "edge_is_constrained_map: its keys have to be the edges of the triangulation, of type Edge_index");
+  static_assert(
+    std::is_convertible<Edge_index, typename boost::property_traits<std::decay_t<decltype(result)>>::key_type>::value,
+    "edge_is_constrained_map: its keys have to be the edges of the triangulation, of type Edge_index");
   return result;
 }
 

@@ -28,7 +28,8 @@ namespace internal {
 inline long doubled(long precision)
 {
   if (precision >= (1l << 22))
-    throw Arithmetic_error("four million bits do not settle what they must: please report the surface, and how the program was compiled");
+    throw Arithmetic_error(
+      "four million bits do not settle what they must: please report the surface, and how the program was compiled");
   return 2 * precision;
 }
 
@@ -216,13 +217,11 @@ public:
   }
   friend Mpfr_disk operator*(const Mpfr_disk& a, const Mpfr_disk& b)
   {
-    return Mpfr_disk(a.x_ * b.x_ - a.y_ * b.y_, a.x_ * b.y_ + a.y_ * b.x_,
-                     radius_of_product(a, b));
+    return Mpfr_disk(a.x_ * b.x_ - a.y_ * b.y_, a.x_ * b.y_ + a.y_ * b.x_, radius_of_product(a, b));
   }
   friend Mpfr_disk times_conjugate(const Mpfr_disk& a, const Mpfr_disk& b)
   {
-    return Mpfr_disk(a.x_ * b.x_ + a.y_ * b.y_, a.y_ * b.x_ - a.x_ * b.y_,
-                     radius_of_product(a, b));
+    return Mpfr_disk(a.x_ * b.x_ + a.y_ * b.y_, a.y_ * b.x_ - a.x_ * b.y_, radius_of_product(a, b));
   }
   friend Real squared_norm(const Mpfr_disk& a)
   {
@@ -234,10 +233,7 @@ public:
 private:
   static constexpr mpfr_prec_t radius_precision = 64;
 
-  Mpfr_disk(const Real& x, const Real& y, const Real& radius) : x_(x), y_(y), radius_(radius)
-  {
-    shrink();
-  }
+  Mpfr_disk(const Real& x, const Real& y, const Real& radius) : x_(x), y_(y), radius_(radius) { shrink(); }
 
   // Non-negative numbers are kept as intervals of which only the upper end matters.
   static Real rounded(const Real& x)
@@ -255,10 +251,7 @@ private:
   }
 
   // Moves the width of the coordinates into the radius.
-  void shrink()
-  {
-    radius_ = rounded(radius_ + rounded(x_.collapse_to_lower()) + rounded(y_.collapse_to_lower()));
-  }
+  void shrink() { radius_ = rounded(radius_ + rounded(x_.collapse_to_lower()) + rounded(y_.collapse_to_lower())); }
 
   Real widened(const Real& x) const { return widened(x, radius_); }
   static Real widened(const Real& x, const Real& error)

@@ -31,15 +31,9 @@ public:
     return {a.x_ * b.x_ - a.y_ * b.y_, a.x_ * b.y_ + a.y_ * b.x_};
   }
   /// returns the sum.
-  friend Planar_vector operator+(const Planar_vector& a, const Planar_vector& b)
-  {
-    return {a.x_ + b.x_, a.y_ + b.y_};
-  }
+  friend Planar_vector operator+(const Planar_vector& a, const Planar_vector& b) { return {a.x_ + b.x_, a.y_ + b.y_}; }
   /// returns the difference.
-  friend Planar_vector operator-(const Planar_vector& a, const Planar_vector& b)
-  {
-    return {a.x_ - b.x_, a.y_ - b.y_};
-  }
+  friend Planar_vector operator-(const Planar_vector& a, const Planar_vector& b) { return {a.x_ - b.x_, a.y_ - b.y_}; }
   /// returns `a` times the conjugate of `b`.
   friend Planar_vector times_conjugate(const Planar_vector& a, const Planar_vector& b)
   {

@@ -49,8 +49,7 @@ struct Split_double_double
     Number hi, lo;
     BOOST_FORCEINLINE friend Product operator-(const Product& a) { return {-a.hi, -a.lo}; }
   };
-  BOOST_FORCEINLINE friend Product operator*(const Split_double_double& a,
-                                             const Split_double_double& b)
+  BOOST_FORCEINLINE friend Product operator*(const Split_double_double& a, const Split_double_double& b)
   {
     const Number p = unfused(a.hi * b.hi);
     const Number e = ((a.head * b.head - p) + a.head * b.tail + a.tail * b.head) + a.tail * b.tail;
@@ -64,8 +63,7 @@ struct Split_double_double
     two_sum(s, e + (a.lo + b.lo), hi, lo);
     return {hi, lo};
   }
-  BOOST_FORCEINLINE friend Split_double_double sum(const Product& a, const Product& b,
-                                                   const Product& c)
+  BOOST_FORCEINLINE friend Split_double_double sum(const Product& a, const Product& b, const Product& c)
   {
     Number s, e, t, f, hi, lo;
     two_sum(a.hi, b.hi, s, e);
@@ -73,24 +71,18 @@ struct Split_double_double
     two_sum(t, (e + f) + (a.lo + b.lo + c.lo), hi, lo);
     return {hi, lo};
   }
-  BOOST_FORCEINLINE friend Split_double_double operator+(const Split_double_double& a,
-                                                         const Split_double_double& b)
+  BOOST_FORCEINLINE friend Split_double_double operator+(const Split_double_double& a, const Split_double_double& b)
   {
     return sum(Product{a.hi, a.lo}, Product{b.hi, b.lo});
   }
-  BOOST_FORCEINLINE friend Split_double_double operator-(const Split_double_double& a,
-                                                         const Split_double_double& b)
+  BOOST_FORCEINLINE friend Split_double_double operator-(const Split_double_double& a, const Split_double_double& b)
   {
     return sum(Product{a.hi, a.lo}, Product{-b.hi, -b.lo});
   }
-  BOOST_FORCEINLINE friend Split_double_double operator-(const Split_double_double& a)
-  {
-    return {-a.hi, -a.lo};
-  }
+  BOOST_FORCEINLINE friend Split_double_double operator-(const Split_double_double& a) { return {-a.hi, -a.lo}; }
 
   // a / b, given the rounded reciprocal of b.
-  BOOST_FORCEINLINE friend Split_double_double quotient(const Split_double_double& a,
-                                                        const Split_double_double& b,
+  BOOST_FORCEINLINE friend Split_double_double quotient(const Split_double_double& a, const Split_double_double& b,
                                                         const Number& reciprocal)
   {
     const Number q = a.hi * reciprocal;
@@ -123,8 +115,10 @@ BOOST_FORCEINLINE Split_vector<double> split_vector(const std::array<double, 3>&
   return {Real::difference(q[0], p[0]), Real::difference(q[1], p[1]), Real::difference(q[2], p[2])};
 }
 // From p to q, and from r to s.
-BOOST_FORCEINLINE Split_vector<Two_doubles> two_split_vectors(const std::array<double, 3>& p, const std::array<double, 3>& q,
-                                                              const std::array<double, 3>& r, const std::array<double, 3>& s)
+BOOST_FORCEINLINE Split_vector<Two_doubles> two_split_vectors(const std::array<double, 3>& p,
+                                                              const std::array<double, 3>& q,
+                                                              const std::array<double, 3>& r,
+                                                              const std::array<double, 3>& s)
 {
   using Pair = Split_double_double<Two_doubles>;
   return {Pair::difference({q[0], s[0]}, {p[0], r[0]}), Pair::difference({q[1], s[1]}, {p[1], r[1]}),
@@ -132,14 +126,16 @@ BOOST_FORCEINLINE Split_vector<Two_doubles> two_split_vectors(const std::array<d
 }
 
 template <class Number>
-BOOST_FORCEINLINE Split_double_double<Number> split_scalar_product(const Split_vector<Number>& v, const Split_vector<Number>& w)
+BOOST_FORCEINLINE Split_double_double<Number> split_scalar_product(const Split_vector<Number>& v,
+                                                                   const Split_vector<Number>& w)
 {
   return sum(v[0] * w[0], v[1] * w[1], v[2] * w[2]);
 }
 
 // The square of the area that two vectors span.
 template <class Number>
-BOOST_FORCEINLINE Split_double_double<Number> split_squared_area(const Split_vector<Number>& v, const Split_vector<Number>& w)
+BOOST_FORCEINLINE Split_double_double<Number> split_squared_area(const Split_vector<Number>& v,
+                                                                 const Split_vector<Number>& w)
 {
   const Split_double_double<Number> n0 = sum(v[1] * w[2], -(v[2] * w[1])), n1 = sum(v[2] * w[0], -(v[0] * w[2])),
                                     n2 = sum(v[0] * w[1], -(v[1] * w[0]));

@@ -35,8 +35,7 @@ class Two_doubles
 public:
   Two_doubles() = default;
 #ifdef CGAL_HAS_SSE2
-  Two_doubles(double both) : v_(_mm_set1_pd(both))
-  {}
+  Two_doubles(double both) : v_(_mm_set1_pd(both)) {}
   Two_doubles(double first, double second) : v_(_mm_set_pd(second, first)) {}
   static Two_doubles at(const double* p) { return _mm_loadu_pd(p); }
   double first() const { return _mm_cvtsd_f64(v_); }
@@ -74,8 +73,7 @@ private:
   Two_doubles(__m128d v) : v_(v) {}
   __m128d v_;
 #else
-  Two_doubles(double both) : v_{both, both}
-  {}
+  Two_doubles(double both) : v_{both, both} {}
   Two_doubles(double first, double second) : v_{first, second} {}
   static Two_doubles at(const double* p) { return {p[0], p[1]}; }
   double first() const { return v_[0]; }
@@ -107,10 +105,7 @@ private:
 
 using Two_points = std::array<Two_doubles, 3>;
 
-inline Two_doubles two(double first, double second)
-{
-  return {first, second};
-}
+inline Two_doubles two(double first, double second) { return {first, second}; }
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

@@ -83,7 +83,8 @@ public:
   {
     if constexpr (is_double) {
       const double product = a.part_ * b.part_;
-      return {product, std::abs(a.part_) * b.error_ + (std::abs(b.part_) + b.error_) * a.error_ + unit * std::abs(product) + tiny};
+      return {product, std::abs(a.part_) * b.error_ + (std::abs(b.part_) + b.error_) * a.error_ +
+                         unit * std::abs(product) + tiny};
     } else {
       if (a.is_zero() || b.is_zero())
         return {};

@@ -33,8 +33,7 @@ using Defect = Invalid_surface_error::Defect;
 inline void check_size(std::size_t number_of_halfedges)
 {
   if (number_of_halfedges >= (std::numeric_limits<std::uint32_t>::max)())
-    throw Invalid_surface_error(Defect::OUT_OF_RANGE, 0, 1,
-                                "the surface has too many edges for 32-bit indices");
+    throw Invalid_surface_error(Defect::OUT_OF_RANGE, 0, 1, "the surface has too many edges for 32-bit indices");
 }
 
 class Delta_complex_builder
@@ -70,9 +69,8 @@ public:
         defect = "glues a side that is already glued";
       if (defect)
         throw Invalid_surface_error(Defect::INVALID_GLUING, pair, 1,
-                                    "glued pair " + std::to_string(pair) + " (sides " +
-                                      std::to_string(s) + " and " + std::to_string(t) + ") " +
-                                      defect);
+                                    "glued pair " + std::to_string(pair) + " (sides " + std::to_string(s) + " and " +
+                                      std::to_string(t) + ") " + defect);
       b.glued_to_[s] = std::uint32_t(t);
       b.glued_to_[t] = std::uint32_t(s);
       ++pair;
@@ -104,8 +102,7 @@ public:
   // caller has checked that glued sides have the same ends.
   static Delta_complex from_numbered_sides(std::size_t number_of_vertices,
                                            const std::vector<std::uint32_t>& corner_vertex,
-                                           const std::vector<std::uint32_t>& halfedge_of,
-                                           std::size_t number_of_edges)
+                                           const std::vector<std::uint32_t>& halfedge_of, std::size_t number_of_edges)
   {
     Delta_complex_builder b;
     std::vector<std::uint32_t> side_of(2 * number_of_edges, null);
@@ -230,9 +227,8 @@ private:
   [[noreturn]] void throw_at_edge(Defect defect, std::uint32_t s, const char* what) const
   {
     throw Invalid_surface_error(defect, s / 3, 1,
-                                "edge " + std::to_string(corner_vertex_[s]) + "-" +
-                                  std::to_string(side_target(s)) + " of face " +
-                                  std::to_string(s / 3) + " " + what);
+                                "edge " + std::to_string(corner_vertex_[s]) + "-" + std::to_string(side_target(s)) +
+                                  " of face " + std::to_string(s / 3) + " " + what);
   }
 
   // Vertices are the orbits of corners: around the source of a side, the next side is

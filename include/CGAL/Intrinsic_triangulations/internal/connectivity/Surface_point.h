@@ -59,7 +59,8 @@ struct Surface_direction
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief returns the coordinates of `point` relative to another halfedge of its face.
 /// \pre `first` is a side of the face of `point.halfedge`
-inline std::array<double, 3> coordinates_from(const Delta_complex& complex, const Surface_point& point, Halfedge_index first)
+inline std::array<double, 3> coordinates_from(const Delta_complex& complex, const Surface_point& point,
+                                              Halfedge_index first)
 {
   const auto& [a, b, c] = point.coordinates;
   if (first == point.halfedge)
@@ -77,12 +78,12 @@ namespace internal {
 inline Halfedge_index side_of(const Delta_complex& complex, const Surface_point& point)
 {
   const auto& [a, b, c] = point.coordinates;
-  return c == 0 ? point.halfedge : a == 0 ? complex.next(point.halfedge)
-                                          : complex.prev(point.halfedge);
+  return c == 0 ? point.halfedge : a == 0 ? complex.next(point.halfedge) : complex.prev(point.halfedge);
 }
 
 // The coordinates of a point on an edge relative to the ends of a halfedge of that edge.
-inline std::pair<double, double> coordinates_on_edge(const Delta_complex& complex, const Surface_point& point, Halfedge_index along)
+inline std::pair<double, double> coordinates_on_edge(const Delta_complex& complex, const Surface_point& point,
+                                                     Halfedge_index along)
 {
   Halfedge_index h = point.halfedge;
   for (std::size_t i = 0; i < 3; ++i, h = complex.next(h)) {
@@ -108,8 +109,7 @@ inline std::pair<double, double> coordinates_on_edge(const Delta_complex& comple
 ///   multiplied by a `double` from the left
 /// \param point the point; its coordinates sum to 1
 template <class VertexValues>
-auto interpolate(const Delta_complex& complex, const VertexValues& values,
-                 const Surface_point& point)
+auto interpolate(const Delta_complex& complex, const VertexValues& values, const Surface_point& point)
 {
   const Halfedge_index h = point.halfedge;
   const auto& [a, b, c] = point.coordinates;

@@ -198,8 +198,9 @@ public:
   {
     check_size(12 * cleaned_.triangles.size());
     // Each takes some tenths of a second for a million triangles.
-    for (const auto step : {&Cover_builder::count_edges, &Cover_builder::find_pieces, &Cover_builder::count_nonmanifold_vertices,
-                            &Cover_builder::make_copies, &Cover_builder::glue}) {
+    for (const auto step :
+         {&Cover_builder::count_edges, &Cover_builder::find_pieces, &Cover_builder::count_nonmanifold_vertices,
+          &Cover_builder::make_copies, &Cover_builder::glue}) {
       interruption_.check();
       (this->*step)();
     }
@@ -222,7 +223,8 @@ private:
     throw Invalid_surface_error(defect, f, 1,
                                 "edge " + std::to_string(triangles()[s / 3][s % 3]) + "-" +
                                   std::to_string(triangles()[s / 3][next_side(s) % 3]) + " of face " +
-                                  std::to_string(f) + " " + what + "; the tufted cover (Surface_cover::TUFTED, --cover tufted) takes it");
+                                  std::to_string(f) + " " + what +
+                                  "; the tufted cover (Surface_cover::TUFTED, --cover tufted) takes it");
   }
 
   void count_edges()
@@ -264,8 +266,12 @@ private:
   {
     Disjoint_sets fans(3 * triangles().size());
     sides_.for_each_edge([&](Index, const Side* begin, const Side* end) {
-      const auto corner_at_smaller = [](const Side& s) { return s.runs_to_smaller_end() ? next_side(s.side()) : s.side(); };
-      const auto corner_at_larger = [](const Side& s) { return s.runs_to_smaller_end() ? s.side() : next_side(s.side()); };
+      const auto corner_at_smaller = [](const Side& s) {
+        return s.runs_to_smaller_end() ? next_side(s.side()) : s.side();
+      };
+      const auto corner_at_larger = [](const Side& s) {
+        return s.runs_to_smaller_end() ? s.side() : next_side(s.side());
+      };
       for (const Side* s = begin + 1; s < end; ++s) {
         fans.unite(corner_at_smaller(*begin), corner_at_smaller(*s));
         fans.unite(corner_at_larger(*begin), corner_at_larger(*s));
@@ -411,8 +417,8 @@ private:
   {
     auto [vertex_of, corner_vertex] = separate_fans(points_.size(), cover_.corners, cover_.glued_to);
     // The halfedge of a face is that of a Surface_mesh: so numbers are rounded in the same way.
-    Delta_complex complex =
-      Delta_complex_builder::from_glued_sides(vertex_of.size(), std::move(corner_vertex), std::move(cover_.glued_to), 2);
+    Delta_complex complex = Delta_complex_builder::from_glued_sides(vertex_of.size(), std::move(corner_vertex),
+                                                                    std::move(cover_.glued_to), 2);
     using Triangulation = Intrinsic_triangulation<Filtered_edge_length_traits>;
     Points points;
     points.reserve(vertex_of.size());
@@ -430,8 +436,12 @@ private:
     }
     return {options_.mollification > 0 ? mollified(std::move(complex), points)
                                        : Triangulation(std::move(complex), std::move(points)),
-            std::move(vertex_of), std::move(cover_.face_of), std::move(cover_.is_back), std::move(is_half),
-            std::move(cleaned_.representative), cleaned_.report};
+            std::move(vertex_of),
+            std::move(cover_.face_of),
+            std::move(cover_.is_back),
+            std::move(is_half),
+            std::move(cleaned_.representative),
+            cleaned_.report};
   }
 
   Intrinsic_triangulation<Filtered_edge_length_traits> mollified(Delta_complex complex, const Points& points)
@@ -470,7 +480,8 @@ Tufted_cover build_cover(const Points& points, const std::vector<Index_triangle>
       const auto& [v, w] = coincident[0];
       throw Invalid_surface_error(Invalid_surface_error::Defect::ZERO_LENGTH_EDGE, v, coincident.size(),
                                   "vertices " + std::to_string(v) + " and " + std::to_string(w) +
-                                    " are at the same place, and faces without area join them; merge them (Coincident_vertices::MERGE, --coincident-vertices merge)");
+                                    " are at the same place, and faces without area join them; merge them "
+                                    "(Coincident_vertices::MERGE, --coincident-vertices merge)");
     }
     merged.insert(merged.end(), coincident.begin(), coincident.end());
   }

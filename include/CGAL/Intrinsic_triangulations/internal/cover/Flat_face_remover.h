@@ -55,7 +55,8 @@ struct Glued_faces
 class Flat_face_remover
 {
 public:
-  Flat_face_remover(const Points& points, Glued_faces& faces) : points_(points), faces_(faces), is_kept_(faces.size(), true)
+  Flat_face_remover(const Points& points, Glued_faces& faces)
+    : points_(points), faces_(faces), is_kept_(faces.size(), true)
   {}
 
   // \param flat the faces without area

@@ -26,8 +26,7 @@ namespace internal {
 class Angle_sum_signs
 {
 public:
-  Angle_sum_signs(const Exact_engine& engine,
-                  const std::vector<Estimated_corner>& corners)
+  Angle_sum_signs(const Exact_engine& engine, const std::vector<Estimated_corner>& corners)
     : complex_(engine.connectivity()), engine_(engine), corners_(corners), surface_(engine.input_surface())
   {}
 
@@ -44,7 +43,8 @@ public:
   // Whether the sum is proven to be a multiple of π.
   bool is_level(std::size_t first, std::size_t last)
   {
-    const Halfedge_index from = complex_.prev(corners_[first].opposite), to = complex_.opposite(complex_.next(corners_[last - 1].opposite));
+    const Halfedge_index from = complex_.prev(corners_[first].opposite),
+                         to = complex_.opposite(complex_.next(corners_[last - 1].opposite));
     return Level_line(complex_, engine_.correspondence(), *surface_)(from, to);
   }
 
@@ -78,8 +78,7 @@ private:
 };
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Comparison_result compare_angle_sum_with_pi(const Exact_engine& engine,
-                                            const std::vector<Estimated_corner>& corners)
+Comparison_result compare_angle_sum_with_pi(const Exact_engine& engine, const std::vector<Estimated_corner>& corners)
 {
   Angle_sum_signs signs(engine, corners);
   Bounded_angle sum;

@@ -300,7 +300,8 @@ private:
   template <class Straight_faces>
   std::optional<Test> test_in_plane(Halfedge_index h, Straight_faces& straight_faces) const;
   std::optional<Test> test_by_corners(Halfedge_index h, const Opposite_corners& corners) const;
-  std::optional<Bounded_double_double> weight_by_other_diagonal(Halfedge_index h, const Opposite_corners& corners) const;
+  std::optional<Bounded_double_double> weight_by_other_diagonal(Halfedge_index h,
+                                                                const Opposite_corners& corners) const;
   Corner known_corner(Halfedge_index h, Input_surface& surface) const;
   Opposite_corners known_corners(Halfedge_index h, Input_surface& surface) const;
   double number_of_quantities(Halfedge_index h) const;
@@ -310,8 +311,8 @@ private:
   std::optional<Image_corner> image_of_straight_corner(Halfedge_index h);
   std::optional<Image_corner> image_of_developed_corner(Halfedge_index h) const;
   template <class FindImage>
-  std::optional<Sign> sign_by_images(Edge_index e, const Opposite_corners& corners,
-                                     Input_surface& surface, const FindImage& find_image) const;
+  std::optional<Sign> sign_by_images(Edge_index e, const Opposite_corners& corners, Input_surface& surface,
+                                     const FindImage& find_image) const;
 
   template <std::size_t N, class Evaluate>
   static std::array<std::complex<double>, N> rounded_vectors(Input_surface& surface, const Evaluate& evaluate);
@@ -334,8 +335,9 @@ private:
   Corner straight_corner(Halfedge_index h) const;
 
   Delta_complex connectivity_;
-  mutable Correspondence correspondence_;     // prepared by the first query that needs it
-  mutable std::atomic<bool> is_asked_{false}; // whether flips have to be followed, as a query was made since begin_journal()
+  mutable Correspondence correspondence_; // prepared by the first query that needs it
+  mutable std::atomic<bool> is_asked_{
+    false}; // whether flips have to be followed, as a query was made since begin_journal()
   Input_metric metric_;
   std::unique_ptr<Memory> memory_; // null without an input
 };

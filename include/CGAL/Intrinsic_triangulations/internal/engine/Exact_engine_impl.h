@@ -119,8 +119,7 @@ void Exact_engine::keep_input(Input_metric metric)
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_engine::Exact_engine(const Exact_engine& other)
-  : connectivity_(other.connectivity_), metric_(other.metric_)
+Exact_engine::Exact_engine(const Exact_engine& other) : connectivity_(other.connectivity_), metric_(other.metric_)
 {
   if (!other.memory_)
     return;
@@ -141,8 +140,8 @@ Exact_engine::Exact_engine(const Exact_engine& other)
 // The surfaces refer to the members, which have moved.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::Exact_engine(Exact_engine&& other) noexcept
-  : connectivity_(std::move(other.connectivity_)), correspondence_(std::move(other.correspondence_)), is_asked_(other.is_asked_.load()), metric_(std::move(other.metric_)),
-    memory_(std::move(other.memory_))
+  : connectivity_(std::move(other.connectivity_)), correspondence_(std::move(other.correspondence_)),
+    is_asked_(other.is_asked_.load()), metric_(std::move(other.metric_)), memory_(std::move(other.memory_))
 {
   if (!memory_)
     return;
@@ -207,7 +206,8 @@ std::unique_ptr<Input_surface> Exact_engine::new_surface() const
     if (!memory_->input_properties)
       memory_->input_properties = std::make_unique<Input_properties>(correspondence_.input(), metric_);
   }
-  return std::make_unique<Input_surface>(correspondence_.input(), metric_, memory_->settings, *memory_->input_properties);
+  return std::make_unique<Input_surface>(correspondence_.input(), metric_, memory_->settings,
+                                         *memory_->input_properties);
 }
 
 // ---------------------------------------------------------------- when it is asked for
@@ -249,10 +249,12 @@ void Exact_engine::prepare(const Block_runner& run) const
   if (memory_->is_prepared.load(std::memory_order_relaxed))
     return;
   Memory& memory = *memory_;
-  memory.journal.reserve(memory.journal.size() + correspondence_.number_of_journaled_flips() - memory.number_of_known_flips);
+  memory.journal.reserve(memory.journal.size() + correspondence_.number_of_journaled_flips() -
+                         memory.number_of_known_flips);
   const std::vector<Edge_index> flips = correspondence_.prepare(connectivity_, run);
   memory.forget_developed_faces(connectivity_, flips);
-  memory.journal.insert(memory.journal.end(), flips.begin() + std::ptrdiff_t(memory.number_of_known_flips), flips.end());
+  memory.journal.insert(memory.journal.end(), flips.begin() + std::ptrdiff_t(memory.number_of_known_flips),
+                        flips.end());
   memory.number_of_known_flips = 0;
   is_asked_ = true;
   memory.is_prepared.store(true, std::memory_order_release);
@@ -272,8 +274,9 @@ void Exact_engine::find_straight_faces() const
   const std::vector<Edge_index> later_flips = correspondence_.journaled_flips(connectivity_);
   flips.insert(flips.end(), later_flips.begin() + std::ptrdiff_t(memory.number_of_known_flips), later_flips.end());
   if (!flips.empty() || !memory.straight_faces) {
-    Straight_faces straight_faces =
-      memory.straight_faces ? *memory.straight_faces : Straight_faces(connectivity_.number_of_faces(), metric_.points().size());
+    Straight_faces straight_faces = memory.straight_faces
+                                      ? *memory.straight_faces
+                                      : Straight_faces(connectivity_.number_of_faces(), metric_.points().size());
     if (!metric_.points().empty() && !flips.empty()) {
       Delta_complex copy = connectivity_;
       for (std::size_t i = flips.size(); i-- > 0;)
@@ -349,10 +352,12 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
 {
   Memory& memory = *memory_;
   const Edge_index e = connectivity_.edge(around.ij);
-  const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()], is_long = is_long_hinge(around);
+  const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()],
+             is_long = is_long_hinge(around);
   using Faces = Memory::Developed_faces;
-  if (Faces& faces = memory.developed_faces;
-      is_close_call || (is_long && memory.credit > 0) || faces.contains(connectivity_.face(around.ij)) || faces.contains(connectivity_.face(around.ji))) {
+  if (Faces& faces = memory.developed_faces; is_close_call || (is_long && memory.credit > 0) ||
+                                             faces.contains(connectivity_.face(around.ij)) ||
+                                             faces.contains(connectivity_.face(around.ji))) {
     if (is_long && !is_close_call)
       memory.credit -= 1;
     faces.flip(connectivity_, around, is_long ? 2 : 0, [&](Halfedge_index h) -> std::optional<Faces::Known_corner> {
@@ -360,7 +365,8 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
         return Faces::Known_corner{h, straight_corner(h), image_of_straight_corner(h)};
       if (!is_long)
         return std::nullopt;
-      return laid_out(correspondence_.coordinates().side_with_most_crossings(connectivity_, connectivity_.face(h)), *input_surface());
+      return laid_out(correspondence_.coordinates().side_with_most_crossings(connectivity_, connectivity_.face(h)),
+                      *input_surface());
     });
   }
   if (is_close_call)
@@ -437,7 +443,8 @@ Vertex_index Exact_engine::split_edge(Halfedge_index h, const Surface_point& loc
 // \param split_integers splits the faces in the correspondence. An exception leaves everything as it was
 template <class SplitIntegers>
 void Exact_engine::split_faces(const std::vector<Face_index>& faces, std::size_t number_of_new_edges,
-                                 std::size_t number_of_parts, const Surface_point& location, const SplitIntegers& split_integers)
+                               std::size_t number_of_parts, const Surface_point& location,
+                               const SplitIntegers& split_integers)
 {
   Memory& memory = *memory_;
   const bool has_points = !metric_.points().empty();
@@ -478,7 +485,8 @@ Removed_elements Exact_engine::unsplit_edge(Halfedge_index h)
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Removed_elements Exact_engine::unsplit_face(Vertex_index v)
 {
-  const Halfedge_index a = connectivity_.halfedge(v), b = connectivity_.next_around_target(a), c = connectivity_.next_around_target(b);
+  const Halfedge_index a = connectivity_.halfedge(v), b = connectivity_.next_around_target(a),
+                       c = connectivity_.next_around_target(b);
   const std::initializer_list<Face_index> faces{connectivity_.face(a), connectivity_.face(b), connectivity_.face(c)};
   // As in Delta_complex::unsplit_face(), the least one stays.
   join_faces((std::min)(faces), faces);
@@ -525,8 +533,9 @@ std::optional<Exact_engine::Image_corner> Exact_engine::image_of_straight_corner
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::optional<Exact_engine::Image_corner> Exact_engine::image_of_developed_corner(Halfedge_index h) const
 {
-  return memory_->developed_faces.contains(connectivity_.face(h)) ? memory_->developed_faces.image_of_corner(connectivity_, h)
-                                                            : std::nullopt;
+  return memory_->developed_faces.contains(connectivity_.face(h))
+           ? memory_->developed_faces.image_of_corner(connectivity_, h)
+           : std::nullopt;
 }
 
 // A tie seldom comes alone. From the first one on, images of corners in finite fields are carried along by the
@@ -542,8 +551,7 @@ void Exact_engine::carry_images()
 
 // As corner(), from what is kept of tests before.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h,
-                                                        Input_surface& surface)
+Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h, Input_surface& surface)
 {
   Memory& memory = *memory_;
   const Face_index f = connectivity_.face(h);
@@ -551,19 +559,22 @@ Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h,
     return straight_corner(h);
   if (memory.developed_faces.contains(f))
     return memory.developed_faces.corner(connectivity_, h);
-  memory.developed_faces.insert(connectivity_, laid_out(correspondence_.coordinates().side_with_most_crossings(connectivity_, f), surface));
-  return memory.developed_faces.contains(f) ? memory.developed_faces.corner(connectivity_, h) : unfolded_corner(h, surface);
+  memory.developed_faces.insert(
+    connectivity_, laid_out(correspondence_.coordinates().side_with_most_crossings(connectivity_, f), surface));
+  return memory.developed_faces.contains(f) ? memory.developed_faces.corner(connectivity_, h)
+                                            : unfolded_corner(h, surface);
 }
 
 // The corner opposite to h.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Known_corner<Exact_engine::Corner, Exact_engine::Image_corner>
-Exact_engine::laid_out(Halfedge_index h, Input_surface& surface)
+Known_corner<Exact_engine::Corner, Exact_engine::Image_corner> Exact_engine::laid_out(Halfedge_index h,
+                                                                                      Input_surface& surface)
 {
   memory_->credit += flips_for_a_quantity * number_of_quantities(h);
-  return {h, unfolded_corner(h, surface), memory_->image([&] {
-            return Unfolding<Residue_metric>(connectivity_, correspondence_, memory_->images->metric).opposite_corner(h);
-          })};
+  return {
+    h, unfolded_corner(h, surface), memory_->image([&] {
+      return Unfolding<Residue_metric>(connectivity_, correspondence_, memory_->images->metric).opposite_corner(h);
+    })};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -583,10 +594,14 @@ std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::kept_
   find_straight_faces();
   Memory& memory = *memory_;
   std::vector<std::pair<Halfedge_index, Corner>> result;
-  const auto number_of_crossings = [&](Halfedge_index h) { return correspondence_.coordinates().number_of_crossings(connectivity_.edge(h)); };
+  const auto number_of_crossings = [&](Halfedge_index h) {
+    return correspondence_.coordinates().number_of_crossings(connectivity_.edge(h));
+  };
   if (const auto whole = std::exchange(memory.split_face, std::nullopt)) {
     Halfedge_index cheapest = whole->sides[0];
-    const auto cost = [&](Halfedge_index side) { return number_of_crossings(connectivity_.next(side)) + number_of_crossings(connectivity_.prev(side)); };
+    const auto cost = [&](Halfedge_index side) {
+      return number_of_crossings(connectivity_.next(side)) + number_of_crossings(connectivity_.prev(side));
+    };
     for (Halfedge_index side : whole->sides)
       if (cost(side) < cost(cheapest))
         cheapest = side;
@@ -634,30 +649,26 @@ std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::corne
   const Surface_lease surface = input_surface();
   Double_double_metric metric(*surface);
   std::vector<std::pair<Halfedge_index, Corner>> result;
-  Unfolding<Double_double_metric>(connectivity_, correspondence_, metric).for_each_corner_at(v, [&](Halfedge_index h, const Corner& c) {
-    result.emplace_back(h, c);
-  });
+  Unfolding<Double_double_metric>(connectivity_, correspondence_, metric)
+    .for_each_corner_at(v, [&](Halfedge_index h, const Corner& c) { result.emplace_back(h, c); });
   return result;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_engine::Corner Exact_engine::corner(Halfedge_index h,
-                                              Input_surface& surface) const
+Exact_engine::Corner Exact_engine::corner(Halfedge_index h, Input_surface& surface) const
 {
   return is_straight(connectivity_.face(h)) ? straight_corner(h) : unfolded_corner(h, surface);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_engine::Corner Exact_engine::unfolded_corner(Halfedge_index h,
-                                                       Input_surface& surface) const
+Exact_engine::Corner Exact_engine::unfolded_corner(Halfedge_index h, Input_surface& surface) const
 {
   Double_double_metric metric(surface);
   return Unfolding<Double_double_metric>(connectivity_, correspondence_, metric).opposite_corner(h);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Bounded_double_double Exact_engine::squared_length(Edge_index e,
-                                                               Input_surface& surface) const
+Bounded_double_double Exact_engine::squared_length(Edge_index e, Input_surface& surface) const
 {
   Double_double_metric metric(surface);
   return Unfolding<Double_double_metric>(connectivity_, correspondence_, metric).squared_length(e);

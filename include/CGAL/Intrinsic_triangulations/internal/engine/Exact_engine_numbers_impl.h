@@ -109,7 +109,8 @@ double Exact_engine::input_angle(Halfedge_index h) const
 {
   const Standard_arithmetic arithmetic;
   const auto side = rounded_vectors<1>(*input_surface(), [&](auto& metric) {
-    return std::array{Metric_frame<std::decay_t<decltype(metric)>>(correspondence_.input(), metric).ratios(h).at_source};
+    return std::array{
+      Metric_frame<std::decay_t<decltype(metric)>>(correspondence_.input(), metric).ratios(h).at_source};
   });
   return std::atan2((std::max)(side[0].imag(), 0.), side[0].real());
 }
@@ -169,7 +170,8 @@ double Exact_engine::cotangent(Halfedge_index h, const Corner& corner, Input_sur
   const double p = corner.p.hi(), four_areas = corner.four_areas.hi();
   if (corner.four_areas.relative_error() < 0x1p-60 && corner.p.error() < 0x1p-60 * (std::abs(p) + four_areas))
     return p / four_areas;
-  return exact_fallback(surface).cotangent(h, [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
+  return exact_fallback(surface).cotangent(
+    h, [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
 }
 
 // As cotangent(), and zero only for a right angle, else with the right sign.
@@ -177,7 +179,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_engine::signed_cotangent(Halfedge_index h, Input_surface& surface) const
 {
   const Corner c = corner(h, surface);
-  const Sign sign = is_certain(c.p.sign()) ? get_certain(c.p.sign()) : exact_fallback(surface).sign_of_scalar_product(h);
+  const Sign sign =
+    is_certain(c.p.sign()) ? get_certain(c.p.sign()) : exact_fallback(surface).sign_of_scalar_product(h);
   if (sign == ZERO)
     return 0;
   const double value = cotangent(h, c, surface);
@@ -227,9 +230,8 @@ double Exact_engine::cotangent_weight(Edge_index e) const
   const Sign exact_sign = connectivity_.is_self_glued(e) ? POSITIVE : sign_of_cotangents(e, *surface);
   if (exact_sign == ZERO)
     return 0;
-  return CGAL::sign(sum) == exact_sign
-           ? sum
-           : exact_fallback(*surface).sum_of_cotangents(corners_beside(connectivity_, e));
+  return CGAL::sign(sum) == exact_sign ? sum
+                                       : exact_fallback(*surface).sum_of_cotangents(corners_beside(connectivity_, e));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -257,8 +259,7 @@ Exact_engine::Rounded_numbers::Rounded_numbers(const Delta_complex& complex)
   : lengths(complex.number_of_edges(), std::numeric_limits<double>::quiet_NaN()),
     areas(complex.number_of_faces(), std::numeric_limits<double>::quiet_NaN()),
     cotangents(complex.number_of_halfedges(), default_init)
-{
-}
+{}
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_engine::Rounded_numbers::cotangent_weight(const Delta_complex& complex, Edge_index e) const
@@ -276,7 +277,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_engine::Rounded_numbers::angle(Halfedge_index h, double relative_error) const
 {
   const auto& [hi, lo, error] = cotangents[h.idx()];
-  return error < relative_error * 0x1p-11 * (1 + std::abs(hi)) ? std::atan2(1., hi) : std::numeric_limits<double>::quiet_NaN();
+  return error < relative_error * 0x1p-11 * (1 + std::abs(hi)) ? std::atan2(1., hi)
+                                                               : std::numeric_limits<double>::quiet_NaN();
 }
 
 // A corner of a face, and the side that is opposite to it.
@@ -290,7 +292,8 @@ struct Exact_engine::Side_and_corner
   std::array<Real, 3> cotangents() const
   {
     const Real inverse = Real(1) / corner.four_areas;
-    return {corner.p * inverse, (corner.s_first.scaled(2) - corner.p) * inverse, (corner.s_second.scaled(2) - corner.p) * inverse};
+    return {corner.p * inverse, (corner.s_first.scaled(2) - corner.p) * inverse,
+            (corner.s_second.scaled(2) - corner.p) * inverse};
   }
   // Those opposite to the first halfedge of a face and to those that follow. The errors are infinite where the area is not known to
   // be positive.
@@ -302,8 +305,7 @@ struct Exact_engine::Side_and_corner
     }
     const std::array<Real, 3> from_side = cotangents();
     const Halfedge_index first = complex.halfedge(f);
-    const std::size_t turns = side == first ? 0 : side == complex.next(first) ? 1
-                                                                              : 2;
+    const std::size_t turns = side == first ? 0 : side == complex.next(first) ? 1 : 2;
     for (std::size_t i = 0; i < 3; ++i)
       result[(i + turns) % 3] = from_side[i];
   }
@@ -311,8 +313,8 @@ struct Exact_engine::Side_and_corner
 
 // The corner of a face that takes the least time.
 template <class Unfolding_>
-Exact_engine::Side_and_corner<Bounded_double_double>
-Exact_engine::quickest_corner(Face_index f, const Unfolding_& unfolding) const
+Exact_engine::Side_and_corner<Bounded_double_double> Exact_engine::quickest_corner(Face_index f,
+                                                                                   const Unfolding_& unfolding) const
 {
   if (is_straight(f))
     return {connectivity_.halfedge(f), straight_corner(connectivity_.halfedge(f))};
@@ -329,13 +331,13 @@ void Exact_engine::find_cotangents(Face_index f, Face_cotangents& result) const
   const Surface_lease surface = input_surface();
   Double_double_metric metric(*surface);
   metric.interruption().check();
-  quickest_corner(f, Unfolding<Double_double_metric>(connectivity_, correspondence_, metric)).get_cotangents(connectivity_, f, result);
+  quickest_corner(f, Unfolding<Double_double_metric>(connectivity_, correspondence_, metric))
+    .get_cotangents(connectivity_, f, result);
 }
 
 // Nothing but the input and the integers is used, so that flips need not be repeated to find straight faces.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::optional<Exact_engine::Side_and_corner<Double_with_bound>>
-Exact_engine::rounded_corner(Face_index f) const
+std::optional<Exact_engine::Side_and_corner<Double_with_bound>> Exact_engine::rounded_corner(Face_index f) const
 {
   const Standard_arithmetic arithmetic;
   prepare();
@@ -365,8 +367,7 @@ Double_with_bound Exact_engine::rounded_four_areas(Face_index f) const
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_engine::find_numbers(const std::size_t first, const std::size_t last,
-                                  Rounded_numbers& numbers) const
+void Exact_engine::find_numbers(const std::size_t first, const std::size_t last, Rounded_numbers& numbers) const
 {
   using Real = Bounded_double_double;
   prepare();
@@ -393,7 +394,8 @@ void Exact_engine::find_numbers(const std::size_t first, const std::size_t last,
     note_length(h, [&] { return sqrt(c.s_opposite); });
     note_length(second, [&] { return sqrt(c.s_second); });
     note_length(third, [&] { return sqrt(c.s_first); });
-    const std::array<Real, 3> cotangents = certainly(c.four_areas.sign() == POSITIVE) ? at.cotangents() : unknown_cotangents;
+    const std::array<Real, 3> cotangents =
+      certainly(c.four_areas.sign() == POSITIVE) ? at.cotangents() : unknown_cotangents;
     note_cotangent(h, cotangents[0]);
     note_cotangent(second, cotangents[1]);
     note_cotangent(third, cotangents[2]);
@@ -409,7 +411,8 @@ void Exact_engine::find_numbers(const std::size_t first, const std::size_t last,
   const auto find_straight = [&] {
     const auto corners = [&](Face_index f) {
       const Halfedge_index ij = connectivity_.halfedge(f);
-      return Three_corners{connectivity_.source(ij), connectivity_.target(ij), connectivity_.target(connectivity_.next(ij))};
+      return Three_corners{connectivity_.source(ij), connectivity_.target(ij),
+                           connectivity_.target(connectivity_.next(ij))};
     };
     const Two_straight_faces two(metric_.points(), corners(straight[0]), corners(straight[number_of_straight - 1]));
     Two_straight_faces::Numbers known;

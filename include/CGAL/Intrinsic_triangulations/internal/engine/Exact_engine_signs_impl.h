@@ -82,8 +82,7 @@ bool Exact_engine::has_inserted_corner(Halfedge_index h) const
 
 // \param straight_faces those of the memory; if they are const, nothing is remembered
 template <class Straight_faces>
-std::optional<Exact_engine::Test> Exact_engine::test_in_plane(Halfedge_index h,
-                                                                  Straight_faces& straight_faces) const
+std::optional<Exact_engine::Test> Exact_engine::test_in_plane(Halfedge_index h, Straight_faces& straight_faces) const
 {
   const Vertex_positions all = positions();
   if (!straight_faces.are_coplanar(connectivity_, all, h))
@@ -110,8 +109,7 @@ std::optional<Exact_engine::Test> Exact_engine::quick_test(Edge_index e, Effort 
 
 // From the corners beside h.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::optional<Exact_engine::Test> Exact_engine::test_by_corners(Halfedge_index h,
-                                                                    const Opposite_corners& corners) const
+std::optional<Exact_engine::Test> Exact_engine::test_by_corners(Halfedge_index h, const Opposite_corners& corners) const
 {
   const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
   if (is_certain(sign))
@@ -126,13 +124,14 @@ std::optional<Exact_engine::Test> Exact_engine::test_by_corners(Halfedge_index h
 // w_kl = -w_ij A_ijk A_jil / (A_ilk A_jkl): however small w_ij is, its points tell it well.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::optional<Bounded_double_double> Exact_engine::weight_by_other_diagonal(Halfedge_index h,
-                                                                                        const Opposite_corners& corners) const
+                                                                            const Opposite_corners& corners) const
 {
   const Normal_coordinates& coordinates = correspondence_.coordinates();
   if (metric_.points().empty() || coordinates.number_of_crossings(connectivity_.edge(h)) != 1)
     return std::nullopt;
   const Halfedge_index g = connectivity_.opposite(h);
-  for (Halfedge_index side : {connectivity_.next(h), connectivity_.prev(h), connectivity_.next(g), connectivity_.prev(g)})
+  for (Halfedge_index side :
+       {connectivity_.next(h), connectivity_.prev(h), connectivity_.next(g), connectivity_.prev(g)})
     if (!coordinates.is_original(connectivity_.edge(side)) || correspondence_.is_inserted(connectivity_.source(side)))
       return std::nullopt;
   const Bounded_double_double areas = corners.k.four_areas * corners.l.four_areas;
@@ -155,8 +154,7 @@ Exact_engine::Corner Exact_engine::known_corner(Halfedge_index h, Input_surface&
 }
 // On both sides of h.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_engine::Opposite_corners Exact_engine::known_corners(Halfedge_index h,
-                                                               Input_surface& surface) const
+Exact_engine::Opposite_corners Exact_engine::known_corners(Halfedge_index h, Input_surface& surface) const
 {
   return {known_corner(h, surface), known_corner(connectivity_.opposite(h), surface)};
 }
@@ -204,8 +202,8 @@ Sign Exact_engine::sign_by_unfolding(Edge_index e) const
   const Surface_lease surface = input_surface();
   Double_double_metric metric(*surface);
   const Two_corners beside = corners_beside(connectivity_, e);
-  const Opposite_corners corners = unfolded_corners(
-    Unfolding<Double_double_metric>(connectivity_, correspondence_, metric), beside);
+  const Opposite_corners corners =
+    unfolded_corners(Unfolding<Double_double_metric>(connectivity_, correspondence_, metric), beside);
   const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
   return is_certain(sign) ? get_certain(sign) : exact_fallback(*surface).sign_of_cotangents(beside).sign;
 }
@@ -213,9 +211,8 @@ Sign Exact_engine::sign_by_unfolding(Edge_index e) const
 // The sign of the sum of cotangents, if images that were carried along tell that the edge is a tie, or that both
 // faces have no area.
 template <class FindImage>
-std::optional<Sign> Exact_engine::sign_by_images(Edge_index e,
-                                                   const Opposite_corners& corners, Input_surface& surface,
-                                                   const FindImage& find_image) const
+std::optional<Sign> Exact_engine::sign_by_images(Edge_index e, const Opposite_corners& corners, Input_surface& surface,
+                                                 const FindImage& find_image) const
 {
   const Memory& memory = *memory_;
   if (!memory.images || !surface.accepts_probable_ties())
@@ -245,13 +242,11 @@ bool Exact_engine::is_convex(Edge_index e) const
   const Surface_lease surface = input_surface();
   // At both ends of e the two angles have to sum to less than π.
   const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
-  for (const Two_corners& at_end :
-       {Two_corners{connectivity_.next(h), connectivity_.prev(g)},
-        Two_corners{connectivity_.prev(h), connectivity_.next(g)}}) {
+  for (const Two_corners& at_end : {Two_corners{connectivity_.next(h), connectivity_.prev(g)},
+                                    Two_corners{connectivity_.prev(h), connectivity_.next(g)}}) {
     const Uncertain<Sign> sign = internal::sign_of_cotangents(known_corner(at_end.opposite_to_k, *surface),
                                                               known_corner(at_end.opposite_to_l, *surface));
-    if ((is_certain(sign) ? get_certain(sign) : exact_fallback(*surface).sign_of_cotangents(at_end).sign) !=
-        POSITIVE)
+    if ((is_certain(sign) ? get_certain(sign) : exact_fallback(*surface).sign_of_cotangents(at_end).sign) != POSITIVE)
       return false;
   }
   return true;
@@ -303,7 +298,8 @@ Sign Exact_engine::side_of(Halfedge_index h, std::int64_t position, const Surfac
   const Standard_arithmetic arithmetic;
   prepare();
   const auto area_beside = [&](auto& metric) {
-    return Unfolding<std::decay_t<decltype(metric)>>(connectivity_, correspondence_, metric).area_beside(h, position, point);
+    return Unfolding<std::decay_t<decltype(metric)>>(connectivity_, correspondence_, metric)
+      .area_beside(h, position, point);
   };
   Double_metric doubles(correspondence_.input(), metric_, interruption());
   if (const Uncertain<Sign> sign = area_beside(doubles).sign(); is_certain(sign))
@@ -315,9 +311,8 @@ Sign Exact_engine::side_of(Halfedge_index h, std::int64_t position, const Surfac
         if (const std::optional<Sign> sign = side_in_plane(connectivity_, positions(), side, point))
           return *sign * (side == h ? POSITIVE : NEGATIVE);
   }
-  return exact_sign(*input_surface(), area_beside, [&] {
-    return "that a point lies on edge " + std::to_string(connectivity_.edge(h).idx());
-  });
+  return exact_sign(*input_surface(), area_beside,
+                    [&] { return "that a point lies on edge " + std::to_string(connectivity_.edge(h).idx()); });
 }
 
 } // namespace internal

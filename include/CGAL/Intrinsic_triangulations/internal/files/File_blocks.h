@@ -51,8 +51,8 @@ public:
   // \param line_end what ends a line
   File_blocks(const std::string& path, std::uintmax_t size, std::uintmax_t begin, const Progress_function& progress,
               const char line_end = '\n')
-    : path_(path), size_(size), begin_(begin), taken_(begin), progress_(progress),
-      buffer_(size_of_piece), line_end_(line_end)
+    : path_(path), size_(size), begin_(begin), taken_(begin), progress_(progress), buffer_(size_of_piece),
+      line_end_(line_end)
   {
     file_.pubsetbuf(nullptr, 0); // reads go where they are wanted
     file_.open(path, std::ios::in | std::ios::binary);
@@ -69,10 +69,7 @@ public:
   // The place of `first` in the file.
   std::uintmax_t offset() const { return taken_ - static_cast<std::uintmax_t>(end_ - first); }
   // How many bytes there are from `first` to the end of the file.
-  std::uintmax_t left() const
-  {
-    return size_ - (std::min)(size_, offset());
-  }
+  std::uintmax_t left() const { return size_ - (std::min)(size_, offset()); }
 
   // Makes available the rest of the last piece and the next one; false if there is none.
   // \exception Cancelled_error if that is wanted
@@ -90,8 +87,7 @@ public:
       grow(rest);
     else if (rest > 0)
       std::memmove(buffer_.data(), first, rest);
-    const std::streamsize got =
-      file_.sgetn(buffer_.data() + rest, static_cast<std::streamsize>(buffer_.size() - rest));
+    const std::streamsize got = file_.sgetn(buffer_.data() + rest, static_cast<std::streamsize>(buffer_.size() - rest));
     first = buffer_.data();
     end_ = last = first + rest + got;
     taken_ += static_cast<std::uintmax_t>(got);
@@ -146,8 +142,7 @@ private:
     // Of what was to be read: the file may have shrunk, or grown.
     const double all = static_cast<double>(size_) - static_cast<double>(begin_),
                  done = static_cast<double>(taken_ - begin_);
-    if (progress_ && !progress_(done < all ? done / all : done > 0 ? 1
-                                                                   : 0))
+    if (progress_ && !progress_(done < all ? done / all : done > 0 ? 1 : 0))
       throw Cancelled_error(path_ + ": cancelled while it was read");
   }
 

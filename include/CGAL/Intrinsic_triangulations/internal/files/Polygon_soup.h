@@ -93,7 +93,6 @@ private:
   }
 };
 
-
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 

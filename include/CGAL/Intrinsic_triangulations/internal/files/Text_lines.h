@@ -34,12 +34,10 @@ public:
              const Text_encoding& encoding, const std::size_t number = 0, const char comment = '#')
     : file_(path, size, encoding.begin, progress, encoding.line_end), number_(number), last_number_(number),
       comment_(comment)
-  {
-  }
+  {}
   Text_lines(const std::string& path, const std::uintmax_t size, const Progress_function& progress)
     : Text_lines(path, size, progress, find_encoding(path))
-  {
-  }
+  {}
 
   // What is left of the line: the caller moves `p` on. Pointers hold until the next line.
   const char* p = nullptr;
@@ -111,8 +109,7 @@ class Text_reader
 protected:
   Text_reader(const std::string& path, Polygon_soup& soup, const std::uintmax_t size, const Progress_function& progress)
     : path_(path), soup_(soup), lines_(path, size, progress)
-  {
-  }
+  {}
 
   std::string line() const { return "line " + std::to_string(lines_.number()); }
   std::string where(const char* const kind, const std::size_t element) const

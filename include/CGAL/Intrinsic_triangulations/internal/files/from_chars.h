@@ -32,10 +32,7 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 #ifndef _WIN32 // where all standard libraries have the function
-inline double by_strtod(double, const char* text, char** end, locale_t locale)
-{
-  return ::strtod_l(text, end, locale);
-}
+inline double by_strtod(double, const char* text, char** end, locale_t locale) { return ::strtod_l(text, end, locale); }
 inline float by_strtod(float, const char* text, char** end, locale_t locale) { return ::strtof_l(text, end, locale); }
 
 // As std::from_chars(), by the function of C that does the same in a given locale.

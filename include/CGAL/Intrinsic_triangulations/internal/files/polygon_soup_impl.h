@@ -63,9 +63,10 @@ inline void check_contents(const std::string& path)
   const auto begins_with = [&](const char* const word, const std::size_t at) {
     return head.compare(at, std::strlen(word), word) == 0;
   };
-  if (begins_with("\x1f\x8b", 0) || begins_with("PK\3\4", 0) || begins_with("\xfd"
-                                                                            "7zXZ",
-                                                                            0) ||
+  if (begins_with("\x1f\x8b", 0) || begins_with("PK\3\4", 0) ||
+      begins_with("\xfd"
+                  "7zXZ",
+                  0) ||
       begins_with("7z\xbc\xaf", 0))
     refuse_file(path, "the file is compressed: unpack it first");
   if (begins_with("version https://git-lfs", 0))

@@ -31,8 +31,7 @@ class Off_reader : Text_reader
 public:
   Off_reader(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
     : Text_reader(path, soup, size, progress), size_(size)
-  {
-  }
+  {}
 
   void read()
   {

@@ -224,15 +224,14 @@ struct Ply_layout
     explicit Range(const std::string& type)
       : least(is_signed(type) ? -(1LL << (8 * ply_type_size(type) - 1)) : 0),
         greatest((1LL << (8 * ply_type_size(type) - is_signed(type))) - 1)
-    {
-    }
+    {}
     long long least, greatest;
   };
 
   Ply_layout(const Ply_element& element, const Ply_property& property)
     : size(ply_type_size(property.type)), size_of_count(ply_type_size(property.size_type)),
-      is_real(internal::is_real(property.type)),
-      range(is_real ? "char" : property.type), range_of_count(is_list() ? property.size_type : "char"), role(NONE)
+      is_real(internal::is_real(property.type)), range(is_real ? "char" : property.type),
+      range_of_count(is_list() ? property.size_type : "char"), role(NONE)
   {
     static constexpr const char* names[] = {"x", "y", "z"};
     for (std::size_t i = 0; i < 3; ++i)
@@ -303,8 +302,7 @@ class Ply_binary_reader
 public:
   Ply_binary_reader(const std::string& path, const Ply_header& header, Polygon_soup& soup, File_blocks& file)
     : path_(path), header_(header), soup_(soup), file_(file)
-  {
-  }
+  {}
 
   void read()
   {
@@ -414,8 +412,7 @@ private:
       }
       return done;
     };
-    return are_reals_of(8) ? take(double()) : are_reals_of(4) ? take(float())
-                                                              : 0;
+    return are_reals_of(8) ? take(double()) : are_reals_of(4) ? take(float()) : 0;
   }
 
   // Faces of nothing but a byte and three indices, as many as come one after the other. Returns their number.
@@ -503,8 +500,7 @@ public:
     : path_(path), header_(header), soup_(soup),
       lines_(path, size, progress, {header.bytes, line_end}, header.lines - 1, no_comment),
       size_(size - (std::min<std::uintmax_t>)(size, header.bytes))
-  {
-  }
+  {}
 
   void read()
   {
@@ -689,9 +685,9 @@ private:
   Polygon_soup& soup_;
   static constexpr char no_comment = '\n'; // no word begins with it
   Text_lines lines_;
-  const std::uintmax_t size_;                                         // of what follows the header
-  std::size_t first_ = 0, begin_ = 0;                                 // the lines on which the first element begins, and this one
-  std::string surplus_;                                               // what is wrong with the line if there is another behind it
+  const std::uintmax_t size_;         // of what follows the header
+  std::size_t first_ = 0, begin_ = 0; // the lines on which the first element begins, and this one
+  std::string surplus_;               // what is wrong with the line if there is another behind it
   std::size_t last_line_ = (std::numeric_limits<std::size_t>::max)(); // there must be no other then
   const Ply_element* element_ = nullptr;
   std::size_t index_ = 0;              // of the element among those of its kind

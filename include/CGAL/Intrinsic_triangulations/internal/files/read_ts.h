@@ -31,8 +31,7 @@ class Ts_reader : Text_reader
 public:
   Ts_reader(const std::string& path, const std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
     : Text_reader(path, soup, size, progress)
-  {
-  }
+  {}
 
   void read()
   {

@@ -215,8 +215,8 @@ inline double check_coordinate(const std::string& path, const std::string_view w
   case Number_state::NOT_FINITE:
     refuse_file(path, where + ": the coordinate " + quote(word) + " is not finite", Defect::NOT_FINITE, vertex);
   case Number_state::TOO_LARGE:
-    refuse_file(path, where + ": the coordinate " + quote(word) + " is too large for a double",
-                Defect::OUT_OF_RANGE, vertex);
+    refuse_file(path, where + ": the coordinate " + quote(word) + " is too large for a double", Defect::OUT_OF_RANGE,
+                vertex);
   case Number_state::NOT_A_NUMBER:
     break;
   }

@@ -94,18 +94,19 @@ class Delaunay_flipper
   using Flip_outcome = typename Triangulation::Flip_outcome;
   static constexpr bool is_whole = Is_whole_triangulation<Triangulation>::value;
   // Whether the tests of several edges can be made at once.
-  static constexpr bool tests_together = Has_cotangent_bounds<typename Triangulation::Traits>::value && Is_silent<Visitor>::value &&
-                                         std::is_same<ConstraintMap, Static_boolean_property_map<Edge_index, false>>::value;
+  static constexpr bool tests_together =
+    Has_cotangent_bounds<typename Triangulation::Traits>::value && Is_silent<Visitor>::value &&
+    std::is_same<ConstraintMap, Static_boolean_property_map<Edge_index, false>>::value;
 
   static constexpr Edge_index::size_type group_size = 1024;
 
 public:
   // `marks` has one for each edge of the triangulation; those of edges that are to be flipped
   // must be `CANDIDATE`, all others `SETTLED`.
-  Delaunay_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained,
-                   Visitor& visitor, std::uint64_t budget, Edge_marks& marks)
-    : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor),
-      budget_(budget), marks_(marks.data())
+  Delaunay_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained, Visitor& visitor,
+                   std::uint64_t budget, Edge_marks& marks)
+    : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor), budget_(budget),
+      marks_(marks.data())
   {}
 
   const Flip_report& report() const { return report_; }
@@ -143,9 +144,7 @@ public:
   // Ends the run of a whole triangulation that was settled, or whose budget did not suffice.
   Flip_report finish(bool is_settled)
   {
-    const auto is_not_Delaunay = [&](Edge_index e) {
-      return !possibly(triangulation_.is_locally_Delaunay(e));
-    };
+    const auto is_not_Delaunay = [&](Edge_index e) { return !possibly(triangulation_.is_locally_Delaunay(e)); };
     collect(report_.not_flippable, is_not_Delaunay);
     collect(report_.inconsistent, is_not_Delaunay);
     collect(report_.undecided, [&](Edge_index e) {
@@ -345,9 +344,7 @@ private:
   {
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    edges.erase(std::remove_if(edges.begin(), edges.end(),
-                               [&](Edge_index e) { return !still_holds(e); }),
-                edges.end());
+    edges.erase(std::remove_if(edges.begin(), edges.end(), [&](Edge_index e) { return !still_holds(e); }), edges.end());
   }
 
   static void add(std::vector<Edge_index>& edges, const std::vector<Edge_index>& more)

@@ -44,7 +44,8 @@ class Open_edges
 {
 public:
   // \param flipper takes the tests into its report, and asks its visitor
-  Open_edges(Whole_triangulation<Traits> triangulation, const ConstraintMap& is_constrained, Flipper& flipper, Edge_marks& marks)
+  Open_edges(Whole_triangulation<Traits> triangulation, const ConstraintMap& is_constrained, Flipper& flipper,
+             Edge_marks& marks)
     : triangulation_(triangulation), is_constrained_(is_constrained), flipper_(flipper), marks_(marks)
   {
     if constexpr (uses_exact_geometry) // which the threads would ask at once
@@ -95,7 +96,8 @@ private:
     if constexpr (uses_exact_geometry) {
       const Exact_engine& engine = triangulation_.engine();
       const auto test_with = [&](Exact_engine::Effort effort) {
-        return test_open(edges, [&](Edge_index e, Stage_counts& counts) { return answer(engine.quick_test(e, effort), counts); });
+        return test_open(
+          edges, [&](Edge_index e, Stage_counts& counts) { return answer(engine.quick_test(e, effort), counts); });
       };
       if (!test_with(Exact_engine::Effort::IN_PLANE))
         return;

@@ -116,10 +116,9 @@ class Parallel_Delaunay_flipper
 
 public:
   // The marks are all `CANDIDATE`.
-  Parallel_Delaunay_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained,
-                            Visitor& visitor, std::uint64_t budget, Edge_marks& marks)
-    : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor),
-      budget_(budget), marks_(marks)
+  Parallel_Delaunay_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained, Visitor& visitor,
+                            std::uint64_t budget, Edge_marks& marks)
+    : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor), budget_(budget), marks_(marks)
   {}
 
   // Otherwise it would do what a Delaunay_flipper does.
@@ -163,8 +162,7 @@ private:
     for (std::size_t shift : {std::size_t(0), size / 2}) {
       is_first_round_ = shift == 0;
       std::vector<Task> tasks = make_tasks(n, shift, journals);
-      for_each_block<Parallel_tag>(tasks.size(), 1,
-                                   [&](std::size_t i, std::size_t) { settle(tasks[i]); });
+      for_each_block<Parallel_tag>(tasks.size(), 1, [&](std::size_t i, std::size_t) { settle(tasks[i]); });
       postponed_.clear();
       for (Task& task : tasks) {
         exception = exception ? exception : task.exception;
@@ -203,12 +201,11 @@ private:
     try {
       Block block(triangulation_, task.first, task.last, *task.journal);
       Block_visitor visitor(visitor_);
-      Delaunay_flipper<Block, ConstraintMap, Block_visitor> flipper(block, is_constrained_, visitor,
-                                                                    budget_of_block_, marks_);
+      Delaunay_flipper<Block, ConstraintMap, Block_visitor> flipper(block, is_constrained_, visitor, budget_of_block_,
+                                                                    marks_);
       const bool is_settled =
         is_first_round_ ? flipper.settle(task.first, task.last)
-                        : flipper.settle(task.candidates.data(),
-                                         task.candidates.data() + task.candidates.size());
+                        : flipper.settle(task.candidates.data(), task.candidates.data() + task.candidates.size());
       task.report = flipper.report();
       task.postponed = std::move(flipper.postponed());
       task.uncertain = std::move(flipper.uncertain());
@@ -226,7 +223,8 @@ private:
 
   void settle_Delaunay(Flipper& flipper)
   {
-    Open_edges<Traits, ConstraintMap, Flipper>(Whole_triangulation<Traits>(triangulation_), is_constrained_, flipper, marks_)
+    Open_edges<Traits, ConstraintMap, Flipper>(Whole_triangulation<Traits>(triangulation_), is_constrained_, flipper,
+                                               marks_)
       .settle_Delaunay(postponed_);
   }
 

@@ -75,8 +75,8 @@ public:
     std::vector<std::vector<Hinge_halfedges>> journals_;
   };
 
-  Triangulation_block(Triangulation& triangulation, Edge_index::size_type first,
-                      Edge_index::size_type last, std::vector<Hinge_halfedges>& journal)
+  Triangulation_block(Triangulation& triangulation, Edge_index::size_type first, Edge_index::size_type last,
+                      std::vector<Hinge_halfedges>& journal)
     : triangulation_(triangulation), first_(first), size_(last - first), journal_(journal)
   {}
 

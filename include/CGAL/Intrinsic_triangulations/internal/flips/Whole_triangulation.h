@@ -41,7 +41,10 @@ public:
   // Whether bounds that are kept for the corners already tell that e is Delaunay. `false` says nothing.
   // Most edges of an ordinary surface are known to be Delaunay, and this is much faster than a test, with which it
   // never disagrees.
-  bool is_known_Delaunay(Edge_index e) const { return Triangulation::keeps_bounds && triangulation_.bounds_.imply_Delaunay(e); }
+  bool is_known_Delaunay(Edge_index e) const
+  {
+    return Triangulation::keeps_bounds && triangulation_.bounds_.imply_Delaunay(e);
+  }
   // The same for four edges: bit i of the result tells it of the i-th after e. \pre there are that many
   unsigned are_known_Delaunay(Edge_index e) const
   {
@@ -69,7 +72,10 @@ public:
   // It may not be prepared yet.
   Exact_engine& engine() const { return triangulation_.engine_; }
 
-  std::function<bool()> set_interruption(std::function<bool()> go_further) { return engine().set_interruption(std::move(go_further)); }
+  std::function<bool()> set_interruption(std::function<bool()> go_further)
+  {
+    return engine().set_interruption(std::move(go_further));
+  }
 
   // Notes for the statistics that so many edges were found to be Delaunay or not by what is stored.
   void count_as_tested(std::uint64_t number) { triangulation_.number_of_filter_decisions_ += number; }
@@ -78,13 +84,22 @@ public:
   Flip_outcome flip_not_Delaunay(Edge_index e) { return triangulation_.flip_not_Delaunay(e); }
   void flip_back(Edge_index e) { triangulation_.flip_back(e); }
 
-  Vertex_index split_face(const Triangle_piece& piece, const Surface_point& location) { return triangulation_.split_face(piece, location); }
-  Vertex_index split_edge(Halfedge_index h, const Surface_point& location) { return triangulation_.split_edge(h, location); }
+  Vertex_index split_face(const Triangle_piece& piece, const Surface_point& location)
+  {
+    return triangulation_.split_face(piece, location);
+  }
+  Vertex_index split_edge(Halfedge_index h, const Surface_point& location)
+  {
+    return triangulation_.split_edge(h, location);
+  }
   Removed_elements unsplit_face(Vertex_index v) { return triangulation_.unsplit_face(v); }
   Removed_elements unsplit_edge(Halfedge_index h) { return triangulation_.unsplit_edge(h); }
 
   template <class Element>
-  void recompute(Element x) { triangulation_.recompute(x); }
+  void recompute(Element x)
+  {
+    triangulation_.recompute(x);
+  }
 
 private:
   Triangulation& triangulation_;

@@ -35,16 +35,19 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template Flip_report
-flip_all<Sequential_tag, Whole_triangulation<Filtered_edge_length_traits>, Static_boolean_property_map<Edge_index, false>,
-         Observer<Default_visitor>>(Whole_triangulation<Filtered_edge_length_traits>,
-                                    const Static_boolean_property_map<Edge_index, false>&, Observer<Default_visitor>&, std::uint64_t);
+flip_all<Sequential_tag, Whole_triangulation<Filtered_edge_length_traits>,
+         Static_boolean_property_map<Edge_index, false>, Observer<Default_visitor>>(
+  Whole_triangulation<Filtered_edge_length_traits>, const Static_boolean_property_map<Edge_index, false>&,
+  Observer<Default_visitor>&, std::uint64_t);
 
 CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template void
 Face_measurer<Sequential_tag, Filtered_edge_length_traits>::measure(std::size_t, std::size_t, Findings&) const;
 
-CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template int normalize_points<Sequential_tag, Points, Is_used_vertex>(Points&, const Is_used_vertex&);
+CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template int
+normalize_points<Sequential_tag, Points, Is_used_vertex>(Points&, const Is_used_vertex&);
 
-CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template void throw_zero_length<Points>(const Delta_complex&, const Points&, const Defect_tally&);
+CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template void throw_zero_length<Points>(const Delta_complex&, const Points&,
+                                                                             const Defect_tally&);
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

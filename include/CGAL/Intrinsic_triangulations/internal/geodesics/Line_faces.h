@@ -45,16 +45,19 @@ struct Third_corner
 
 // \param corners those of the face of the start, in the order of its coordinates
 template <class Metric>
-Line_beginning<typename Metric::Vector> line_between(const Surface_direction& start, Metric& metric,
-                                                     const typename Metric::Vector& base,
-                                                     const std::array<typename Metric::Vector, 3>& corners, Halfedge_index unit)
+Line_beginning<typename Metric::Vector>
+line_between(const Surface_direction& start, Metric& metric, const typename Metric::Vector& base,
+             const std::array<typename Metric::Vector, 3>& corners, Halfedge_index unit)
 {
   using Vector = typename Metric::Vector;
   const auto real = [&metric](double x) { return Vector(metric.constant(x), metric.constant(0)); };
   const auto& b = start.point.coordinates;
   // Their sum is no input quantity, so positions are multiplied by it.
-  return {base, real(b[0]) * corners[0] + real(b[1]) * corners[1] + real(b[2]) * corners[2], real(b[0]) + real(b[1]) + real(b[2]),
-          real(start.displacement[0]) * (corners[1] - corners[0]) + real(start.displacement[1]) * (corners[2] - corners[0]), unit};
+  return {base, real(b[0]) * corners[0] + real(b[1]) * corners[1] + real(b[2]) * corners[2],
+          real(b[0]) + real(b[1]) + real(b[2]),
+          real(start.displacement[0]) * (corners[1] - corners[0]) +
+            real(start.displacement[1]) * (corners[2] - corners[0]),
+          unit};
 }
 
 // The faces of the input.
@@ -100,7 +103,8 @@ public:
   static constexpr bool has_divisors = true;
 
   Current_faces(const Exact_engine& engine, const Surface_direction& start)
-    : complex(engine.connectivity()), correspondence_(engine.correspondence()), input_(correspondence_.input()), start_(start)
+    : complex(engine.connectivity()), correspondence_(engine.correspondence()), input_(correspondence_.input()),
+      start_(start)
   {
     if (start.point.dimension() == 0)
       begin_at_vertex();

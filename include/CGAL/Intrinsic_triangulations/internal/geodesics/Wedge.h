@@ -66,7 +66,8 @@ public:
   // \param goes_on is called before each attempt; if it returns `false`, the work ends
   // \param after_flip is called after each flip
   template <class May_flip, class Go_on, class After_flip>
-  Wedge_outcome shorten(const Wedge& wedge, const May_flip& may_flip, const Go_on& goes_on, const After_flip& after_flip)
+  Wedge_outcome shorten(const Wedge& wedge, const May_flip& may_flip, const Go_on& goes_on,
+                        const After_flip& after_flip)
   {
     // Where edges are loops at this very vertex, a flip can bring new edges into the wedge.
     std::size_t rest = 64;
@@ -93,7 +94,8 @@ public:
       }
       h = complex().next_around_source(h);
     }
-    for (Halfedge_index h = complex().next_around_source(wedge.first); h != wedge.last; h = complex().next_around_source(h))
+    for (Halfedge_index h = complex().next_around_source(wedge.first); h != wedge.last;
+         h = complex().next_around_source(h))
       is_blocked = is_blocked || compare_end_with_pi(h) == SMALLER;
     return is_blocked ? Wedge_outcome::BLOCKED : Wedge_outcome::SHORTENED;
   }
@@ -127,8 +129,9 @@ private:
     for (Estimated_corner& corner : corners_) {
       const Halfedge_index h = corner.opposite;
       const auto face = triangulation_.face_data(complex().face(h));
-      corner.angle = bounded_angle(
-        twice_scalar_product(squared(complex().next(h)), squared(complex().prev(h)), squared(h)), face.value, face.error);
+      corner.angle =
+        bounded_angle(twice_scalar_product(squared(complex().next(h)), squared(complex().prev(h)), squared(h)),
+                      face.value, face.error);
       sum += corner.angle;
     }
     return sum;

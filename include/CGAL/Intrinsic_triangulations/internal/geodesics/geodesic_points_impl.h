@@ -21,7 +21,8 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // The source of h in the input face into which h leaves it. \pre h runs along no input edge
-inline Surface_point source_on_input(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h)
+inline Surface_point source_on_input(const Delta_complex& complex, const Correspondence& correspondence,
+                                     Halfedge_index h)
 {
   const Delta_complex& input = correspondence.input();
   const Vertex_index v = complex.source(h);
@@ -53,8 +54,8 @@ inline Crossed_edges find_crossed_edges(const Exact_engine& engine, Halfedge_ind
 }
 
 // An edge along an input edge, or a part of one.
-inline void append_along_input_edge(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
-                                    std::vector<Surface_point>& points)
+inline void append_along_input_edge(const Delta_complex& complex, const Correspondence& correspondence,
+                                    Halfedge_index h, std::vector<Surface_point>& points)
 {
   const Delta_complex& input = correspondence.input();
   const Halfedge_index along = correspondence.input_halfedge(h);
@@ -74,8 +75,7 @@ inline void append_along_input_edge(const Delta_complex& complex, const Correspo
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void append_input_points(const Exact_engine& engine, Halfedge_index h,
-                         std::vector<Surface_point>& points)
+void append_input_points(const Exact_engine& engine, Halfedge_index h, std::vector<Surface_point>& points)
 {
   const Delta_complex& complex = engine.connectivity();
   const Correspondence& correspondence = engine.correspondence();

@@ -38,8 +38,8 @@ class Geodesic_tracer
 public:
   Geodesic_tracer(const Faces& faces, const Exact_engine& engine, const Surface_direction& start, double length,
                   std::size_t maximum_number)
-    : faces_(faces), complex_(faces.complex), engine_(engine), surface_(engine.input_surface()), metric_(*surface_), start_(start),
-      layout_(faces, metric_), wanted_(length), maximum_number_(maximum_number)
+    : faces_(faces), complex_(faces.complex), engine_(engine), surface_(engine.input_surface()), metric_(*surface_),
+      start_(start), layout_(faces, metric_), wanted_(length), maximum_number_(maximum_number)
   {}
 
   Traced_geodesic operator()()
@@ -85,7 +85,8 @@ private:
     };
     return exact_sign(*surface_, evaluate, [&] {
       return "a line from a point of input face " +
-             std::to_string(engine_.correspondence().input().face(start_.point.halfedge).idx()) + ": that it meets a vertex";
+             std::to_string(engine_.correspondence().input().face(start_.point.halfedge).idx()) +
+             ": that it meets a vertex";
     });
   }
   Sign side_of_corner(int i)
@@ -209,7 +210,8 @@ private:
     const Halfedge_index begin = layout_.entered();
     while (!leads_into_face()) { // counterclockwise
       if (is_border(2))
-        return side_of_direction(0) == POSITIVE && side_of_direction(2) == ZERO ? true : turn_clockwise(); // along the border
+        return side_of_direction(0) == POSITIVE && side_of_direction(2) == ZERO ? true
+                                                                                : turn_clockwise(); // along the border
       move(2, true);
       if (layout_.entered() == begin) // all faces have zero area
         return false;
@@ -236,8 +238,10 @@ private:
     const bool is_at_border = is_border(i);
     move(i, true);
     // Both are positive, however near the line comes to a vertex.
-    const double left = (std::max)(layout_.side_of_corner(0).hi(), smallest), right = (std::max)(-layout_.side_of_corner(1).hi(), smallest);
-    const double of_left = (std::max)(right / (left + right), smallest), of_right = (std::max)(left / (left + right), smallest);
+    const double left = (std::max)(layout_.side_of_corner(0).hi(), smallest),
+                 right = (std::max)(-layout_.side_of_corner(1).hi(), smallest);
+    const double of_left = (std::max)(right / (left + right), smallest),
+                 of_right = (std::max)(left / (left + right), smallest);
     const Surface_point exit{h, {of_right, of_left, 0}};
     const double at = (std::max)(length_, layout_.crossing().hi() * speed_);
     if (!(at < wanted_))
@@ -337,7 +341,8 @@ inline void check_line(const Delta_complex& input, const Surface_direction& star
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Traced_geodesic trace(const Exact_engine& engine, const Surface_direction& start, double length, std::size_t maximum_number)
+Traced_geodesic trace(const Exact_engine& engine, const Surface_direction& start, double length,
+                      std::size_t maximum_number)
 {
   const Standard_arithmetic arithmetic;
   const Delta_complex& input = engine.correspondence().input();
@@ -391,7 +396,8 @@ Surface_direction direction_at_vertex(const Exact_engine& engine, Halfedge_index
       angle += sum;
   }
   if (angle < 0 || fan.empty() || (!is_closed && angle > sum * (1 + 1e-15)))
-    throw Invalid_point_error("at vertex " + std::to_string(input.source(h).idx()) + ", the angle leads beyond the border");
+    throw Invalid_point_error("at vertex " + std::to_string(input.source(h).idx()) +
+                              ", the angle leads beyond the border");
   std::size_t i = 0;
   while (i + 1 < fan.size() && angle > fan[i].angle)
     angle -= fan[i++].angle;

@@ -116,9 +116,8 @@ private:
     if (a.sector != b.sector)
       return a.sector < b.sector;
     if (a.sector == IN_FRONT || a.sector == BEHIND) {
-      const Sign sign = a.face.third_vertex == b.face.third_vertex
-                          ? ZERO
-                          : orientation(a.face.third_vertex, b.face.third_vertex);
+      const Sign sign =
+        a.face.third_vertex == b.face.third_vertex ? ZERO : orientation(a.face.third_vertex, b.face.third_vertex);
       if (sign != ZERO)
         return sign == POSITIVE;
     }
@@ -161,9 +160,9 @@ private:
     // As in is_clearly_bent(). If a product of two coordinates underflows, its error is multiplied by the third.
     if (std::abs(volume) > 0x1p-48 * size + 1e-290 && sum_of_absolute_values(c) < 1e30)
       return volume > 0 ? POSITIVE : NEGATIVE;
-    return CGAL::sign(scalar_product(
-      cross_product(difference<Exact_ring>(points_, u, v), difference<Exact_ring>(points_, u, i)),
-      difference<Exact_ring>(points_, u, j)));
+    return CGAL::sign(
+      scalar_product(cross_product(difference<Exact_ring>(points_, u, v), difference<Exact_ring>(points_, u, i)),
+                     difference<Exact_ring>(points_, u, j)));
   }
 
   // Compares the distances from the line through the edge.
@@ -177,10 +176,7 @@ private:
     return CGAL::sign(scalar_product(m, m) - scalar_product(n, n));
   }
 
-  bool is_on_edge_line(std::uint32_t w) const
-  {
-    return are_collinear(points_[u_], points_[v_], points_[w]);
-  }
+  bool is_on_edge_line(std::uint32_t w) const { return are_collinear(points_[u_], points_[v_], points_[w]); }
 
   const Points& points_;
   const std::uint32_t u_, v_;

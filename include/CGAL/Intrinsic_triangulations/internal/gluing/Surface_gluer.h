@@ -306,8 +306,7 @@ private:
           entry.is_glued = false;
           glued_to_[entry.side] = none;
         }
-        edge.rule = trial >= number_of_trials ? CUT : edge.rule == MATERIAL ? VOID
-                                                                            : MATERIAL;
+        edge.rule = trial >= number_of_trials ? CUT : edge.rule == MATERIAL ? VOID : MATERIAL;
         for (const bool are_hanging : {false, true})
           if (edge.rule != CUT)
             glue(edge, are_hanging);

@@ -75,7 +75,8 @@ public:
   {
     const auto stored = triangulation_.traits().compute_bounded_cotangent_object()(
       triangulation_.face_data(complex_.face(h)), triangulation_.edge_data(complex_.edge(h)),
-      triangulation_.edge_data(complex_.edge(complex_.next(h))), triangulation_.edge_data(complex_.edge(complex_.prev(h))));
+      triangulation_.edge_data(complex_.edge(complex_.next(h))),
+      triangulation_.edge_data(complex_.edge(complex_.prev(h))));
     return stored.error <= accuracy * (1 + std::abs(stored.value)) ? stored.value : triangulation_.cotangent(h);
   }
 

@@ -179,11 +179,7 @@ private:
       const double cot = shapes_.cotangent(next), height = length(base) / (cot + shapes_.cotangent(prev));
       if (height < least_height * length(base))
         thicken(base, cot * height);
-      result_.faces.push_back({{row(base), row(next), row(prev)},
-                               length(base),
-                               cot * height,
-                               height,
-                               share(f)});
+      result_.faces.push_back({{row(base), row(next), row(prev)}, length(base), cot * height, height, share(f)});
     }
   }
 
@@ -224,7 +220,8 @@ private:
       const bool is_left = has_area(h), is_right = has_area(g);
       double cotangents = 0;
       if (is_left && is_right)
-        cotangents = share(complex_.face(h)) * (cotangents_.count(h) + cotangents_.count(g) > 0 ? cotangent(h) + cotangent(g) : weight(e));
+        cotangents = share(complex_.face(h)) *
+                     (cotangents_.count(h) + cotangents_.count(g) > 0 ? cotangent(h) + cotangent(g) : weight(e));
       else if (is_left || is_right) {
         const Halfedge_index side = is_left ? h : g;
         result_.is_border[row_(complex_.source(h))] = result_.is_border[row_(complex_.target(h))] = true;

@@ -28,7 +28,8 @@ bool has_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation)
   const Delta_complex& complex = triangulation.connectivity();
   const Accurate_shapes<Traits> shapes(triangulation);
   for (Halfedge_index h : complex.halfedges())
-    if (!complex.is_border(h) && complex.is_border(complex.opposite(h)) && shapes.has_area(complex.face(h)) && shapes.cotangent(h) < 0)
+    if (!complex.is_border(h) && complex.is_border(complex.opposite(h)) && shapes.has_area(complex.face(h)) &&
+        shapes.cotangent(h) < 0)
       return true;
   return false;
 }
@@ -37,8 +38,8 @@ bool has_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation)
 // needle on the border asks for as many as it is longer than wide: beyond some for each vertex, its angles stay obtuse.
 // \exception Cancelled_error
 template <class Traits>
-std::optional<Intrinsic_triangulation<Traits>> without_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation,
-                                                                     const Interruption& interruption)
+std::optional<Intrinsic_triangulation<Traits>>
+without_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation, const Interruption& interruption)
 {
   if (!has_obtuse_border(triangulation))
     return std::nullopt;
@@ -48,7 +49,8 @@ std::optional<Intrinsic_triangulation<Traits>> without_obtuse_border(const Intri
     return true;
   };
   const std::uint64_t most = 10 * std::uint64_t(triangulation.connectivity().number_of_vertices()) + 1000;
-  refine_Delaunay(*result, parameters::minimum_angle(0.).splits_encroached_edges(true).maximum_number(most).visitor(ask));
+  refine_Delaunay(*result,
+                  parameters::minimum_angle(0.).splits_encroached_edges(true).maximum_number(most).visitor(ask));
   return result;
 }
 

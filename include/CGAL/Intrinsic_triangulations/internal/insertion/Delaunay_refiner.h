@@ -61,12 +61,13 @@ class Delaunay_refiner
 public:
   using Triangulation = Intrinsic_triangulation<Traits>;
 
-  Delaunay_refiner(Triangulation& triangulation, const Refinement_criteria& criteria, std::vector<bool> is_segment, Visitor& visitor,
-                   std::uint64_t maximum_number)
+  Delaunay_refiner(Triangulation& triangulation, const Refinement_criteria& criteria, std::vector<bool> is_segment,
+                   Visitor& visitor, std::uint64_t maximum_number)
     : triangulation_(triangulation), complex_(triangulation.connectivity()), engine_(engine(triangulation)),
       correspondence_(engine_.correspondence()), shapes_(engine_), criteria_(criteria), visitor_(visitor),
-      maximum_number_(maximum_number), faces_(triangulation), segments_(complex_, correspondence_, shapes_, faces_, std::move(is_segment)),
-      cones_(engine_, shapes_), sine_of_minimum_angle_(std::sin(criteria.minimum_angle / 180 * CGAL_PI))
+      maximum_number_(maximum_number), faces_(triangulation),
+      segments_(complex_, correspondence_, shapes_, faces_, std::move(is_segment)), cones_(engine_, shapes_),
+      sine_of_minimum_angle_(std::sin(criteria.minimum_angle / 180 * CGAL_PI))
   {}
 
   Refinement_report operator()()
@@ -76,7 +77,10 @@ public:
   }
 
   // Asks the visitor once more within a step.
-  bool asks_further() { return visitor_.go_further(Progress{0, 0, report_.flips, report_.insertions + report_.segment_splits}); }
+  bool asks_further()
+  {
+    return visitor_.go_further(Progress{0, 0, report_.flips, report_.insertions + report_.segment_splits});
+  }
 
 private:
   void refine_all()
@@ -158,13 +162,15 @@ private:
   // What the areas of faces tell: of those that are too large, and of thin ones with sides of the present size.
   std::uint64_t estimated_points() const
   {
-    const double largest_edge = (std::min)(criteria_.maximum_edge_length, std::sqrt(3.) * criteria_.maximum_circumradius);
+    const double largest_edge =
+      (std::min)(criteria_.maximum_edge_length, std::sqrt(3.) * criteria_.maximum_circumradius);
     double sum = 0;
     for (Face_index f : complex_.faces()) {
       if (!is_bad(f) || left_.count(f) != 0)
         continue;
       const Halfedge_index longest = faces_.longest_side(f);
-      const double l = faces_.length(longest), area = l * l * faces_.apex(longest).imag() / 2, s = faces_.length(faces_.shortest_side(f));
+      const double l = faces_.length(longest), area = l * l * faces_.apex(longest).imag() / 2,
+                   s = faces_.length(faces_.shortest_side(f));
       if (is_too_large(f))
         sum += area / (largest_edge * largest_edge) / 0.45;
       else if (s < 2 * progress_.size)
@@ -184,10 +190,14 @@ private:
   }
   bool is_segment(Halfedge_index h) const { return segments_.contains(h); }
 
-  bool is_below_smallest_size(Face_index f) const { return faces_.length(faces_.shortest_side(f)) < criteria_.minimum_size; }
+  bool is_below_smallest_size(Face_index f) const
+  {
+    return faces_.length(faces_.shortest_side(f)) < criteria_.minimum_size;
+  }
   bool is_too_large(Face_index f) const
   {
-    return faces_.length(faces_.longest_side(f)) > criteria_.maximum_edge_length || faces_.circumradius(f) > criteria_.maximum_circumradius;
+    return faces_.length(faces_.longest_side(f)) > criteria_.maximum_edge_length ||
+           faces_.circumradius(f) > criteria_.maximum_circumradius;
   }
   // The sine of the smallest angle is the shortest side over the diameter of the circumcircle.
   bool has_small_angle(Face_index f) const
@@ -213,7 +223,8 @@ private:
   }
   bool is_to_be_enlarged(Halfedge_index corner) const
   {
-    return is_too_small(faces_.angle(corner)) && !obstacle_at(corner) && !segments_.is_between_shells(complex_.next(corner));
+    return is_too_small(faces_.angle(corner)) && !obstacle_at(corner) &&
+           !segments_.is_between_shells(complex_.next(corner));
   }
   // The number of roots of two that a length is worth, rounded down.
   static int half_octave(double length)
@@ -261,7 +272,8 @@ private:
     for (Vertex_index v : complex_.vertices()) {
       if (!complex_.halfedge(v).is_valid() || correspondence_.is_inserted(v))
         continue;
-      if (!is_on_border[v.idx()] && sum[v.idx()] < smallest_whole_cone && (segments_.is_empty() || !segments_.has_segment(v)))
+      if (!is_on_border[v.idx()] && sum[v.idx()] < smallest_whole_cone &&
+          (segments_.is_empty() || !segments_.has_segment(v)))
         cones_.add(v, sum[v.idx()]);
       segments_.find_small_corner(v);
     }
@@ -278,7 +290,8 @@ private:
           nearest = h;
       const double radius = (std::min)(faces_.length(nearest) / 3, cones_.radius_of_input_faces(v) / 2);
       const double t = radius / faces_.length(nearest);
-      const auto place = point_on_input(engine_, shapes_, nearest, {1 - t, t, 0}, [&](Halfedge_index x) { return faces_.apex(x); });
+      const auto place =
+        point_on_input(engine_, shapes_, nearest, {1 - t, t, 0}, [&](Halfedge_index x) { return faces_.apex(x); });
       if (!(t > 0) || !place)
         continue;
       const std::optional<Vertex_index> p = insert(*place);
@@ -333,7 +346,8 @@ private:
   std::optional<Walk_end> walk(Halfedge_index h, Plane_point end) const
   {
     return walk_straight(
-      complex_, h, 0.5, end, false, [&](Halfedge_index g) { return faces_.apex(g); }, [&](Edge_index e) { return segments_.contains(e); });
+      complex_, h, 0.5, end, false, [&](Halfedge_index g) { return faces_.apex(g); },
+      [&](Edge_index e) { return segments_.contains(e); });
   }
   std::optional<Refinement_obstacle> insert_or_split(Face_index f, const std::optional<Walk_end>& end)
   {
@@ -343,7 +357,8 @@ private:
       return split(f, complex_.edge(end->barrier));
     if (const std::optional<Edge_index> e = segments_.encroached_by(*end))
       return split(f, *e);
-    const auto place = point_on_input(engine_, shapes_, end->halfedge, end->weights, [&](Halfedge_index g) { return faces_.apex(g); });
+    const auto place =
+      point_on_input(engine_, shapes_, end->halfedge, end->weights, [&](Halfedge_index g) { return faces_.apex(g); });
     if (!place)
       return Refinement_obstacle::UNREPRESENTABLE;
     if (cones_.is_too_close(place->point))
@@ -365,7 +380,8 @@ private:
   // the angles opposite to it are smaller than those at the base.
   std::optional<Refinement_obstacle> insert_at_centroid(Face_index f)
   {
-    const auto place = point_on_input(engine_, shapes_, complex_.halfedge(f), {1. / 3, 1. / 3, 1. / 3}, [&](Halfedge_index g) { return faces_.apex(g); });
+    const auto place = point_on_input(engine_, shapes_, complex_.halfedge(f), {1. / 3, 1. / 3, 1. / 3},
+                                      [&](Halfedge_index g) { return faces_.apex(g); });
     if (!place || is_too_fine(f, place->point) || !insert(*place))
       return Refinement_obstacle::UNREPRESENTABLE;
     return std::nullopt;
@@ -398,7 +414,8 @@ private:
   bool split_segment(Edge_index e)
   {
     const Delta_complex& input = correspondence_.input();
-    if (!correspondence_.coordinates().is_original(e) || complex_.is_self_glued(e) || side_without_area(triangulation_, e))
+    if (!correspondence_.coordinates().is_original(e) || complex_.is_self_glued(e) ||
+        side_without_area(triangulation_, e))
       return false;
     Halfedge_index h = complex_.halfedge(e), along = correspondence_.input_halfedge(h);
     if (input.is_border(along)) {
@@ -415,7 +432,8 @@ private:
     const double t = std::ldexp(std::nearbyint(std::ldexp(segments_.split_position(h, begin, end), 52)), -52);
     if (!(begin < t && t < end))
       return false;
-    const Vertex_index v = Whole_triangulation<Traits>(triangulation_).split_edge(h, Surface_point{along, {1 - t, t, 0}});
+    const Vertex_index v =
+      Whole_triangulation<Traits>(triangulation_).split_edge(h, Surface_point{along, {1 - t, t, 0}});
     ++report_.segment_splits;
     segments_.resize();
     // Of the edges that lead to the new vertex, these are its parts.
@@ -433,14 +451,17 @@ private:
   {
     segments_.resize();
     flipped_.clear();
-    const auto is_fixed = boost::make_function_property_map<Edge_index, bool>([&](Edge_index e) { return segments_.contains(e); });
+    const auto is_fixed =
+      boost::make_function_property_map<Edge_index, bool>([&](Edge_index e) { return segments_.contains(e); });
     settle_around(triangulation_, v, is_fixed, stack_, [&](Edge_index e) {
       ++report_.flips;
       flipped_.push_back(e);
     });
     visitor_.after_insertion(v);
     faces_.measure_star(v);
-    const auto is_at_v = [&](Edge_index e) { return complex_.source(complex_.halfedge(e)) == v || complex_.target(complex_.halfedge(e)) == v; };
+    const auto is_at_v = [&](Edge_index e) {
+      return complex_.source(complex_.halfedge(e)) == v || complex_.target(complex_.halfedge(e)) == v;
+    };
     flipped_.erase(std::remove_if(flipped_.begin(), flipped_.end(), is_at_v), flipped_.end());
     for (Edge_index e : flipped_)
       faces_.measure(e);

@@ -107,7 +107,10 @@ public:
   }
 
 private:
-  double squared_length(Edge_index e) const { return triangulation_.traits().compute_squared_length_object()(triangulation_.edge_data(e)); }
+  double squared_length(Edge_index e) const
+  {
+    return triangulation_.traits().compute_squared_length_object()(triangulation_.edge_data(e));
+  }
   // Whether the numbers that flips keep are good to 30 bits.
   bool has_good_length(Edge_index e) const
   {

@@ -64,7 +64,8 @@ private:
 };
 
 // The piece at the source of an input halfedge, to the left of that. O(number of edges around the source).
-inline Triangle_piece piece_at_source(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index input_halfedge)
+inline Triangle_piece piece_at_source(const Delta_complex& complex, const Correspondence& correspondence,
+                                      Halfedge_index input_halfedge)
 {
   const auto [side, position] =
     start_of_input_edge(complex, correspondence, correspondence.input().source(input_halfedge), input_halfedge);

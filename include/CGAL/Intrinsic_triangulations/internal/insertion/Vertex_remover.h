@@ -63,8 +63,9 @@ public:
     }
     if (!removed) {
       settle(triangulation_, is_constrained_, changed_, [](Edge_index) {});
-      throw Invalid_removal_error("vertex " + std::to_string(v_.idx()) +
-                                  " cannot be removed: edges lead from it back to itself, and flips do not end that. Keep it");
+      throw Invalid_removal_error(
+        "vertex " + std::to_string(v_.idx()) +
+        " cannot be removed: edges lead from it back to itself, and flips do not end that. Keep it");
     }
     settle_after(*removed);
     return *removed;
@@ -79,8 +80,8 @@ private:
     for (Edge_index e : changed_)
       if (std::find(removed.edges.begin(), removed.edges.end(), e) == removed.edges.end())
         stack.push_back(removed.edge_after(e));
-    const auto is_constrained =
-      boost::make_function_property_map<Edge_index, bool>([&](Edge_index e) { return get(is_constrained_, removed.edge_before(e)); });
+    const auto is_constrained = boost::make_function_property_map<Edge_index, bool>(
+      [&](Edge_index e) { return get(is_constrained_, removed.edge_before(e)); });
     settle(triangulation_, is_constrained, stack, [](Edge_index) {});
   }
 
@@ -110,8 +111,9 @@ private:
         are_halves = are_halves && coordinates.is_original(complex_.edge(h));
       }
     if (!result.empty() && !(result.size() == 2 && are_halves))
-      throw Invalid_removal_error("vertex " + std::to_string(v_.idx()) + " is an end of constrained edges that are not the two "
-                                                                         "halves of an input edge: remove the constraints first");
+      throw Invalid_removal_error("vertex " + std::to_string(v_.idx()) +
+                                  " is an end of constrained edges that are not the two "
+                                  "halves of an input edge: remove the constraints first");
     return result;
   }
 
@@ -131,7 +133,8 @@ private:
     const auto last_turn = [this](Edge_index e) {
       return std::find(turned_.rbegin(), turned_.rend(), e) - turned_.rbegin();
     };
-    std::stable_sort(edges.begin(), edges.end(), [&](Edge_index e, Edge_index f) { return last_turn(e) > last_turn(f); });
+    std::stable_sort(edges.begin(), edges.end(),
+                     [&](Edge_index e, Edge_index f) { return last_turn(e) > last_turn(f); });
     for (Edge_index e : edges)
       if (flip(e, 0)) {
         turned_.push_back(e);

@@ -57,7 +57,8 @@ public:
       squared_lengths_.push_back(engine.metric().squared_length_double_double(input_, e).hi());
     four_areas_.reserve(input_.number_of_faces());
     for (Face_index f : input_.faces())
-      four_areas_.push_back(engine.has_input_face_area(f) ? engine.metric().four_areas_double_double(input_, f).hi() : 0);
+      four_areas_.push_back(engine.has_input_face_area(f) ? engine.metric().four_areas_double_double(input_, f).hi()
+                                                          : 0);
   }
 
   // In the internal unit.
@@ -86,7 +87,8 @@ inline Face_index input_face(const Exact_engine& engine, const Triangle_piece& p
   const std::int64_t n = correspondence.coordinates().crossings(complex.edge(piece.side));
   if (n > 0) {
     const Halfedge_index crossed =
-      Crossed_halfedges(complex, correspondence, piece.side, engine.interruption())[std::size_t((std::max)(std::int64_t(0), piece.gap - 1))];
+      Crossed_halfedges(complex, correspondence, piece.side,
+                        engine.interruption())[std::size_t((std::max)(std::int64_t(0), piece.gap - 1))];
     return input.face(piece.gap > 0 ? crossed : input.opposite(crossed));
   }
   return uncrossed_input_face(complex, correspondence, piece.side);

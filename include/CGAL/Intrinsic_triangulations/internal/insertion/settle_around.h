@@ -41,7 +41,8 @@ void settle(Intrinsic_triangulation<Traits>& triangulation, const ConstraintMap&
       engine(triangulation).interruption().check();
     const Edge_index e = stack.back();
     stack.pop_back();
-    if (!complex.is_flippable(e) || whole.is_known_Delaunay(e) || get(is_constrained, e) || possibly(whole.test_and_recompute(e)))
+    if (!complex.is_flippable(e) || whole.is_known_Delaunay(e) || get(is_constrained, e) ||
+        possibly(whole.test_and_recompute(e)))
       continue;
     const Hinge_halfedges around = complex.hinge(e);
     if (whole.flip_not_Delaunay(around) != Flip_outcome::FLIPPED)

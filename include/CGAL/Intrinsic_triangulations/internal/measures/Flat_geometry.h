@@ -60,10 +60,7 @@ struct Difference<Double_double>
 template <>
 struct Difference<Bounded_double_double>
 {
-  Bounded_double_double operator()(double a, double b) const
-  {
-    return Bounded_double_double::difference(a, b);
-  }
+  Bounded_double_double operator()(double a, double b) const { return Bounded_double_double::difference(a, b); }
 };
 
 template <class FT>
@@ -93,29 +90,24 @@ inline double sum_of_absolute_values(const Vector_3<double>& v)
 
 // A volume far above its rounding errors, which are less than 2^-48 of the product of the
 // sums of the absolute values.
-inline bool is_clearly_bent(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k,
-                            Vertex_index l)
+inline bool is_clearly_bent(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k, Vertex_index l)
 {
   const auto a = difference<double>(points, i, j), b = difference<double>(points, i, k),
              c = difference<double>(points, i, l);
   return std::abs(scalar_product(cross_product(a, b), c)) >
-         0x1p-48 * sum_of_absolute_values(a) * sum_of_absolute_values(b) *
-             sum_of_absolute_values(c) +
-           1e-290;
+         0x1p-48 * sum_of_absolute_values(a) * sum_of_absolute_values(b) * sum_of_absolute_values(c) + 1e-290;
 }
 
 // Whether four points are seen to lie in one plane without any product, as most that do:
 // in a plane parallel to two axes, or as corners k, i, l, j of a parallelogram.
-inline bool is_clearly_coplanar(const Points& points, Vertex_index i, Vertex_index j,
-                                Vertex_index k, Vertex_index l)
+inline bool is_clearly_coplanar(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k, Vertex_index l)
 {
   const auto &p = points[i.idx()], &q = points[j.idx()], &r = points[k.idx()], &s = points[l.idx()];
   for (int c = 0; c < 3; ++c)
     if (p[c] == q[c] && p[c] == r[c] && p[c] == s[c])
       return true;
   for (int c = 0; c < 3; ++c) {
-    const Double_double one = Double_double::difference(r[c], p[c]),
-                        other = Double_double::difference(q[c], s[c]);
+    const Double_double one = Double_double::difference(r[c], p[c]), other = Double_double::difference(q[c], s[c]);
     if (one.hi != other.hi || one.lo != other.lo)
       return false;
   }
@@ -124,8 +116,7 @@ inline bool is_clearly_coplanar(const Points& points, Vertex_index i, Vertex_ind
 
 // The sign of scalar_product(a × b, c × d) for vectors from one vertex to another.
 using Vertex_pair = std::pair<Vertex_index, Vertex_index>;
-inline Sign sign_of_normals(const Points& points, Vertex_pair a, Vertex_pair b, Vertex_pair c,
-                            Vertex_pair d)
+inline Sign sign_of_normals(const Points& points, Vertex_pair a, Vertex_pair b, Vertex_pair c, Vertex_pair d)
 {
   // In double the error is less than 2^-48 of the product of the sums of the absolute values.
   const auto length = [&](Vertex_pair v) {
@@ -151,9 +142,8 @@ inline bool are_coplanar(const Points& points, Vertex_index i, Vertex_index j, V
     return false;
   const auto volume = [&](auto zero) {
     using FT = decltype(zero);
-    return scalar_product(
-      cross_product(difference<FT>(points, i, j), difference<FT>(points, i, k)),
-      difference<FT>(points, i, l));
+    return scalar_product(cross_product(difference<FT>(points, i, j), difference<FT>(points, i, k)),
+                          difference<FT>(points, i, l));
   };
   if (is_clearly_coplanar(points, i, j, k, l))
     return true;
@@ -166,8 +156,8 @@ inline bool are_coplanar(const Points& points, Vertex_index i, Vertex_index j, V
 inline bool is_flat(const Delta_complex& complex, const Points& points, Halfedge_index ij)
 {
   const Halfedge_index ji = complex.opposite(ij);
-  const Vertex_index i = complex.source(ij), j = complex.target(ij),
-                     k = complex.target(complex.next(ij)), l = complex.target(complex.next(ji));
+  const Vertex_index i = complex.source(ij), j = complex.target(ij), k = complex.target(complex.next(ij)),
+                     l = complex.target(complex.next(ji));
   return are_coplanar(points, i, j, k, l) && sign_of_normals(points, {i, j}, {i, k}, {i, l}, {i, j}) == POSITIVE;
 }
 

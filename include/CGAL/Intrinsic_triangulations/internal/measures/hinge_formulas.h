@@ -132,8 +132,8 @@ FT Delaunay_value(const FT& p_k, const FT& a_ijk, const FT& p_l, const FT& a_jil
 /// This takes one division, no root, and no differences except in x and y. If all radicals
 /// in the input are areas of input faces, so are those in the output: they never nest.
 template <class FT>
-void flip_hinge(const FT& s_ij, const FT& s_jk, const FT& s_ki, const FT& s_il, const FT& s_lj,
-                const FT& a_ijk, const FT& a_jil, FT& s_kl, FT& a_ilk, FT& a_jkl)
+void flip_hinge(const FT& s_ij, const FT& s_jk, const FT& s_ki, const FT& s_il, const FT& s_lj, const FT& a_ijk,
+                const FT& a_jil, FT& s_kl, FT& a_ilk, FT& a_jkl)
 {
   const FT x_k = twice_scalar_product(s_ki, s_ij, s_jk);
   const FT x_l = twice_scalar_product(s_il, s_ij, s_lj);

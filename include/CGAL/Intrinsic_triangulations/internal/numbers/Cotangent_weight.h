@@ -73,8 +73,7 @@ void require_positive_areas(const Triangulation& triangulation, Edge_index e)
 }
 
 template <class Triangulation>
-BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& triangulation,
-                                                      Edge_index e)
+BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& triangulation, Edge_index e)
 {
   if constexpr (Triangulation::uses_exact_geometry)
     if (e.idx() % 61 == 0) // the clock is as slow as a weight; a prime, as numbers of edges have periods
@@ -87,8 +86,7 @@ BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& trian
                                   " is beyond the range of double");
   // The sum of two rounded cotangents can be negative where the test of the number type,
   // which is not made from the same sum, says that it is not.
-  if (weight < 0 && !triangulation.connectivity().is_border(e) &&
-      certainly(triangulation.is_locally_Delaunay(e)))
+  if (weight < 0 && !triangulation.connectivity().is_border(e) && certainly(triangulation.is_locally_Delaunay(e)))
     return 0;
   return weight;
 }
@@ -142,7 +140,7 @@ public:
   // Opposite to h; zero on the border.
   Number operator()(const Exact_engine& engine, Halfedge_index h)
   {
-  const Delta_complex& complex = engine.connectivity();
+    const Delta_complex& complex = engine.connectivity();
     if (complex.is_border(h))
       return {};
     if (entries_.empty())
@@ -155,8 +153,7 @@ public:
       entry.face = f;
     }
     const Halfedge_index first = complex.halfedge(f);
-    return entry.cotangents[h == first ? 0 : h == complex.next(first) ? 1
-                                                                      : 2];
+    return entry.cotangents[h == first ? 0 : h == complex.next(first) ? 1 : 2];
   }
 
 private:
@@ -177,13 +174,8 @@ class Cotangent_weight
 public:
   static constexpr bool has_threads = is_for_threads<typename Traits::Edge_data>;
 
-  explicit Cotangent_weight(const Intrinsic_triangulation<Traits>& triangulation)
-    : triangulation_(triangulation)
-  {}
-  double operator()(Edge_index e) const
-  {
-    return cotangent_weight_by_number_type(triangulation_, e);
-  }
+  explicit Cotangent_weight(const Intrinsic_triangulation<Traits>& triangulation) : triangulation_(triangulation) {}
+  double operator()(Edge_index e) const { return cotangent_weight_by_number_type(triangulation_, e); }
 
 private:
   const Intrinsic_triangulation<Traits>& triangulation_;

@@ -89,7 +89,8 @@ private:
       return true;
     const Face_index f = complex_.face(h);
     if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry)
-      if (triangulation_.traits().has_positive_area_object()(triangulation_.face_data(f))) // mostly known, and sooner than by memory
+      if (triangulation_.traits().has_positive_area_object()(
+            triangulation_.face_data(f))) // mostly known, and sooner than by memory
         return true;
     std::int8_t& answer = has_area_[f.idx()];
     if (answer == unknown)
@@ -302,7 +303,8 @@ private:
         smallest_from_above = (std::min)(smallest_from_above, high);
         // The bounds are rounded. An edge with one face on both sides is Delaunay, whatever its weight.
         if (low < margin(low))
-          summary.negative += (high < -margin(high) && complex_.is_flippable(e)) || !certainly(triangulation_.is_locally_Delaunay(e));
+          summary.negative +=
+            (high < -margin(high) && complex_.is_flippable(e)) || !certainly(triangulation_.is_locally_Delaunay(e));
       }
     }
     // The bounds are those of the exact weight; what is reported is rounded once more.

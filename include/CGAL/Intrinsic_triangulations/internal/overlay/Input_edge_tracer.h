@@ -41,10 +41,8 @@ public:
   };
 
   // \param overlay has numbers for the segments of intrinsic edges when the first edge is traced
-  Input_edge_tracer(const Delta_complex& intrinsic, const Correspondence& correspondence,
-                    const Overlay_arrays& overlay)
-    : intrinsic_(intrinsic), correspondence_(correspondence), input_(correspondence.input()),
-      overlay_(overlay)
+  Input_edge_tracer(const Delta_complex& intrinsic, const Correspondence& correspondence, const Overlay_arrays& overlay)
+    : intrinsic_(intrinsic), correspondence_(correspondence), input_(correspondence.input()), overlay_(overlay)
   {}
 
   // The vertex where an input edge ends, or an inserted one on it.

@@ -20,7 +20,8 @@ namespace Intrinsic_triangulations {
 
 namespace internal {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::string difference_of_overlays(const Overlay& overlay, const Incremental_overlay& incremental)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::string difference_of_overlays(const Overlay& overlay,
+                                                                        const Incremental_overlay& incremental)
 {
   using Halfedge = Overlay::Halfedge;
   using Vertex = Overlay::Vertex;
@@ -59,8 +60,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::string difference_of_overlays(const Ov
 
 } // namespace internal
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool are_same_overlay(const Overlay& overlay, const Incremental_overlay& incremental,
-                                                           bool verbose)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool are_same_overlay(const Overlay& overlay,
+                                                           const Incremental_overlay& incremental, bool verbose)
 {
   const std::string difference = internal::difference_of_overlays(overlay, incremental);
   if (verbose && !difference.empty())

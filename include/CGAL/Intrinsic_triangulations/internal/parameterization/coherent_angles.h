@@ -45,8 +45,7 @@ struct Coherent_angles
 // \param complex the triangles
 // \param lengths the length of each edge
 // \param areas the area of each face. O(size).
-inline std::vector<double> opposite_angles(const Delta_complex& complex,
-                                           const std::vector<double>& lengths,
+inline std::vector<double> opposite_angles(const Delta_complex& complex, const std::vector<double>& lengths,
                                            const std::vector<double>& areas)
 {
   CGAL_precondition(lengths.size() == complex.number_of_edges());
@@ -55,8 +54,7 @@ inline std::vector<double> opposite_angles(const Delta_complex& complex,
   for (Halfedge_index h : complex.halfedges()) {
     if (complex.is_border(h))
       continue;
-    const double c = lengths[complex.edge(h).idx()],
-                 a = lengths[complex.edge(complex.next(h)).idx()],
+    const double c = lengths[complex.edge(h).idx()], a = lengths[complex.edge(complex.next(h)).idx()],
                  b = lengths[complex.edge(complex.prev(h)).idx()];
     // Twice the cross product and twice the scalar product of the other sides.
     angles[h.idx()] = std::atan2(4 * areas[complex.face(h).idx()], a * a + (b - c) * (b + c));
@@ -108,8 +106,7 @@ class Angle_optimizer
   };
 
 public:
-  Angle_optimizer(const Delta_complex& complex, const std::vector<double>& angles,
-                  const std::vector<double>& margins)
+  Angle_optimizer(const Delta_complex& complex, const std::vector<double>& angles, const std::vector<double>& margins)
     : complex_(complex), unknown_(complex.number_of_halfedges(), -1)
   {
     number_unknowns(angles, margins);
@@ -146,23 +143,18 @@ private:
       if (!complex_.is_border(h)) {
         const double given = angles[h.idx()];
         given_[unknown_[h.idx()]] = given;
-        lowest_[unknown_[h.idx()]] =
-          (std::min)(given / 2, margins[complex_.target(complex_.next(h)).idx()]);
+        lowest_[unknown_[h.idx()]] = (std::min)(given / 2, margins[complex_.target(complex_.next(h)).idx()]);
       }
     for (Edge_index e : complex_.edges())
       if (!complex_.is_border(e))
         edges_.push_back(e);
     highest_.resize(Eigen::Index(edges_.size()));
     for (std::size_t i = 0; i < edges_.size(); ++i)
-      highest_[Eigen::Index(i)] =
-        boost::math::constants::pi<double>() - edge_margin(complex_, margins, edges_[i]);
+      highest_[Eigen::Index(i)] = boost::math::constants::pi<double>() - edge_margin(complex_, margins, edges_[i]);
   }
 
   int left(std::size_t i) const { return unknown_[complex_.halfedge(edges_[i]).idx()]; }
-  int right(std::size_t i) const
-  {
-    return unknown_[complex_.opposite(complex_.halfedge(edges_[i])).idx()];
-  }
+  int right(std::size_t i) const { return unknown_[complex_.opposite(complex_.halfedge(edges_[i])).idx()]; }
 
   // The angles of a face sum to pi, those around an inner vertex to 2 pi.
   void build_equations()
@@ -229,8 +221,7 @@ private:
 
   double gap() const
   {
-    return ((slack_ * dual_).sum() + (edge_slack_ * edge_dual_).sum()) /
-           double(slack_.size() + edge_slack_.size());
+    return ((slack_ * dual_).sum() + (edge_slack_ * edge_dual_).sum()) / double(slack_.size() + edge_slack_.size());
   }
 
   void factorize()
@@ -248,8 +239,7 @@ private:
     }
     for (Halfedge_index h : complex_.halfedges())
       if (!complex_.is_border(h) && complex_.is_border(complex_.opposite(h)))
-        entries.emplace_back(unknown_[h.idx()], unknown_[h.idx()],
-                             1 / diagonal[unknown_[h.idx()]]);
+        entries.emplace_back(unknown_[h.idx()], unknown_[h.idx()], 1 / diagonal[unknown_[h.idx()]]);
     inverse_.resize(given_.size(), given_.size());
     inverse_.setFromTriplets(entries.begin(), entries.end());
     const Matrix schur = equations_ * inverse_ * Matrix(equations_.transpose());
@@ -266,8 +256,7 @@ private:
     Array right_side = -gradient_ + (target - dual_ * slack_error_) / slack_;
     add_to_sides(right_side, -(edge_target - edge_dual_ * edge_slack_error_) / edge_slack_);
     const Eigen::VectorXd inverse_right = inverse_ * right_side.matrix();
-    d.y = cholesky_->solve(Eigen::VectorXd(equations_ * inverse_right + equation_error_.matrix()))
-            .array();
+    d.y = cholesky_->solve(Eigen::VectorXd(equations_ * inverse_right + equation_error_.matrix())).array();
     d.x = (inverse_right - inverse_ * (equations_.transpose() * d.y.matrix())).array();
     d.slack = d.x + slack_error_;
     d.edge_slack = -edge_sums(d.x) + edge_slack_error_;
@@ -299,14 +288,11 @@ private:
     const double trial = longest_step(predictor);
     const double trial_gap =
       (((slack_ + trial * predictor.slack) * (dual_ + trial * predictor.dual)).sum() +
-       ((edge_slack_ + trial * predictor.edge_slack) *
-        (edge_dual_ + trial * predictor.edge_dual))
-         .sum()) /
+       ((edge_slack_ + trial * predictor.edge_slack) * (edge_dual_ + trial * predictor.edge_dual)).sum()) /
       double(slack_.size() + edge_slack_.size());
     const double center = std::pow(trial_gap / old_gap, 3) * old_gap;
-    const Direction d = direction(
-      center - slack_ * dual_ - predictor.slack * predictor.dual,
-      center - edge_slack_ * edge_dual_ - predictor.edge_slack * predictor.edge_dual);
+    const Direction d = direction(center - slack_ * dual_ - predictor.slack * predictor.dual,
+                                  center - edge_slack_ * edge_dual_ - predictor.edge_slack * predictor.edge_dual);
     const double t = (std::min)(1., 0.99 * longest_step(d));
     x_ += t * d.x;
     y_ += t * d.y;
@@ -365,10 +351,8 @@ private:
 // vertex if that is more.
 // Source: L. Kharevych, B. Springborn, P. Schröder, "Discrete conformal mappings via circle
 // patterns", 2006, section 3.
-inline Coherent_angles find_coherent_angles(const Delta_complex& complex,
-                                            const std::vector<double>& angles,
-                                            double margin = 1e-3,
-                                            const Progress_function& progress = {})
+inline Coherent_angles find_coherent_angles(const Delta_complex& complex, const std::vector<double>& angles,
+                                            double margin = 1e-3, const Progress_function& progress = {})
 {
   CGAL_precondition(angles.size() == complex.number_of_halfedges());
   const std::vector<int> corners = numbers_of_corners(complex);
@@ -376,8 +360,8 @@ inline Coherent_angles find_coherent_angles(const Delta_complex& complex,
     const Halfedge_index h = complex.halfedge(v);
     if (h.is_valid() && !complex.is_border(h) && corners[v.idx()] < 3)
       throw Invalid_surface_error(Invalid_surface_error::Defect::WRONG_TOPOLOGY, v.idx(), 1,
-                                  "the " + std::to_string(corners[v.idx()]) +
-                                    " corners at inner vertex " + std::to_string(v.idx()) +
+                                  "the " + std::to_string(corners[v.idx()]) + " corners at inner vertex " +
+                                    std::to_string(v.idx()) +
                                     " cannot be flattened: their angles are less than pi each and "
                                     "would have to sum to 2 pi; remove the vertex, or cut the "
                                     "surface open there");
@@ -388,13 +372,11 @@ inline Coherent_angles find_coherent_angles(const Delta_complex& complex,
   for (Edge_index e : complex.edges()) {
     const Halfedge_index h = complex.halfedge(e);
     if (!complex.is_border(e) && angles[h.idx()] + angles[complex.opposite(h).idx()] >
-                                   boost::math::constants::pi<double>() -
-                                     edge_margin(complex, margins, e))
+                                   boost::math::constants::pi<double>() - edge_margin(complex, margins, e))
       ++result.number_of_clipped_edges;
   }
   for (std::size_t h = 0; h < angles.size(); ++h)
-    result.largest_change =
-      (std::max)(result.largest_change, std::abs(result.angles[h] - angles[h]));
+    result.largest_change = (std::max)(result.largest_change, std::abs(result.angles[h] - angles[h]));
   return result;
 }
 

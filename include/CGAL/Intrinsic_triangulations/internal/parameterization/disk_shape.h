@@ -82,8 +82,7 @@ inline std::size_t number_of_vertices_with_faces(const Delta_complex& complex)
 
 using Planar_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-inline Orientation planar_orientation(const std::array<double, 2>& p,
-                                      const std::array<double, 2>& q,
+inline Orientation planar_orientation(const std::array<double, 2>& p, const std::array<double, 2>& q,
                                       const std::array<double, 2>& r)
 {
   using Point = Planar_kernel::Point_2;
@@ -110,8 +109,7 @@ inline double root_of_sum(const std::vector<double>& areas)
 }
 
 // The lengths of the edges of a boundary.
-inline std::vector<double> boundary_lengths(const Delta_complex& complex,
-                                            const std::vector<Halfedge_index>& boundary,
+inline std::vector<double> boundary_lengths(const Delta_complex& complex, const std::vector<Halfedge_index>& boundary,
                                             const std::vector<double>& edge_lengths)
 {
   std::vector<double> lengths;

@@ -34,23 +34,20 @@ std::vector<int> numbering(std::size_t size, int& number, const Is_wanted& is_wa
 }
 
 // Solves matrix * x = 0 for the rows that are not fixed, where x has given values in the others.
-inline void solve_with_fixed_values(const Eigen::SparseMatrix<double>& matrix,
-                                    const std::vector<bool>& is_fixed, Eigen::MatrixXd& x,
-                                    const char* what)
+inline void solve_with_fixed_values(const Eigen::SparseMatrix<double>& matrix, const std::vector<bool>& is_fixed,
+                                    Eigen::MatrixXd& x, const char* what)
 {
   int number_of_free = 0, number_of_fixed = 0;
-  const std::vector<int> free_row = numbering(is_fixed.size(), number_of_free,
-                                              [&](std::size_t i) { return !is_fixed[i]; }),
+  const std::vector<int> free_row =
+                           numbering(is_fixed.size(), number_of_free, [&](std::size_t i) { return !is_fixed[i]; }),
                          fixed_row = numbering(is_fixed.size(), number_of_fixed,
                                                [&](std::size_t i) { return bool(is_fixed[i]); });
   Eigen::MatrixXd fixed(number_of_fixed, x.cols());
   for (std::size_t i = 0; i < is_fixed.size(); ++i)
     if (is_fixed[i])
       fixed.row(fixed_row[i]) = x.row(Eigen::Index(i));
-  const Sparse_Cholesky<> cholesky(
-    submatrix(matrix, free_row, free_row, number_of_free, number_of_free), what);
-  const Eigen::MatrixXd right =
-    -(submatrix(matrix, free_row, fixed_row, number_of_free, number_of_fixed) * fixed);
+  const Sparse_Cholesky<> cholesky(submatrix(matrix, free_row, free_row, number_of_free, number_of_free), what);
+  const Eigen::MatrixXd right = -(submatrix(matrix, free_row, fixed_row, number_of_free, number_of_fixed) * fixed);
   const Eigen::MatrixXd solution = cholesky.solve(right);
   for (std::size_t i = 0; i < is_fixed.size(); ++i)
     if (!is_fixed[i])

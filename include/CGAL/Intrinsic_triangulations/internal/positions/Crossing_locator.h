@@ -41,10 +41,7 @@ struct Located
   bool is_good; // whether the value is within 2^-53 of x, relative to x
 };
 
-inline Located located(const Bounded_double_double& x)
-{
-  return {x.hi(), x.error() <= 0x1p-53 * std::abs(x.hi())};
-}
+inline Located located(const Bounded_double_double& x) { return {x.hi(), x.error() <= 0x1p-53 * std::abs(x.hi())}; }
 inline Located located(const Mpfr_interval& x)
 {
   const double low = x.lower_double(), high = x.upper_double();

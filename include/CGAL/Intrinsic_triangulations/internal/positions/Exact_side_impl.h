@@ -29,8 +29,7 @@ namespace internal {
 // The coordinates relative to another halfedge of the face.
 template <class Metric>
 std::array<typename Metric::Real, 3> coordinates_from(Metric& metric, const Delta_complex& complex,
-                                                      const Surface_point& point,
-                                                      Halfedge_index first)
+                                                      const Surface_point& point, Halfedge_index first)
 {
   const std::size_t i = side_number(complex, point.halfedge, first);
   const Coordinates& b = point.coordinates;
@@ -87,8 +86,7 @@ std::optional<Sign> Exact_side::of_input_chord(Overlay::Halfedge chord, Halfedge
     const auto two_s = corner.s_first + corner.s_first;
     const Vector scale((b[0] + b[1] + b[2]) * two_s, zero);
     const Vector from_source(b[1] * two_s + b[2] * corner.p, b[2] * corner.four_areas);
-    const Vector p = is_left ? strip.target() * from_source
-                             : strip.target() * scale - strip.target() * from_source;
+    const Vector p = is_left ? strip.target() * from_source : strip.target() * scale - strip.target() * from_source;
     return area_between(p - triangle.left * scale, triangle.right - triangle.left);
   };
   const Sign result =

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Overlay_positions::find_crossings(const internal::Exact_engine& engine, const Overlay& overlay,
-                                       std::size_t first, std::size_t last, const internal::Loop_progress& progress)
+void Overlay_positions::find_crossings(const internal::Exact_engine& engine, const Overlay& overlay, std::size_t first,
+                                       std::size_t last, const internal::Loop_progress& progress)
 {
   const Delta_complex& intrinsic = engine.connectivity();
   const internal::Exact_engine::Surface_lease surface = engine.input_surface();

@@ -33,8 +33,8 @@ struct Corner_in_both
 using Corners_in_both = boost::container::static_vector<Corner_in_both, 6>;
 
 template <class From, class To>
-Corners_in_both corners_in_both(const From& from, Halfedge_index from_first, const To& to,
-                                Halfedge_index to_first, Overlay::Face f)
+Corners_in_both corners_in_both(const From& from, Halfedge_index from_first, const To& to, Halfedge_index to_first,
+                                Overlay::Face f)
 {
   Corners_in_both corners;
   const Overlay::Halfedge first = from.overlay.halfedge(f);

@@ -32,14 +32,11 @@ template <class Number>
 BOOST_FORCEINLINE Number unfused(Number x)
 {
 #if defined(__GNUC__) && defined(__SSE2_MATH__)
-  asm(""
-      : "+x"(x));
+  asm("" : "+x"(x));
 #elif defined(__GNUC__) && defined(__aarch64__)
-  asm(""
-      : "+w"(x));
+  asm("" : "+w"(x));
 #elif defined(__GNUC__)
-  asm(""
-      : "+m"(x));
+  asm("" : "+m"(x));
 #else
   volatile Number opaque = x;
   x = opaque;

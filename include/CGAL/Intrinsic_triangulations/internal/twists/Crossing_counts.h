@@ -110,14 +110,16 @@ private:
     // Counted from i, the segments that end in k cross ij after above_i others, those that end in l after below_i.
     if ((std::max)(above_i, below_i) < (std::min)(Integer(above_i + from_k), Integer(below_i + from_l)))
       return -1;
-    return above_k + below_l + leaving(jk, n_ij, ki) + leaving(ki, n_ij, jk) + leaving(il, n_ij, lj) + leaving(lj, n_ij, il) +
-           visible(above_i - below_i - from_l) + visible(below_i - above_i - from_k) + (ij < 0 ? 1 : 0);
+    return above_k + below_l + leaving(jk, n_ij, ki) + leaving(ki, n_ij, jk) + leaving(il, n_ij, lj) +
+           leaving(lj, n_ij, il) + visible(above_i - below_i - from_l) + visible(below_i - above_i - from_k) +
+           (ij < 0 ? 1 : 0);
   }
 
   void flip(const Delta_complex& complex, const Hinge_halfedges& around)
   {
     Integer& ij = counts_[complex.edge(around.ij).idx()];
-    ij = flipped(ij, count(around.jk, complex), count(around.ki, complex), count(around.il, complex), count(around.lj, complex));
+    ij = flipped(ij, count(around.jk, complex), count(around.ki, complex), count(around.il, complex),
+                 count(around.lj, complex));
   }
 
   // The counts n(k) of the edges u_k = u_0 + k a across a tube, of which two consecutive ones are there at a time. Each segment that
@@ -132,7 +134,8 @@ private:
     void advance(Integer& first, Integer& second, Integer m) const
     {
       const Integer x = visible(first), y = visible(second);
-      const Integer from_bottom = leaving(x, a_, y) + leaving(y, a_, x) + leaving(b_, x, y) + (first < 0 ? 1 : 0) + (second < 0 ? 1 : 0);
+      const Integer from_bottom =
+        leaving(x, a_, y) + leaving(y, a_, x) + leaving(b_, x, y) + (first < 0 ? 1 : 0) + (second < 0 ? 1 : 0);
       const Integer n = a_ + from_bottom, ends = from_bottom + n - b_;
       while (m > 0) {
         const Integer slope = visible(second) - visible(first);

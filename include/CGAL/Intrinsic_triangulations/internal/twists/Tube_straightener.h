@@ -139,7 +139,8 @@ private:
     for (int i = 0; i > steps; --i)
       turn_left(tube.loop);
     result_.twists.push_back({tube.loop, power});
-    result_.number_of_flips += boost::multiprecision::abs(power); // CGAL::abs() would name traits that its boost_mp.h specializes
+    result_.number_of_flips +=
+      boost::multiprecision::abs(power); // CGAL::abs() would name traits that its boost_mp.h specializes
     result_.number_of_steps += std::uint64_t(steps < 0 ? -steps : steps);
     has_changed_ = true;
     return true;

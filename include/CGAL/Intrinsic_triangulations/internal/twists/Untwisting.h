@@ -22,7 +22,8 @@ namespace Intrinsic_triangulations {
 struct Twist
 {
   Halfedge_index loop; ///< a side of the tube, with the tube to its left
-  Integer power;       ///< the number of flips; positive if they turn the far side to the right, as `Crossing_counts::twist()` explains
+  Integer
+    power; ///< the number of flips; positive if they turn the far side to the right, as `Crossing_counts::twist()` explains
 };
 
 /// \ingroup PkgIntrinsicTriangulationsTwists

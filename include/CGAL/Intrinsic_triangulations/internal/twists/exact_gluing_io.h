@@ -46,7 +46,8 @@ public:
   {
     is_squared_ = version == "2";
     if (!is_squared_ && version != "1")
-      throw Line_defect{Defect::UNREADABLE, "asks for version " + shown_text(version) + " of the format; there are 1 and 2"};
+      throw Line_defect{Defect::UNREADABLE,
+                        "asks for version " + shown_text(version) + " of the format; there are 1 and 2"};
   }
 
   void add(const std::string& field)
@@ -60,9 +61,11 @@ public:
     const std::string above = field.substr(0, slash), below = slash == field.size() ? "1" : field.substr(slash + 1);
     Integer n, d;
     if (!parse(above, n) || !parse(below, d) || d == 0)
-      throw Line_defect{Defect::UNREADABLE, "has '" + shown_text(field) + "' where a squared length is expected, an integer or a fraction of two"};
+      throw Line_defect{Defect::UNREADABLE, "has '" + shown_text(field) +
+                                              "' where a squared length is expected, an integer or a fraction of two"};
     if (n == 0)
-      throw Line_defect{Defect::ZERO_LENGTH_EDGE, "has the squared length " + shown_text(field) + ", which is not positive"};
+      throw Line_defect{Defect::ZERO_LENGTH_EDGE,
+                        "has the squared length " + shown_text(field) + ", which is not positive"};
     squared_lengths.push_back(Rational(n, d));
   }
 
@@ -96,14 +99,16 @@ private:
 /// \exception Invalid_surface_error if a squared length is not positive, or there are
 ///   more than a million isolated vertices. Then nothing is written. O(size).
 /// \pre `squared_lengths.size() == complex.number_of_edges()`
-inline void write_exact_gluing(std::ostream& os, const Delta_complex& complex, const std::vector<internal::Rational>& squared_lengths)
+inline void write_exact_gluing(std::ostream& os, const Delta_complex& complex,
+                               const std::vector<internal::Rational>& squared_lengths)
 {
   CGAL_precondition(squared_lengths.size() == complex.number_of_edges());
   for (Edge_index e : complex.edges())
     if (squared_lengths[e.idx()] <= 0)
       throw Invalid_surface_error(Invalid_surface_error::Defect::ZERO_LENGTH_EDGE, e.idx(), 1,
                                   "edge " + std::to_string(e.idx()) + " does not have a positive length");
-  internal::write_gluing_text(os, complex, 2, [&](std::ostream& text, Edge_index e) { text << squared_lengths[e.idx()].str(); });
+  internal::write_gluing_text(os, complex, 2,
+                              [&](std::ostream& text, Edge_index e) { text << squared_lengths[e.idx()].str(); });
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIO

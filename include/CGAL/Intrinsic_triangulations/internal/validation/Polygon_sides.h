@@ -67,8 +67,7 @@ public:
 
   Polygon_sides(const std::size_t number_of_vertices, const std::size_t number_of_faces)
     : number_of_vertices_(number_of_vertices), number_of_faces_(number_of_faces)
-  {
-  }
+  {}
 
   // Copies the corners; false if there are no faces, or too many elements. The corners of a face with a bad index
   // all become `none`, so that nothing later looks at that face.
@@ -111,8 +110,7 @@ public:
   void sort_sides()
   {
     bucket_begin_.assign(number_of_vertices_ + 2, 0);
-    for_each_side(
-      [this](const Index s, const Index t) { ++bucket_begin_[(std::min)(corners_[s], corners_[t]) + 2]; });
+    for_each_side([this](const Index s, const Index t) { ++bucket_begin_[(std::min)(corners_[s], corners_[t]) + 2]; });
     std::partial_sum(bucket_begin_.begin(), bucket_begin_.end(), bucket_begin_.begin());
     sides_.resize(bucket_begin_.back());
     for_each_side([this](const Index s, const Index t) {
@@ -133,10 +131,7 @@ public:
 
   // The vertex of a corner.
   Index vertex(const std::size_t corner) const { return corners_[corner]; }
-  std::size_t begin_of_face(const std::size_t face) const
-  {
-    return all_triangles_ ? 3 * face : first_corner_[face];
-  }
+  std::size_t begin_of_face(const std::size_t face) const { return all_triangles_ ? 3 * face : first_corner_[face]; }
   std::size_t degree(const std::size_t face) const { return begin_of_face(face + 1) - begin_of_face(face); }
   std::size_t face_of_corner(const std::size_t corner) const
   {
@@ -166,10 +161,7 @@ public:
   // to before bucket_begin(vertex + 1). \pre for these and what follows: the sides are sorted
   std::size_t bucket_begin(const std::size_t vertex) const { return bucket_begin_[vertex]; }
   const Side& side(const std::size_t position) const { return sides_[position]; }
-  std::size_t face_of_side(const std::size_t position) const
-  {
-    return face_of_corner(sides_[position].source);
-  }
+  std::size_t face_of_side(const std::size_t position) const { return face_of_corner(sides_[position].source); }
   bool leaves(const Side& side, const std::size_t vertex) const { return corners_[side.source] == vertex; }
   // The vertex of a triangle that is not on a side, or `none` if the face is not a triangle.
   Index third_vertex(const Side& side) const

@@ -51,8 +51,8 @@ public:
       return angle_is_smallest(0, 0) ? remove_from_plane() : std::nullopt;
     const std::size_t a = ridges_[0], b = ridges_[1];
     const Point p = end(a), q = end(b);
-    if (!collinear(p, center_, q) || !collinear_are_strictly_ordered_along_line(p, center_, q) || !angle_is_smallest(a, b) ||
-        !angle_is_smallest(b, a))
+    if (!collinear(p, center_, q) || !collinear_are_strictly_ordered_along_line(p, center_, q) ||
+        !angle_is_smallest(a, b) || !angle_is_smallest(b, a))
       return std::nullopt;
     link_spokes();
     flip_away(b, a); // in the plane of the last question
@@ -339,7 +339,8 @@ private:
   Sign turn_ = POSITIVE;
 };
 
-inline std::vector<Vertex_index> remove_vertices_of(Flat_star& star, Delta_complex& complex, std::vector<std::array<double, 3>>& points,
+inline std::vector<Vertex_index> remove_vertices_of(Flat_star& star, Delta_complex& complex,
+                                                    std::vector<std::array<double, 3>>& points,
                                                     const Progress_function& progress)
 {
   std::vector<Vertex_index> result(complex.vertices().begin(), complex.vertices().end());
@@ -380,8 +381,8 @@ std::vector<Vertex_index> remove_flat_vertices(Delta_complex& complex, std::vect
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Flat_vertex_removal remove_nearly_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points, double tolerance,
-                                                const Progress_function& progress)
+Flat_vertex_removal remove_nearly_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points,
+                                                double tolerance, const Progress_function& progress)
 {
   const internal::Standard_arithmetic arithmetic;
   internal::Flat_star star(complex, points, tolerance);

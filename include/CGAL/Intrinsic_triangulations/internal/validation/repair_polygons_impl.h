@@ -32,8 +32,7 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-inline std::vector<std::array<std::size_t, 3>>
-triangulate_polygon(const std::vector<std::array<double, 3>>& polygon)
+inline std::vector<std::array<std::size_t, 3>> triangulate_polygon(const std::vector<std::array<double, 3>>& polygon)
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
   // Moved and scaled to the size of 1, lest squares and products overflow. Quartered before, for
@@ -48,8 +47,7 @@ triangulate_polygon(const std::vector<std::array<double, 3>>& polygon)
   const int exponent = size > 0 ? std::ilogb(size) : 0;
   std::vector<Point> points;
   for (const std::array<double, 3>& p : places)
-    points.emplace_back(std::ldexp(p[0], -exponent), std::ldexp(p[1], -exponent),
-                        std::ldexp(p[2], -exponent));
+    points.emplace_back(std::ldexp(p[0], -exponent), std::ldexp(p[1], -exponent), std::ldexp(p[2], -exponent));
 
   // Where the polygon is not nearly planar, memory is quadratic and time cubic: with a thousand
   // corners half a minute.
@@ -80,9 +78,7 @@ struct Numbered_point : Simple_cartesian<double>::Point_3
 {
   using Base = Simple_cartesian<double>::Point_3;
   Numbered_point() = default;
-  Numbered_point(const std::array<double, 3>& p, std::size_t number)
-    : Base(p[0], p[1], p[2]), input(number)
-  {}
+  Numbered_point(const std::array<double, 3>& p, std::size_t number) : Base(p[0], p[1], p[2]), input(number) {}
 
   std::size_t input = 0;
   std::size_t group = 0; // points at the same place are one if they have the same
@@ -153,8 +149,7 @@ private:
     report_progress(progress, fraction, "the repair");
   }
 
-  static void add_polygon(std::vector<Numbered_polygon>& polygons, Index input,
-                          const std::vector<Index>& corners)
+  static void add_polygon(std::vector<Numbered_polygon>& polygons, Index input, const std::vector<Index>& corners)
   {
     polygons.emplace_back(corners.begin(), corners.end());
     polygons.back().input = input;
@@ -179,8 +174,8 @@ private:
     for (Index v = 0; v < points_.size(); ++v)
       points_[v].group = may_merge[v] ? 0 : v + 1;
 
-    Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(
-      points_, polygons_, parameters::geom_traits(Numbered_point_traits()));
+    Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(points_, polygons_,
+                                                                    parameters::geom_traits(Numbered_point_traits()));
     representative_.assign(input_points_.size(), none);
     for (Index f = 0; f < polygons_.size(); ++f)
       for (Index i = 0; i < polygons_[f].size(); ++i)
@@ -231,8 +226,8 @@ private:
   void remove_duplicates()
   {
     const std::vector<Index> before = number_of_parts();
-    Polygon_mesh_processing::merge_duplicate_polygons_in_polygon_soup(
-      points_, polygons_, parameters::geom_traits(Numbered_point_traits()));
+    Polygon_mesh_processing::merge_duplicate_polygons_in_polygon_soup(points_, polygons_,
+                                                                      parameters::geom_traits(Numbered_point_traits()));
     std::stable_sort(polygons_.begin(), polygons_.end(),
                      [](const Numbered_polygon& a, const Numbered_polygon& b) { return a.input < b.input; });
     const std::vector<Index> after = number_of_parts();
@@ -397,9 +392,8 @@ private:
 
     const auto vertex = [](Index v) { return "vertex " + std::to_string(v); };
     const auto face = [](Index f) { return "face " + std::to_string(f); };
-    add(Repair_kind::MERGED_VERTEX, merged, [&](Index v) {
-      return vertex(v) + " was merged with " + vertex(merged_with_[v]) + " at the same place";
-    });
+    add(Repair_kind::MERGED_VERTEX, merged,
+        [&](Index v) { return vertex(v) + " was merged with " + vertex(merged_with_[v]) + " at the same place"; });
     add(Repair_kind::COLLAPSED_FACE, collapsed_,
         [&](Index f) { return face(f) + " was removed, as fewer than three of its corners differ"; });
     add(Repair_kind::DUPLICATE_FACE, duplicates,
@@ -409,8 +403,7 @@ private:
              " after it was cut, as other faces have the same corners";
     });
     add(Repair_kind::TRIANGULATED_FACE, triangulated, [&](Index f) {
-      return face(f) + " (" + std::to_string(input_polygons_[f].size()) +
-             " corners) was cut into triangles";
+      return face(f) + " (" + std::to_string(input_polygons_[f].size()) + " corners) was cut into triangles";
     });
     add(Repair_kind::REVERSED_FACE, reversed, [&](Index f) { return face(f) + " was turned over"; });
     add(Repair_kind::SPLIT_VERTEX, split, [&](Index v) {
@@ -433,8 +426,7 @@ private:
   void add(Repair_kind kind, const Element_collector& elements, const Describe& describe)
   {
     if (elements.count() > 0)
-      result_.repairs.push_back(
-        {kind, elements.elements(), elements.count(), describe(elements.first())});
+      result_.repairs.push_back({kind, elements.elements(), elements.count(), describe(elements.first())});
   }
 
   const std::vector<std::array<double, 3>> input_points_;

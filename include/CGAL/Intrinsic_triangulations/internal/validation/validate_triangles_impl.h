@@ -99,8 +99,7 @@ private:
   };
 
   const Coordinates& point(const std::size_t vertex) const { return points_[vertex]; }
-  Finding& add(const Defect defect, const std::size_t count, std::vector<std::size_t> elements,
-               std::string description)
+  Finding& add(const Defect defect, const std::size_t count, std::vector<std::size_t> elements, std::string description)
   {
     report_.findings.push_back(
       Finding{defect, std::move(elements), {}, count, defect <= Defect::OUT_OF_RANGE, std::move(description)});
@@ -301,8 +300,7 @@ private:
     return count;
   }
   // Among the faces at the edges of a bucket that have more than two.
-  void find_duplicates_in_bucket(const std::size_t begin, const std::size_t end,
-                                 const std::vector<Edge_mark>& marks,
+  void find_duplicates_in_bucket(const std::size_t begin, const std::size_t end, const std::vector<Edge_mark>& marks,
                                  std::vector<std::array<Index, 3>>& faces, Element_collector& duplicates) const
   {
     faces.clear();
@@ -377,8 +375,7 @@ private:
       text << "2^1024";
     else
       text << lengths_.longest();
-    text << ") differ by a factor of about 2^"
-         << report_.exponent_of_longest_edge - report_.exponent_of_shortest_edge;
+    text << ") differ by a factor of about 2^" << report_.exponent_of_longest_edge - report_.exponent_of_shortest_edge;
     add_edges(Defect::OUT_OF_RANGE, shortest, text.str());
   }
 
@@ -404,8 +401,8 @@ private:
     std::size_t written = 0;
     for (std::size_t c = 0; c < polygons_.number_of_corners() && written < 2; ++c)
       if (polygons_.vertex(c) == pinched.first() && fans.find(static_cast<Index>(c)) == c)
-        faces += (written++ == 0 ? "one with face " : ", another with face ") +
-                 std::to_string(polygons_.face_of_corner(c));
+        faces +=
+          (written++ == 0 ? "one with face " : ", another with face ") + std::to_string(polygons_.face_of_corner(c));
     add(Defect::NON_MANIFOLD_VERTEX, pinched.count(), pinched.elements(),
         "the faces around vertex " + std::to_string(pinched.first()) + " form " +
           std::to_string(number_of_fans_[pinched.first()]) + " fans that touch only there (" + faces + ")");
@@ -544,8 +541,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void throw_if_fatal(const Surface_report& r
 {
   const Finding* const fatal = report.first_fatal();
   if (fatal != nullptr)
-    throw Invalid_surface_error(fatal->defect, fatal->elements.empty() ? 0 : fatal->elements.front(),
-                                fatal->count, message(report, name));
+    throw Invalid_surface_error(fatal->defect, fatal->elements.empty() ? 0 : fatal->elements.front(), fatal->count,
+                                message(report, name));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

@@ -41,8 +41,7 @@ class Coplanar_hinge
 public:
   // The hinge of ij, of which it is known that is_flat().
   Coplanar_hinge(const Delta_complex& complex, const Points& points, Halfedge_index ij)
-    : points_(points), i_(complex.source(ij)), j_(complex.target(ij)),
-      k_(complex.target(complex.next(ij))),
+    : points_(points), i_(complex.source(ij)), j_(complex.target(ij)), k_(complex.target(complex.next(ij))),
       l_(complex.target(complex.next(complex.opposite(ij))))
   {}
 
@@ -102,8 +101,7 @@ private:
 
   static bool is_right_along_axes(const Sides<double>& s)
   {
-    return (s.u[0] == 0 || s.v[0] == 0) && (s.u[1] == 0 || s.v[1] == 0) &&
-           (s.u[2] == 0 || s.v[2] == 0);
+    return (s.u[0] == 0 || s.v[0] == 0) && (s.u[1] == 0 || s.v[1] == 0) && (s.u[2] == 0 || s.v[2] == 0);
   }
 
   static double largest(const Sides<double>& k, const Sides<double>& l)
@@ -138,8 +136,8 @@ private:
     const double scale = std::ldexp(1., 25 - exponent);
     constexpr double to_integer = 0x1.8p52;
     for (int c = 0; c < 3; ++c) {
-      const std::array<double, 4> x{points_[i_.idx()][c], points_[j_.idx()][c],
-                                    points_[k_.idx()][c], points_[l_.idx()][c]};
+      const std::array<double, 4> x{points_[i_.idx()][c], points_[j_.idx()][c], points_[k_.idx()][c],
+                                    points_[l_.idx()][c]};
       if (x[0] == x[1] && x[0] == x[2] && x[0] == x[3])
         continue;
       for (double each : x) {

@@ -46,17 +46,16 @@ inline Two_corners corners_beside(const Delta_complex& complex, Edge_index e)
 }
 
 template <class Metric>
-internal::Opposite_corners<typename Metric::Real> unfolded_corners(const Unfolding<Metric>& unfolding, const Two_corners& corners)
+internal::Opposite_corners<typename Metric::Real> unfolded_corners(const Unfolding<Metric>& unfolding,
+                                                                   const Two_corners& corners)
 {
-  return {unfolding.opposite_corner(corners.opposite_to_k),
-          unfolding.opposite_corner(corners.opposite_to_l)};
+  return {unfolding.opposite_corner(corners.opposite_to_k), unfolding.opposite_corner(corners.opposite_to_l)};
 }
 
 class Exact_fallback
 {
 public:
-  Exact_fallback(const Delta_complex& complex, const Correspondence& correspondence,
-                 Input_surface& surface)
+  Exact_fallback(const Delta_complex& complex, const Correspondence& correspondence, Input_surface& surface)
     : complex_(complex), correspondence_(correspondence), surface_(surface)
   {}
 
@@ -76,7 +75,9 @@ public:
              Mirror_symmetry(complex_, correspondence_, surface_)(complex_.edge(corners.opposite_to_k)) &&
              has_positive_area(corners.opposite_to_k) && has_positive_area(corners.opposite_to_l);
     };
-    return decided(exact_sign_of(sum, is_symmetric, [&] { return name(corners) + ": that the sum of their angles is pi"; }), corners);
+    return decided(
+      exact_sign_of(sum, is_symmetric, [&] { return name(corners) + ": that the sum of their angles is pi"; }),
+      corners);
   }
 
   // The sign of the area of the face of h.
@@ -135,7 +136,8 @@ public:
         return get_certain(x.sign()) * smallest;
       // Where the sign is open, the middle could be zero.
       const bool is_as_narrow_as_can_be = high - low <= 2 * smallest && is_certain(x.sign());
-      if (magnitude < std::numeric_limits<double>::infinity() && (is_narrow(high - low, magnitude) || is_as_narrow_as_can_be))
+      if (magnitude < std::numeric_limits<double>::infinity() &&
+          (is_narrow(high - low, magnitude) || is_as_narrow_as_can_be))
         return low + (high - low) / 2;
       require_range(x, complex_.face(h));
     }
@@ -191,15 +193,15 @@ private:
   {
     if (decision.sign != ZERO || has_positive_area(corners.opposite_to_k))
       return decision;
-    return {sign_of_tie(sign_of_scalar_product(corners.opposite_to_k),
-                        sign_of_scalar_product(corners.opposite_to_l)),
+    return {sign_of_tie(sign_of_scalar_product(corners.opposite_to_k), sign_of_scalar_product(corners.opposite_to_l)),
             decision.stage, decision.is_rational};
   }
 
   // Whether two corners at one vertex are proven to form an angle of π, or of 0.
   bool is_level(const Two_corners& corners)
   {
-    for (const auto& [g, h] : {std::pair(corners.opposite_to_k, corners.opposite_to_l), std::pair(corners.opposite_to_l, corners.opposite_to_k)})
+    for (const auto& [g, h] : {std::pair(corners.opposite_to_k, corners.opposite_to_l),
+                               std::pair(corners.opposite_to_l, corners.opposite_to_k)})
       if (complex_.opposite(complex_.next(g)) == complex_.prev(h))
         return Level_line(complex_, correspondence_, surface_)(complex_.prev(g), complex_.opposite(complex_.next(h)));
     return false;
@@ -258,11 +260,8 @@ private:
 
   std::string name(const Two_corners& corners) const
   {
-    const auto vertex = [this](Halfedge_index h) {
-      return std::to_string(complex_.target(complex_.next(h)).idx());
-    };
-    return "the corners at vertices " + vertex(corners.opposite_to_k) + " and " +
-           vertex(corners.opposite_to_l);
+    const auto vertex = [this](Halfedge_index h) { return std::to_string(complex_.target(complex_.next(h)).idx()); };
+    return "the corners at vertices " + vertex(corners.opposite_to_k) + " and " + vertex(corners.opposite_to_l);
   }
 
   const Delta_complex& complex_;

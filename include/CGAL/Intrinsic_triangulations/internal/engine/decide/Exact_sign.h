@@ -39,9 +39,7 @@ template <class Evaluate>
 class Exact_sign
 {
 public:
-  Exact_sign(Input_surface& surface, const Evaluate& evaluate)
-    : surface_(surface), evaluate_(evaluate)
-  {}
+  Exact_sign(Input_surface& surface, const Evaluate& evaluate) : surface_(surface), evaluate_(evaluate) {}
 
   // \param proves_zero tries a proof of zero that is particular to the number
   // \param what gives the beginning of the message where a proof is demanded and there is none
@@ -142,8 +140,7 @@ Sign exact_sign(Input_surface& surface, const Evaluate& evaluate, const Describe
 {
   Double_double_metric metric(surface);
   const Uncertain<Sign> sign = evaluate(metric).sign();
-  return is_certain(sign) ? get_certain(sign)
-                          : Exact_sign<Evaluate>(surface, evaluate)(has_no_other_proof, what).sign;
+  return is_certain(sign) ? get_certain(sign) : Exact_sign<Evaluate>(surface, evaluate)(has_no_other_proof, what).sign;
 }
 
 } // namespace internal

@@ -32,8 +32,7 @@ class Mirror_symmetry
 {
 public:
   Mirror_symmetry(const Delta_complex& complex, const Correspondence& correspondence, Input_surface& surface)
-    : complex_(complex), correspondence_(correspondence), input_(correspondence.input()),
-      surface_(surface)
+    : complex_(complex), correspondence_(correspondence), input_(correspondence.input()), surface_(surface)
   {}
 
   // Whether the hinge of e is proven to be symmetric in that way.
@@ -55,14 +54,10 @@ private:
   bool swaps_ends(Halfedge_index za, Halfedge_index ab, Halfedge_index bc)
   {
     const Halfedge_index az = complex_.opposite(za), ba = complex_.opposite(ab);
-    return are_mirror_images(az, bc) && are_mirror_images(ab, ba) &&
-           are_mirror_images(fan(ab, az), fan(bc, ba));
+    return are_mirror_images(az, bc) && are_mirror_images(ab, ba) && are_mirror_images(fan(ab, az), fan(bc, ba));
   }
 
-  bool is_original(Halfedge_index h) const
-  {
-    return correspondence_.coordinates().is_original(complex_.edge(h));
-  }
+  bool is_original(Halfedge_index h) const { return correspondence_.coordinates().is_original(complex_.edge(h)); }
 
   // The input halfedge along h or, clockwise, next to it.
   Halfedge_index reference(Halfedge_index h) const
@@ -92,8 +87,7 @@ private:
   std::int64_t fan_of_corner(Halfedge_index h) const
   {
     const Halfedge_index opposite_side = complex_.next(h), next = complex_.opposite(complex_.prev(h));
-    return correspondence_.coordinates().triangle_crossings(complex_, opposite_side).e_k +
-           (is_original(next) ? 1 : 0);
+    return correspondence_.coordinates().triangle_crossings(complex_, opposite_side).e_k + (is_original(next) ? 1 : 0);
   }
 
   // The first fan is read counterclockwise, the second one clockwise.
@@ -131,8 +125,9 @@ private:
       return true;
     const auto sign =
       (metric.squared_length_double_double(input_, d) - metric.squared_length_double_double(input_, e)).sign();
-    return is_certain(sign) && get_certain(sign) != ZERO ? false
-                                                         : squared_length(metric, input_, d) == squared_length(metric, input_, e);
+    return is_certain(sign) && get_certain(sign) != ZERO
+             ? false
+             : squared_length(metric, input_, d) == squared_length(metric, input_, e);
   }
 
   // Whether two edges have the same extent along each axis, as they have if a plane between two axes mirrors them. A

@@ -208,7 +208,7 @@ private:
   Delta_complex input_;
   Normal_coordinates coordinates_;
   Kept_crossings crossings_;
-  std::vector<Surface_point> locations_;            // of the vertices that follow those of the input
+  std::vector<Surface_point> locations_;  // of the vertices that follow those of the input
   std::optional<Rotation_system> around_; // of the input, for long walks
 };
 

@@ -28,7 +28,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::journaled_flips(const Delta_complex& complex) const
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index>
+Correspondence::journaled_flips(const Delta_complex& complex) const
 {
   std::vector<Edge_index> result;
   result.reserve(journal_.size());
@@ -41,7 +42,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::pre
   return prepare(complex, block_runner<Sequential_tag>());
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::prepare(const Delta_complex& complex, const Block_runner& run)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::prepare(const Delta_complex& complex,
+                                                                                     const Block_runner& run)
 {
   if (is_prepared_ || (knows_input_ && journal_.size() == 0)) {
     is_prepared_ = true;
@@ -80,17 +82,20 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::pre
   return flipped_edges;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::flip_with_crossings(const Delta_complex& complex, const Hinge_halfedges& around)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::flip_with_crossings(const Delta_complex& complex,
+                                                                              const Hinge_halfedges& around)
 {
   const Edge_index e = complex.edge(around.ij);
   Kept_crossings::Flipped flipped{nullptr, 0, coordinates_.number_of_crossings(e)};
   if (!locations_.empty()) // otherwise it is soon found what an edge crosses
-    flipped = crossings_.flipped(complex, coordinates_, around, coordinates_.is_original(e) ? input_halfedge(around.ij) : Halfedge_index());
+    flipped = crossings_.flipped(complex, coordinates_, around,
+                                 coordinates_.is_original(e) ? input_halfedge(around.ij) : Halfedge_index());
   coordinates_.flip(around);
   crossings_.flip(e, std::move(flipped));
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Correspondence::split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location)
 {
   CGAL_precondition(is_prepared_ && location.dimension() == 2);
   make_room(locations_, 1);
@@ -104,7 +109,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_face(const Delta
   }
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_edge(const Delta_complex& complex, Halfedge_index h, const Surface_point& location)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::split_edge(const Delta_complex& complex, Halfedge_index h,
+                                                                     const Surface_point& location)
 {
   CGAL_precondition(is_prepared_ && location.dimension() == 1);
   make_room(locations_, 1);
@@ -136,7 +142,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::remove(const Removed_e
   remove_entries(locations_, removed.vertices, input_.number_of_vertices());
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::shorten_walks(const std::vector<Edge_index>& edges, const Block_runner& run)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::shorten_walks(const std::vector<Edge_index>& edges,
+                                                                        const Block_runner& run)
 {
   try {
     std::vector<Halfedge_index> long_walks;

@@ -48,15 +48,15 @@ class Crossing_sequence
 {
 public:
   // The pairs of neighbouring crossings of h, in order from its source.
-  Crossing_sequence(const Delta_complex& complex, const Correspondence& correspondence,
-                    Halfedge_index h, const Interruption& interruption)
+  Crossing_sequence(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
+                    const Interruption& interruption)
     : complex_(complex), correspondence_(correspondence), coordinates_(correspondence.coordinates()), start_(h),
       interruption_(interruption)
   {
     const std::int64_t n = coordinates_.number_of_crossings(complex.edge(h));
     if (n > largest_number)
-      throw Undecided_error("edge " + std::to_string(complex.edge(h).idx()) + " crosses " +
-                            std::to_string(n) + " input edges, too many to be laid out");
+      throw Undecided_error("edge " + std::to_string(complex.edge(h).idx()) + " crosses " + std::to_string(n) +
+                            " input edges, too many to be laid out");
     if (n < 2)
       return;
     turns_.resize(std::size_t(n - 1), UNKNOWN);
@@ -204,9 +204,7 @@ private:
     if (queue.empty())
       return;
     Block block = queue.pop_front();
-    const auto is_known = [&](std::int64_t pair) {
-      return turns_[std::size_t(number_of(pair))] != UNKNOWN;
-    };
+    const auto is_known = [&](std::int64_t pair) { return turns_[std::size_t(number_of(pair))] != UNKNOWN; };
     while (block.count > 0 && is_known(block.first)) {
       ++block.first;
       ++block.lower;
@@ -262,8 +260,9 @@ private:
   const Normal_coordinates& coordinates_;
   Halfedge_index start_;
   const Interruption& interruption_;
-  boost::container::small_vector<Turn, 64> turns_; // of most edges without asking for memory, which takes as long as to find few of them
-  std::vector<std::array<Link, 2>> links_;         // to the left and to the right; empty until needed
+  boost::container::small_vector<Turn, 64>
+    turns_; // of most edges without asking for memory, which takes as long as to find few of them
+  std::vector<std::array<Link, 2>> links_; // to the left and to the right; empty until needed
   std::vector<std::int64_t> to_pass_on_;
   std::int64_t number_of_unknown_ = 0;
 };
@@ -274,8 +273,8 @@ class Crossed_halfedges
 public:
   // \param is_kept whether they are kept from now on, even if they are few
   // \pre something is crossed
-  Crossed_halfedges(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h, const Interruption& interruption,
-                    bool is_kept = false)
+  Crossed_halfedges(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
+                    const Interruption& interruption, bool is_kept = false)
     : input_(correspondence.input())
   {
     const auto n = std::size_t(correspondence.coordinates().number_of_crossings(complex.edge(h)));
@@ -322,7 +321,8 @@ private:
 
 // Keeps what is crossed in all faces with an edge that crosses many: to be called before the first vertex is inserted, as long as that is
 // found quickly.
-inline void keep_long_crossings(const Delta_complex& complex, const Correspondence& correspondence, const Interruption& interruption)
+inline void keep_long_crossings(const Delta_complex& complex, const Correspondence& correspondence,
+                                const Interruption& interruption)
 {
   const Normal_coordinates& coordinates = correspondence.coordinates();
   for (Edge_index e : complex.edges()) {

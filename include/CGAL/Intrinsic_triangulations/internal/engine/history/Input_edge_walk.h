@@ -34,7 +34,8 @@ class Input_edge_walk
 {
 public:
   // It crosses h to the left, so many crossings after the source of h.
-  Input_edge_walk(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h, std::int64_t position)
+  Input_edge_walk(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
+                  std::int64_t position)
     : complex_(complex), correspondence_(correspondence), halfedge_(h), position_(position)
   {}
 
@@ -86,8 +87,8 @@ struct Input_edge_start
 
 // O(number of edges around v).
 // \pre the input halfedge leaves v, or v lies on it
-inline Input_edge_start start_of_input_edge(const Delta_complex& complex, const Correspondence& correspondence, Vertex_index v,
-                                            Halfedge_index input_halfedge)
+inline Input_edge_start start_of_input_edge(const Delta_complex& complex, const Correspondence& correspondence,
+                                            Vertex_index v, Halfedge_index input_halfedge)
 {
   const Normal_coordinates& coordinates = correspondence.coordinates();
   const Halfedge_index first = complex.opposite(complex.halfedge(v));
@@ -115,13 +116,15 @@ inline Input_edge_start start_of_input_edge(const Delta_complex& complex, const 
 }
 
 // The input face to the left of a halfedge that crosses no input edge.
-inline Face_index uncrossed_input_face(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h)
+inline Face_index uncrossed_input_face(const Delta_complex& complex, const Correspondence& correspondence,
+                                       Halfedge_index h)
 {
   const Delta_complex& input = correspondence.input();
   const Halfedge_index roundabout = correspondence.input_halfedge(h);
   if (!roundabout.is_valid())
     return input.face(correspondence.location(complex.source(h)).halfedge);
-  return input.face(correspondence.coordinates().is_original(complex.edge(h)) ? roundabout : input.opposite(roundabout));
+  return input.face(correspondence.coordinates().is_original(complex.edge(h)) ? roundabout
+                                                                              : input.opposite(roundabout));
 }
 
 // The input halfedge that crosses h from the left to the right, so many crossings after the source of h. Both ends of the

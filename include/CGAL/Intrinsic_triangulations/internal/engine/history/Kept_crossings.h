@@ -61,7 +61,9 @@ public:
   Kept_crossings() = default;
   // What only speeds up queries is not copied.
   Kept_crossings(const Kept_crossings&) {}
-  Kept_crossings(Kept_crossings&& other) noexcept : table_(other.table_.exchange(nullptr)), total_(other.total_.exchange(0)) {}
+  Kept_crossings(Kept_crossings&& other) noexcept
+    : table_(other.table_.exchange(nullptr)), total_(other.total_.exchange(0))
+  {}
   Kept_crossings& operator=(Kept_crossings other) noexcept
   {
     other.table_ = table_.exchange(other.table_);
@@ -249,13 +251,15 @@ private:
     Table& table = *table_;
     Array array;
     if (to_v && to_v->size() != 0)
-      array = copied(to_v->size(), [&](std::size_t i) { return Crossed_range::opposite((*to_v)[to_v->size() - 1 - i]); });
+      array =
+        copied(to_v->size(), [&](std::size_t i) { return Crossed_range::opposite((*to_v)[to_v->size() - 1 - i]); });
     if (array)
       total_ += to_v->size();
     table.slots[table.size++] = array.release();
   }
 
-  std::optional<Crossed_range> prefix(const Normal_coordinates& coordinates, Edge_index e, Halfedge_index h, std::int64_t n) const
+  std::optional<Crossed_range> prefix(const Normal_coordinates& coordinates, Edge_index e, Halfedge_index h,
+                                      std::int64_t n) const
   {
     if (n == 0)
       return Crossed_range();
@@ -264,8 +268,9 @@ private:
   }
 
   // What a line crosses from the corner k of a triangle to a point behind so many crossings of ij.
-  std::optional<Crossed_range> from_opposite_corner(const Delta_complex& complex, const Normal_coordinates& coordinates, Halfedge_index ij,
-                                                    Halfedge_index jk, Halfedge_index ki, std::int64_t gap) const
+  std::optional<Crossed_range> from_opposite_corner(const Delta_complex& complex, const Normal_coordinates& coordinates,
+                                                    Halfedge_index ij, Halfedge_index jk, Halfedge_index ki,
+                                                    std::int64_t gap) const
   {
     const Triangle_crossings t = coordinates.triangle_crossings(complex, ij);
     const std::int64_t from_j = coordinates.number_of_crossings(complex.edge(ij)) - gap;
@@ -285,8 +290,7 @@ private:
     if (all == 0)
       return nullptr;
     return copied(all, [&](std::size_t i) {
-      return i < n ? from_source[i] : i < m ? between
-                                            : Crossed_range::opposite(from_target[all - 1 - i]);
+      return i < n ? from_source[i] : i < m ? between : Crossed_range::opposite(from_target[all - 1 - i]);
     });
   }
 

@@ -98,8 +98,7 @@ public:
   // Constructs the coordinates of an empty triangulation.
   Normal_coordinates() = default;
   // Constructs the coordinates of an input triangulation in itself. O(edges), as memory is cleared.
-  explicit Normal_coordinates(const Delta_complex& input)
-    : record_of_(input.number_of_edges(), 0)
+  explicit Normal_coordinates(const Delta_complex& input) : record_of_(input.number_of_edges(), 0)
   {
     records_.reserve(std::size_t(input.number_of_edges()) + 1); // pages that are not used cost nothing
     records_.push_back(Record{-1, {0, 0}, {0, 0}});
@@ -110,10 +109,7 @@ public:
   // Whether `e` coincides with an input edge.
   bool is_original(Edge_index e) const { return crossings(e) < 0; }
   // The number of times that input edges cross `e`.
-  std::int64_t number_of_crossings(Edge_index e) const
-  {
-    return (std::max)(std::int64_t(0), crossings(e));
-  }
+  std::int64_t number_of_crossings(Edge_index e) const { return (std::max)(std::int64_t(0), crossings(e)); }
 
   // The roundabout of `h`, without `base` if `h` leaves a vertex where no input edge ends.
   Roundabout roundabout(Halfedge_index h) const
@@ -136,8 +132,7 @@ public:
   // j the source and target of `h`.
   Triangle_crossings triangle_crossings(const Delta_complex& complex, Halfedge_index h) const
   {
-    return Triangle_crossings(number_of_crossings(complex.edge(h)),
-                              number_of_crossings(complex.edge(complex.next(h))),
+    return Triangle_crossings(number_of_crossings(complex.edge(h)), number_of_crossings(complex.edge(complex.next(h))),
                               number_of_crossings(complex.edge(complex.prev(h))));
   }
   // The corner opposite to that takes the least time to be laid out. It lies at the shortest side, so that the errors of all sides are
@@ -219,12 +214,10 @@ public:
 
     // Counted from i, the segments that end in k cross ij at the positions after c_i1,
     // those that end in l at the positions after c_i2: one that does both joins k and l.
-    const bool joins_k_and_l =
-      (std::max)(c_i1, c_i2) < (std::min)(c_i1 + e_k1, c_i2 + e_l2);
-    const std::int64_t n =
-      above.c_k + below.c_k + above.e_i + above.e_j + below.e_i + below.e_j +
-      (std::max)(std::int64_t(0), c_i1 - c_i2 - e_l2) +
-      (std::max)(std::int64_t(0), c_i2 - c_i1 - e_k1) + (records[ij].crossings < 0 ? 1 : 0);
+    const bool joins_k_and_l = (std::max)(c_i1, c_i2) < (std::min)(c_i1 + e_k1, c_i2 + e_l2);
+    const std::int64_t n = above.c_k + below.c_k + above.e_i + above.e_j + below.e_i + below.e_j +
+                           (std::max)(std::int64_t(0), c_i1 - c_i2 - e_l2) +
+                           (std::max)(std::int64_t(0), c_i2 - c_i1 - e_k1) + (records[ij].crossings < 0 ? 1 : 0);
     const std::int64_t n_kl = joins_k_and_l ? -1 : n;
     if (n_kl > largest_count)
       throw Integer_overflow_error("an edge crosses more than 2^60 input edges");
@@ -298,7 +291,8 @@ private:
 
   Large_vector<Record> records_; // the first is that of all edges never flipped
   Large_vector<std::uint32_t> record_of_;
-  std::uint32_t first_free_record_ = 0; // of edges that were removed: each has the next one as `crossings`, the last one 0
+  std::uint32_t first_free_record_ =
+    0; // of edges that were removed: each has the next one as `crossings`, the last one 0
 };
 
 } // namespace internal

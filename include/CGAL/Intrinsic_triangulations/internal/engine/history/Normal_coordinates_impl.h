@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::array<Triangle_piece, 3> Normal_coordinates::names(const Delta_complex& complex, const Triangle_piece& piece) const
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::array<Triangle_piece, 3>
+Normal_coordinates::names(const Delta_complex& complex, const Triangle_piece& piece) const
 {
   const Halfedge_index ij = piece.side, jk = complex.next(ij), ki = complex.prev(ij);
   const std::int64_t n_ij = number_of_crossings(complex.edge(ij)), n_ki = number_of_crossings(complex.edge(ki));
@@ -43,7 +44,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::array<Triangle_piece, 3> Normal_coordi
   return result;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Normal_coordinates::split_face(const Delta_complex& complex, const Triangle_piece& piece)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Normal_coordinates::split_face(const Delta_complex& complex,
+                                                                         const Triangle_piece& piece)
 {
   const Halfedge_index ij = piece.side, jk = complex.next(ij), ki = complex.prev(ij);
   const Triangle_crossings t = triangle_crossings(complex, ij);
@@ -76,7 +78,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Normal_coordinates::split_face(const D
   append({n_vk, {no_halfedge, r_k.base.idx()}, {0, r_k.steps}});
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Normal_coordinates::split_edge(const Delta_complex& complex, Halfedge_index h, Halfedge_index along)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Normal_coordinates::split_edge(const Delta_complex& complex, Halfedge_index h,
+                                                                         Halfedge_index along)
 {
   CGAL_precondition(is_original(complex.edge(h)));
   make_room(4); // of edges at most three, and a record for that which is split
@@ -99,7 +102,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Normal_coordinates::split_edge(const D
   set_record(h, part);
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Normal_coordinates::unsplit_edge(const Delta_complex& complex, Halfedge_index h, bool is_on_input_edge)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Normal_coordinates::unsplit_edge(const Delta_complex& complex,
+                                                                           Halfedge_index h, bool is_on_input_edge)
 {
   const Halfedge_index g = complex.opposite(h), jv = complex.opposite(complex.continuation(h));
   const Record &near = record(complex.edge(h)), &far = record(complex.edge(jv));

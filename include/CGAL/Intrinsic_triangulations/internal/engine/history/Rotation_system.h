@@ -24,8 +24,7 @@ public:
   // O(size). Each vertex is walked around once: that is what takes the time.
   explicit Rotation_system(const Delta_complex& complex)
     : begin_(std::size_t(complex.number_of_vertices()) + 1, default_init),
-      halfedges_(complex.number_of_halfedges(), default_init),
-      position_(complex.number_of_halfedges(), default_init)
+      halfedges_(complex.number_of_halfedges(), default_init), position_(complex.number_of_halfedges(), default_init)
   {
     std::uint32_t end = 0;
     for (Vertex_index v : complex.vertices()) {

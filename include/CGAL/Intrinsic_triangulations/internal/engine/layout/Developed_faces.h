@@ -93,8 +93,8 @@ public:
     const Layout layout = seen_from(complex, h);
     if (!has_images(layout))
       return std::nullopt;
-    return corner<Image_corner>(*planes_[layout.plane].image_of_unit, *point(layout, 0).image,
-                                *point(layout, 1).image, *point(layout, 2).image);
+    return corner<Image_corner>(*planes_[layout.plane].image_of_unit, *point(layout, 0).image, *point(layout, 1).image,
+                                *point(layout, 2).image);
   }
 
   // Keeps a face of which a corner is known.
@@ -142,15 +142,16 @@ public:
     const std::optional<Layout> part = laid_out(c);
     if (!part)
       return false;
-    const std::size_t turn = c.side == whole.sides[0] ? 0 : c.side == whole.sides[1] ? 1
-                                                                                     : 2;
+    const std::size_t turn = c.side == whole.sides[0] ? 0 : c.side == whole.sides[1] ? 1 : 2;
     const auto& [i, j, k] = whole.layout.corners;
     const std::array<std::uint32_t, 5> corners{i, j, k, i, j};
-    const std::optional<std::uint32_t> v = moved_apex(*part, {c.side, whole.layout.plane, {corners[turn], corners[turn + 1], corners[turn + 2]}});
+    const std::optional<std::uint32_t> v =
+      moved_apex(*part, {c.side, whole.layout.plane, {corners[turn], corners[turn + 1], corners[turn + 2]}});
     if (!v)
       return false;
     for (std::size_t n = 0; n < 3; ++n)
-      keep(complex, complex.face(whole.sides[n]), Layout{whole.sides[n], whole.layout.plane, {corners[n], corners[n + 1], *v}});
+      keep(complex, complex.face(whole.sides[n]),
+           Layout{whole.sides[n], whole.layout.plane, {corners[n], corners[n + 1], *v}});
     return true;
   }
 
@@ -200,7 +201,9 @@ private:
       const std::optional<Layout> layout = c ? laid_out(*c) : std::nullopt;
       return layout ? std::make_optional(turned(complex, *layout, h)) : std::nullopt;
     };
-    const auto find = [&](Halfedge_index h) { return contains(complex.face(h)) ? seen_from(complex, h) : lay_out_anew(h); };
+    const auto find = [&](Halfedge_index h) {
+      return contains(complex.face(h)) ? seen_from(complex, h) : lay_out_anew(h);
+    };
     std::optional<Layout> above = find(around.ij), below = above ? find(around.ji) : std::nullopt;
     if (!above || !below)
       return false;
@@ -281,8 +284,7 @@ private:
   }
   static Layout turned(const Delta_complex& complex, const Layout& kept, Halfedge_index h)
   {
-    const std::size_t turn = h == kept.first ? 0 : h == complex.next(kept.first) ? 1
-                                                                                 : 2;
+    const std::size_t turn = h == kept.first ? 0 : h == complex.next(kept.first) ? 1 : 2;
     return {h, kept.plane, {kept.corners[turn], kept.corners[(turn + 1) % 3], kept.corners[(turn + 2) % 3]}};
   }
 
@@ -291,8 +293,7 @@ private:
   {
     if (above.corners[0] == below.corners[1] && above.corners[1] == below.corners[0])
       return true;
-    Layout &stays = above.plane < below.plane ? above : below,
-           &moves = above.plane < below.plane ? below : above;
+    Layout &stays = above.plane < below.plane ? above : below, &moves = above.plane < below.plane ? below : above;
     const auto& [i, j, k] = stays.corners;
     const std::optional<std::uint32_t> apex = moved_apex(moves, {moves.first, stays.plane, {j, i, k}});
     if (!apex)
@@ -313,8 +314,9 @@ private:
       return std::nullopt;
     std::unique_ptr<const Image> image;
     if (has_images(from) && has_images(to))
-      image = std::make_unique<const Image>(*point(to, 0).image + moved_side(*point(from, 0).image, *point(from, 1).image, *point(from, 2).image,
-                                                                             *point(to, 0).image, *point(to, 1).image));
+      image = std::make_unique<const Image>(
+        *point(to, 0).image + moved_side(*point(from, 0).image, *point(from, 1).image, *point(from, 2).image,
+                                         *point(to, 0).image, *point(to, 1).image));
     return add_point(apex, std::move(image));
   }
 

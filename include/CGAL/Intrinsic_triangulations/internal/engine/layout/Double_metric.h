@@ -27,17 +27,19 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // As ratios_in_space(), in doubles.
-inline std::optional<Corner_ratios<Double_disk>> rounded_ratios_in_space(const Delta_complex& input, const Points& points, Halfedge_index ij)
+inline std::optional<Corner_ratios<Double_disk>> rounded_ratios_in_space(const Delta_complex& input,
+                                                                         const Points& points, Halfedge_index ij)
 {
   if (points.empty())
     return std::nullopt;
   const Vertex_index i = input.source(ij);
-  const auto u = difference<double>(points, i, input.target(ij)), v = difference<double>(points, i, input.target(input.next(ij))),
-             n = cross_product(u, v);
+  const auto u = difference<double>(points, i, input.target(ij)),
+             v = difference<double>(points, i, input.target(input.next(ij))), n = cross_product(u, v);
   const double s = scalar_product(u, u), s_v = scalar_product(v, v);
   if (!(s > 1e-100 && s < 1e100 && s_v > 1e-100 && s_v < 1e100))
     return std::nullopt;
-  const double reciprocal = 1 / s, x = scalar_product(u, v) * reciprocal, y = std::sqrt(scalar_product(n, n)) * reciprocal;
+  const double reciprocal = 1 / s, x = scalar_product(u, v) * reciprocal,
+               y = std::sqrt(scalar_product(n, n)) * reciprocal;
   // In units of 2^-53, s is good to 6 of itself, the scalar product to 6 of |u| |v|, and the area to 10 of that (see
   // Filtered_edge_length_traits::Construct_face_data), so that x + iy is good to 2^-48 of its absolute value.
   const Double_disk at_source(x, y, 0x1p-47 * std::sqrt(x * x + y * y));
@@ -60,7 +62,8 @@ public:
     if (metric_.points().empty())
       return Real(metric_.squared_length_double_double(input_, e));
     const Halfedge_index h = input_.halfedge(e);
-    const double s = squared_distance_3(metric_.points()[input_.source(h).idx()], metric_.points()[input_.target(h).idx()]);
+    const double s =
+      squared_distance_3(metric_.points()[input_.source(h).idx()], metric_.points()[input_.target(h).idx()]);
     constexpr double of_underflow = 0x1p-1072; // of three squares
     return {s, 0x1p-49 * s + of_underflow};
   }

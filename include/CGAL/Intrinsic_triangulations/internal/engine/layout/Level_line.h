@@ -42,11 +42,12 @@ public:
   bool operator()(Halfedge_index va, Halfedge_index vb)
   {
     const Vertex_index v = complex_.source(va), a = complex_.target(va), b = complex_.target(vb);
-    if (points().empty() || correspondence_.is_inserted(v) || correspondence_.is_inserted(a) || correspondence_.is_inserted(b))
+    if (points().empty() || correspondence_.is_inserted(v) || correspondence_.is_inserted(a) ||
+        correspondence_.is_inserted(b))
       return false;
     fold_.reset();
-    return folds_around_are_parallel(va, vb) && crossed_folds_are_parallel(va) && crossed_folds_are_parallel(vb) && fold_ &&
-           is_perpendicular({v, a}, *fold_) && is_perpendicular({v, b}, *fold_);
+    return folds_around_are_parallel(va, vb) && crossed_folds_are_parallel(va) && crossed_folds_are_parallel(vb) &&
+           fold_ && is_perpendicular({v, a}, *fold_) && is_perpendicular({v, b}, *fold_);
   }
 
 private:
@@ -61,7 +62,8 @@ private:
     do { // once around v if va is vb
       if (complex_.is_border(vi))
         return false;
-      number += coordinates.triangle_crossings(complex_, complex_.next(vi)).e_k + (vi != va && coordinates.is_original(complex_.edge(vi)) ? 1 : 0);
+      number += coordinates.triangle_crossings(complex_, complex_.next(vi)).e_k +
+                (vi != va && coordinates.is_original(complex_.edge(vi)) ? 1 : 0);
       vi = complex_.next_around_source(vi);
     } while (vi != vb);
     Halfedge_index h = correspondence_.input_halfedge(va);
@@ -111,7 +113,8 @@ private:
   {
     return has_sign_zero([&](auto zero) {
       using FT = decltype(zero);
-      return FT(scalar_product(difference<FT>(points(), p.first, p.second), difference<FT>(points(), q.first, q.second)));
+      return FT(
+        scalar_product(difference<FT>(points(), p.first, p.second), difference<FT>(points(), q.first, q.second)));
     });
   }
   template <class Evaluate>

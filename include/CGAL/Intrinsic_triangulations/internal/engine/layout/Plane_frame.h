@@ -68,8 +68,8 @@ private:
   // the areas are too small then, or negative.)
   void choose_projection(Vertex_index left, Vertex_index right)
   {
-    const auto n = cross_product(difference<double>(*points_, source_, right),
-                                 difference<double>(*points_, source_, left));
+    const auto n =
+      cross_product(difference<double>(*points_, source_, right), difference<double>(*points_, source_, left));
     std::size_t c = 0;
     for (std::size_t i : {1, 2})
       if (std::abs(n[i]) > std::abs(n[c]))

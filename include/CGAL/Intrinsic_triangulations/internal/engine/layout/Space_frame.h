@@ -83,9 +83,8 @@ public:
   // A bound on the error of an area between the source and two corners, one of which may be the target.
   double error(const Vector& target) const
   {
-    return has_good_ratios_
-             ? 0x1p-93 * double(number_of_triangles_) * extent_ * (std::max)(distance_, modulus(target))
-             : std::numeric_limits<double>::infinity();
+    return has_good_ratios_ ? 0x1p-93 * double(number_of_triangles_) * extent_ * (std::max)(distance_, modulus(target))
+                            : std::numeric_limits<double>::infinity();
   }
 
 private:

@@ -43,8 +43,7 @@ class Straight_faces
 public:
   Straight_faces() = default;
   Straight_faces(std::size_t number_of_faces, std::size_t number_of_points)
-    : plane_(number_of_points != 0 ? number_of_faces : 0, default_init),
-      united_with_(plane_.size(), default_init)
+    : plane_(number_of_points != 0 ? number_of_faces : 0, default_init), united_with_(plane_.size(), default_init)
   {
     for (std::size_t f = 0; f < plane_.size(); ++f)
       plane_[f] = united_with_[f] = std::uint32_t(f);
@@ -148,7 +147,8 @@ private:
   }
 
   // \param p, q the planes of both faces
-  static bool lie_in_one_plane(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index h, std::uint32_t p, std::uint32_t q)
+  static bool lie_in_one_plane(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index h,
+                               std::uint32_t p, std::uint32_t q)
   {
     if (positions.has_inserted_corner(complex, h) || positions.has_inserted_corner(complex, complex.opposite(h)))
       return have_one_plane(positions.input(), positions.points(), Face_index(p), Face_index(q));

@@ -53,16 +53,14 @@ private:
 // The same for an edge that ends at a point of the triangle behind the last one.
 struct Crossed_edges_to_point : Crossed_edges
 {
-  Crossed_edges_to_point(const Crossed_edges& crossed, const Surface_point& point) : Crossed_edges(crossed), end(&point) {}
+  Crossed_edges_to_point(const Crossed_edges& crossed, const Surface_point& point) : Crossed_edges(crossed), end(&point)
+  {}
   const Surface_point* end;
   static constexpr bool may_end_inside = true;
 };
 
 // The third corner of the face of h.
-inline Vertex_index apex(const Delta_complex& complex, Halfedge_index h)
-{
-  return complex.target(complex.next(h));
-}
+inline Vertex_index apex(const Delta_complex& complex, Halfedge_index h) { return complex.target(complex.next(h)); }
 
 // The last triangles that were laid out. They lie in one plane, so that a corner can be found from the first
 // edge of the run at once.

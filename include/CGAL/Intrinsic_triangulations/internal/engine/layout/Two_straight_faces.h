@@ -46,14 +46,15 @@ public:
       return two_split_vectors(points[f[from].idx()], points[f[to].idx()], points[g[from].idx()], points[g[to].idx()]);
     };
     const Two_vectors ij = vectors(0, 1), kj = vectors(2, 1), ki = vectors(2, 0);
-    const Pair s_ij = split_scalar_product(ij, ij), s_jk = split_scalar_product(kj, kj), s_ki = split_scalar_product(ki, ki),
-               p = split_scalar_product(ki, kj);
+    const Pair s_ij = split_scalar_product(ij, ij), s_jk = split_scalar_product(kj, kj),
+               s_ki = split_scalar_product(ki, ki), p = split_scalar_product(ki, kj);
     Pair square = split_squared_area(ki, kj);
     square.hi = max_of(square.hi, Two_doubles(1e-200)); // a root of zero would be divided by
     const Pair area = square_root(square);
     const Two_doubles reciprocal = Two_doubles(1.) / area.hi;
     lengths_ = {square_root(s_ij), square_root(s_jk), square_root(s_ki)};
-    cotangents_ = {quotient(p, area, reciprocal), quotient(s_ki - p, area, reciprocal), quotient(s_jk - p, area, reciprocal)};
+    cotangents_ = {quotient(p, area, reciprocal), quotient(s_ki - p, area, reciprocal),
+                   quotient(s_jk - p, area, reciprocal)};
     twice_area_ = area;
     squares_ = s_jk.hi + s_ki.hi;
     shortest_ = min_of(s_ij.hi, min_of(s_jk.hi, s_ki.hi));
@@ -67,7 +68,9 @@ public:
     const double squares = one(squares_), area = one(twice_area_.hi);
     if (!(one(shortest_) > 1e-60 && squares < 1e60 && area > 0x1p-40 * squares))
       return false;
-    const auto bounded = [&](const Pair& x, double error) { return Bounded_double_double(one(x.hi), one(x.lo), error); };
+    const auto bounded = [&](const Pair& x, double error) {
+      return Bounded_double_double(one(x.hi), one(x.lo), error);
+    };
     for (std::size_t c = 0; c < 3; ++c) {
       numbers.lengths[c] = bounded(lengths_[c], unit * one(lengths_[c].hi));
       // Scalar products are good to `unit` of both squares together, and so is twice the area.

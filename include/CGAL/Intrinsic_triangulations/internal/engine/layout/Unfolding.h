@@ -75,8 +75,7 @@ public:
 
   // \pre `correspondence.is_prepared()`
   Unfolding(const Delta_complex& complex, const Correspondence& correspondence, Metric& metric)
-    : complex_(complex), correspondence_(correspondence), input_(correspondence.input()),
-      metric_(metric)
+    : complex_(complex), correspondence_(correspondence), input_(correspondence.input()), metric_(metric)
   {}
 
   // `h` as a vector.
@@ -190,8 +189,8 @@ private:
       w = w * ratio_at_inserted(ki, u.reference, kj, v.reference);
     } else { // from the frame of u to the frame of v there is a fan of input triangles
       const Normal_coordinates& coordinates = correspondence_.coordinates();
-      std::int64_t fan = coordinates.triangle_crossings(complex_, h).e_k +
-                         (coordinates.is_original(complex_.edge(kj)) ? 1 : 0);
+      std::int64_t fan =
+        coordinates.triangle_crossings(complex_, h).e_k + (coordinates.is_original(complex_.edge(kj)) ? 1 : 0);
       const Frame frame(input_, metric_);
       Halfedge_index from = u.reference;
       while (fan > 0)
@@ -211,7 +210,8 @@ private:
   // a point behind that.
   Edge_vector end_of_strip(const Crossed_halfedges& crossed, std::size_t n, const Surface_point* point) const
   {
-    return {Strip<Frame>(input_, Frame(input_, metric_)).end(Path{crossed, n, point}), Frame::reference(input_, crossed.front())};
+    return {Strip<Frame>(input_, Frame(input_, metric_)).end(Path{crossed, n, point}),
+            Frame::reference(input_, crossed.front())};
   }
 
   // Where the source of h, which was inserted, lies in the input face into which h leaves it. \pre h coincides with no input edge
@@ -270,8 +270,9 @@ private:
       return {frame.real(position(complex_.target(h), 1) - position(complex_.source(h), 0)), along};
     }
     if (n == 0) { // within an input face
-      const Halfedge_index reference = is_inserted(complex_.source(h)) ? location_of_source(h).halfedge
-                                                                       : input_.next(input_.opposite(correspondence_.input_halfedge(h)));
+      const Halfedge_index reference = is_inserted(complex_.source(h))
+                                         ? location_of_source(h).halfedge
+                                         : input_.next(input_.opposite(correspondence_.input_halfedge(h)));
       return {position_in_face(reference, coordinates_of_source(g, reference)) -
                 position_in_face(reference, coordinates_of_source(h, reference)),
               reference};
@@ -313,8 +314,7 @@ private:
   bool is_input_face(Halfedge_index h) const
   {
     const Normal_coordinates& coordinates = correspondence_.coordinates();
-    return coordinates.is_original(complex_.edge(h)) &&
-           coordinates.is_original(complex_.edge(complex_.next(h))) &&
+    return coordinates.is_original(complex_.edge(h)) && coordinates.is_original(complex_.edge(complex_.next(h))) &&
            coordinates.is_original(complex_.edge(complex_.prev(h)));
   }
 
@@ -327,10 +327,7 @@ private:
     return {s_jk + s_ki - s_ij, metric_.four_areas(input_.face(ij)), s_ki, s_jk, s_ij};
   }
 
-  Real reference_length(const Edge_vector& v) const
-  {
-    return metric_.squared_length(input_.edge(v.reference));
-  }
+  Real reference_length(const Edge_vector& v) const { return metric_.squared_length(input_.edge(v.reference)); }
 
   // The first input edges that a halfedge crosses.
   struct Path

@@ -32,7 +32,8 @@ public:
   // \param input the input, and its points
   // \param locations where the inserted vertices lie on it
   // \param inserted the double-doubles of the inserted vertices
-  Vertex_positions(const Delta_complex& input, const Points& points, const std::vector<Surface_point>& locations, const Inserted& inserted)
+  Vertex_positions(const Delta_complex& input, const Points& points, const std::vector<Surface_point>& locations,
+                   const Inserted& inserted)
     : input_(input), points_(points), locations_(locations), inserted_(inserted)
   {}
 
@@ -42,8 +43,8 @@ public:
   // Whether a corner of the face of h was inserted.
   bool has_inserted_corner(const Delta_complex& complex, Halfedge_index h) const
   {
-    return !inserted_.empty() &&
-           (is_inserted(complex.source(h)) || is_inserted(complex.target(h)) || is_inserted(complex.target(complex.next(h))));
+    return !inserted_.empty() && (is_inserted(complex.source(h)) || is_inserted(complex.target(h)) ||
+                                  is_inserted(complex.target(complex.next(h))));
   }
 
   // A positive multiple of the vector from one vertex to another: the vector itself unless FT is exact and has no division.
@@ -79,7 +80,8 @@ public:
   // What is to be kept for a new vertex.
   Vector_3<Bounded_double_double> rounded(const Surface_point& location) const
   {
-    const auto [weight, sum] = weighted_sum<Bounded_double_double>(location, [](double x) { return Bounded_double_double(x); });
+    const auto [weight, sum] =
+      weighted_sum<Bounded_double_double>(location, [](double x) { return Bounded_double_double(x); });
     if (weight.hi() == 1 && weight.lo() == 0 && weight.error() == 0)
       return sum;
     return {sum[0] / weight, sum[1] / weight, sum[2] / weight};
@@ -99,7 +101,8 @@ private:
     Vector_3<FT> operator()(const Vertex_positions& positions, Vertex_index from, Vertex_index to) const
     {
       const auto convert = [](double x) { return FT(x); };
-      const Weighted_sum<FT> a = positions.template homogeneous<FT>(from, convert), b = positions.template homogeneous<FT>(to, convert);
+      const Weighted_sum<FT> a = positions.template homogeneous<FT>(from, convert),
+                             b = positions.template homogeneous<FT>(to, convert);
       if (a.weight == b.weight)
         return {b.sum[0] - a.sum[0], b.sum[1] - a.sum[1], b.sum[2] - a.sum[2]};
       return {a.weight * b.sum[0] - b.weight * a.sum[0], a.weight * b.sum[1] - b.weight * a.sum[1],

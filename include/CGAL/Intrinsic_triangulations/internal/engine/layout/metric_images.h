@@ -56,7 +56,8 @@ class Input_properties
 {
 public:
   Input_properties(const Delta_complex& connectivity, const Input_metric& metric)
-    : connectivity_(connectivity), metric_(metric), flatness_(metric.points().empty() ? 0 : connectivity.number_of_edges(), UNKNOWN)
+    : connectivity_(connectivity), metric_(metric),
+      flatness_(metric.points().empty() ? 0 : connectivity.number_of_edges(), UNKNOWN)
   {}
 
   // Whether the faces of an edge lie in one plane.
@@ -67,7 +68,10 @@ public:
     std::uint8_t& stored = flatness_[connectivity_.edge(h).idx()];
     std::uint8_t flatness = relaxed_load(stored);
     if (flatness == UNKNOWN) {
-      flatness = connectivity_.is_flippable(connectivity_.edge(h)) && internal::is_flat(connectivity_, metric_.points(), h) ? FLAT : BENT;
+      flatness =
+        connectivity_.is_flippable(connectivity_.edge(h)) && internal::is_flat(connectivity_, metric_.points(), h)
+          ? FLAT
+          : BENT;
       relaxed_store(stored, flatness);
     }
     return flatness == FLAT;
@@ -102,7 +106,8 @@ class Input_surface
 public:
   Input_surface(const Delta_complex& connectivity, const Input_metric& metric, const Decision_settings& settings,
                 Input_properties& properties)
-    : connectivity_(connectivity), metric_(metric), settings_(settings), properties_(properties), ratios_(number_of_ratios(connectivity)), ratios_in_plane_(ratios_.size())
+    : connectivity_(connectivity), metric_(metric), settings_(settings), properties_(properties),
+      ratios_(number_of_ratios(connectivity)), ratios_in_plane_(ratios_.size())
   {}
 
   const Delta_complex& connectivity() const { return connectivity_; }
@@ -204,10 +209,7 @@ public:
   {
     return surface_.metric().squared_length_double_double(surface_.connectivity(), e);
   }
-  Real four_areas(Face_index f) const
-  {
-    return surface_.metric().four_areas_double_double(surface_.connectivity(), f);
-  }
+  Real four_areas(Face_index f) const { return surface_.metric().four_areas_double_double(surface_.connectivity(), f); }
   template <class Compute>
   const Corner_ratios<Vector>& remembered(Halfedge_index h, const Compute& compute)
   {
@@ -223,8 +225,7 @@ public:
     return surface_.remembered(h, from, to, [&]() -> Vector {
       const Delta_complex& c = surface_.connectivity();
       const Points& points = surface_.metric().points();
-      const auto u = difference<Real>(points, c.source(h), c.target(h)),
-                 w = difference<Real>(points, from, to);
+      const auto u = difference<Real>(points, c.source(h), c.target(h)), w = difference<Real>(points, from, to);
       const auto normal = cross_product(u, w);
       const Real s = scalar_product(u, u);
       const Real height = sqrt(scalar_product(normal, normal)) / s;
@@ -276,9 +277,8 @@ public:
   Real four_areas(Face_index f)
   {
     count();
-    return remembered_in(roots_, f, [&] {
-      return image_.root(squared_four_areas(surface_.metric(), surface_.connectivity(), f));
-    });
+    return remembered_in(
+      roots_, f, [&] { return image_.root(squared_four_areas(surface_.metric(), surface_.connectivity(), f)); });
   }
   template <class Compute>
   const Corner_ratios<Vector>& remembered(Halfedge_index h, const Compute& compute)
@@ -293,7 +293,8 @@ public:
     count();
     const Base& base = remembered_in(bases_, h, [&] { return base_of(h); });
     const auto w = vector(from, to);
-    return {image_.real(scalar_product(base.side, w)) * base.side_unit, image_.real(scalar_product(base.height, w)) * base.height_unit};
+    return {image_.real(scalar_product(base.side, w)) * base.side_unit,
+            image_.real(scalar_product(base.height, w)) * base.height_unit};
   }
 
 private:

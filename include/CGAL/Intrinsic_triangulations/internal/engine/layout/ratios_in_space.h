@@ -24,11 +24,13 @@ namespace internal {
 
 // As Metric_frame::ratios(), in half of the time: one bound for all errors instead of a running one. Nothing without points, or where
 // something could underflow, as in faces that are nearly flat.
-inline std::optional<Corner_ratios<Double_double_disk>> ratios_in_space(const Delta_complex& input, const Points& points, Halfedge_index ij)
+inline std::optional<Corner_ratios<Double_double_disk>> ratios_in_space(const Delta_complex& input,
+                                                                        const Points& points, Halfedge_index ij)
 {
   if (points.empty())
     return std::nullopt;
-  const auto &p = points[input.source(ij).idx()], &q = points[input.target(ij).idx()], &r = points[input.target(input.next(ij)).idx()];
+  const auto &p = points[input.source(ij).idx()], &q = points[input.target(ij).idx()],
+             &r = points[input.target(input.next(ij)).idx()];
   const Split_vector<double> u = split_vector(p, q), v = split_vector(p, r);
   const Split_double_double<double> s = split_scalar_product(u, u), square = split_squared_area(u, v);
   const double s_v = rough_square(v);

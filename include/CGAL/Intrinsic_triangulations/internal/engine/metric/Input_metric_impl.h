@@ -91,7 +91,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Input_metric metric_from_squared_lengths(std::vector<Rational> squared_lengths)
 {
   const auto metric = [&](int exponent) {
-    auto lengths = std::make_shared<const internal::Rational_lengths>(internal::Rational_lengths{std::move(squared_lengths)});
+    auto lengths =
+      std::make_shared<const internal::Rational_lengths>(internal::Rational_lengths{std::move(squared_lengths)});
     return Input_metric::from_normalized_squared_lengths(std::move(lengths), exponent);
   };
   // The largest is below 2^largest, and at least a quarter of it, or no length is positive.
@@ -138,7 +139,8 @@ Rational squared_four_areas(const Input_metric& metric, const Delta_complex& inp
   };
   if (metric.rational_lengths())
     return from([&](Edge_index edge) { return metric.rational_lengths()->squared[edge.idx()]; });
-  return internal::rational(from([&](Edge_index edge) { return internal::squared_length_in_ring(metric, input, edge); }));
+  return internal::rational(
+    from([&](Edge_index edge) { return internal::squared_length_in_ring(metric, input, edge); }));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -149,16 +151,14 @@ void Input_metric::check(const Delta_complex& input) const
     if (squared_length(*this, input, e) <= 0)
       offenders.add(e.idx());
   if (offenders.count > 0)
-    throw Invalid_surface_error(internal::Defect::ZERO_LENGTH_EDGE, offenders.first,
-                                offenders.count,
-                                "edge " + std::to_string(offenders.first) +
-                                  " does not have a positive length" + offenders.and_more());
+    throw Invalid_surface_error(internal::Defect::ZERO_LENGTH_EDGE, offenders.first, offenders.count,
+                                "edge " + std::to_string(offenders.first) + " does not have a positive length" +
+                                  offenders.and_more());
   for (Face_index f : input.faces())
     if (squared_four_areas(*this, input, f) < 0)
       offenders.add(f.idx());
   if (offenders.count > 0)
-    throw Invalid_surface_error(internal::Defect::TRIANGLE_INEQUALITY, offenders.first,
-                                offenders.count,
+    throw Invalid_surface_error(internal::Defect::TRIANGLE_INEQUALITY, offenders.first, offenders.count,
                                 "the lengths of face " + std::to_string(offenders.first) +
                                   " violate the triangle inequality" + offenders.and_more());
 }
@@ -218,7 +218,8 @@ double Input_metric::largest_size() const
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-internal::Bounded_double_double Input_metric::squared_length_double_double(const Delta_complex& input, Edge_index e) const
+internal::Bounded_double_double Input_metric::squared_length_double_double(const Delta_complex& input,
+                                                                           Edge_index e) const
 {
   if (rational_lengths_)
     return internal::rounded(rational_lengths_->squared[e.idx()]);
@@ -239,8 +240,7 @@ internal::Bounded_double_double Input_metric::four_areas_double_double(const Del
     return sqrt(internal::rounded(squared_four_areas(*this, input, f)));
   if (!lengths_.empty()) {
     // Kahan's order of operations; a difference of doubles is exact.
-    std::array<double, 3> l{lengths_[input.edge(h).idx()],
-                            lengths_[input.edge(input.next(h)).idx()],
+    std::array<double, 3> l{lengths_[input.edge(h).idx()], lengths_[input.edge(input.next(h)).idx()],
                             lengths_[input.edge(input.prev(h)).idx()]};
     std::sort(l.begin(), l.end());
     const Double_double c(l[0]), b(l[1]), a(l[2]), ab = Double_double::difference(l[2], l[1]);
@@ -249,8 +249,7 @@ internal::Bounded_double_double Input_metric::four_areas_double_double(const Del
   const Vertex_index p = input.source(h);
   const auto u = internal::difference_double_double(*this, p, input.target(h)),
              v = internal::difference_double_double(*this, p, input.target(input.next(h)));
-  const Double_double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2],
-                      z = u[0] * v[1] - u[1] * v[0];
+  const Double_double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
   return sqrt(x * x + y * y + z * z).scaled(2);
 }
 } // namespace Intrinsic_triangulations
