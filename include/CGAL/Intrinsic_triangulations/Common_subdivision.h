@@ -230,7 +230,16 @@ public:
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the result is the same,
   ///   and the visitor is asked only a few times
   /// \param triangulation the triangulation
-  /// \param np as for the constructor of `Overlay`
+  /// \param np an optional sequence of named parameters
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{is told of the progress, and can cancel}
+  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+  ///     \cgalParamDefault{`Default_visitor`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
   /// \pre `triangulation.keeps_input()`
   /// \exception Integer_overflow_error if there are 2^31 segments or more
   /// \exception Undecided_error as the constructor of `Overlay_positions`

@@ -110,9 +110,8 @@ public:
     journal_.append(std::move(flips));
   }
 
-  // \name New vertices
+  // ---------------- New vertices
   // An exception leaves everything as it was.
-  // @{
 
   // Follows the insertion of a vertex into a face; to be called before `split_face(piece.side)` of the
   // connectivity. O(1).
@@ -149,7 +148,6 @@ public:
   // Where an inserted vertex lies on the input. The coordinates are exact once they are divided by their sum.
   // \pre `is_inserted(v)`
   const Surface_point& location(Vertex_index v) const { return locations_[v.idx() - input_.number_of_vertices()]; }
-  // @}
 
   // The integers. \pre `is_prepared()`
   const Normal_coordinates& coordinates() const { return coordinates_; }

@@ -46,7 +46,7 @@ namespace internal {
 //   of √q of an input face (four times its area): a type `Real`, members
 //   `squared_length(Edge_index)` and `four_areas(Face_index)`, `constant(double)`; a type
 //   `Vector` of complex numbers over it; `remembered(Halfedge_index, compute)`, which
-//   returns what the last call with that halfedge did, or `compute()`;
+//   gives what the last call with that halfedge gave, or that of `compute`;
 //   `is_flat(Halfedge_index)`, whether the two faces of an input edge are known to lie in
 //   one plane in space, a `std::false_type` where that is never used, and if so, `ratio_in_plane(Halfedge_index, Vertex_index,
 //   Vertex_index)`, the ratio of the vector between two vertices in the plane of the face
