@@ -324,17 +324,17 @@ private:
   friend struct internal::Engine_access;
   /// \endcond
 
+  static auto visitor(const Progress_function& progress, double begin, double end)
+  {
+    return parameters::visitor(internal::part_of_progress(progress, begin, end));
+  }
+
   template <class ConcurrencyTag>
   Common_subdivision(internal::Released_engine released, const Progress_function& progress, ConcurrencyTag)
     : engine_(std::move(released.engine)), overlay_(build_overlay<ConcurrencyTag>(released.go_further, progress)),
       positions_(engine_, overlay_, visitor(progress, part_of_graph, 1), ConcurrencyTag())
   {
     engine_.set_interruption({});
-  }
-
-  static auto visitor(const Progress_function& progress, double begin, double end)
-  {
-    return parameters::visitor(internal::part_of_progress(progress, begin, end));
   }
 
   template <class ConcurrencyTag>

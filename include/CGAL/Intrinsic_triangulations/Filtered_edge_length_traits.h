@@ -69,7 +69,7 @@ inline internal::Two_bounded_areas two(const Bounded_area& a, const Bounded_area
 /// Every Delaunay test gives the answer of exact real arithmetic on the piecewise-flat
 /// surface that the input defines, however many flips came before. The functors below
 /// are the first stage: they keep a running error bound for each face and answer if it
-/// suffices. If it does not, `Intrinsic_triangulation` asks its `Exact_geometry`, whose
+/// suffices. If it does not, `Intrinsic_triangulation` asks its exact engine, whose
 /// result replaces the stored numbers.
 ///
 /// Invariants: let s be the stored squared lengths of the three sides of a face, a the stored
@@ -115,7 +115,7 @@ public:
   using Point_data = std::array<double, 3>;
   /// decisions are those of exact arithmetic
   using Has_exact_decisions = Tag_true;
-  /// undecided tests are passed on to the `Exact_geometry` of the triangulation
+  /// undecided tests are passed on to the exact engine of the triangulation
   using Uses_exact_geometry = Tag_true;
 
   /// makes the squared length of an edge, with a relative error of at most 6 u.

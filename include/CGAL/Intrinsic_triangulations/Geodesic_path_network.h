@@ -117,7 +117,7 @@ public:
   ///
   /// \return what happened. Triangulation and paths are valid whatever the status, and no path is longer than before. All this is so after
   /// an exception, too; the paths are unfinished then
-  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+  /// \exception Undecided_error as `sign_of_cotangent_weight()`
   /// \exception Cancelled_error if the visitor says so
   template <class NamedParameters = parameters::Default_named_parameters>
   Geodesic_report shorten(const NamedParameters& np = parameters::default_values())
@@ -175,7 +175,7 @@ public:
   }
   /// \brief decides whether path `p` is locally shortest: whether at each inner vertex that is not fixed, the angle on either side
   /// is at least π, or contains the border or a constrained edge. A curve that was shrunk to a point is.
-  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+  /// \exception Undecided_error as `sign_of_cotangent_weight()`
   bool is_geodesic(std::size_t p)
   {
     const std::vector<Halfedge_index> sides = halfedges(p);

@@ -29,7 +29,7 @@ namespace Intrinsic_triangulations {
 /// It is the same graph as `Overlay`, updated as in the paper: a flip removes the edge,
 /// merges the input segments at its crossings, and decides from the cyclic order along the sides of
 /// the quadrilateral alone which segments the other diagonal crosses. It uses neither lengths nor
-/// `Normal_coordinates`, so the two methods are independent of each other.
+/// normal coordinates, so the two methods are independent of each other.
 /// `Overlay` is cheaper, since most intermediate crossings later disappear. Use this class
 /// if you need the overlay after every flip.
 ///

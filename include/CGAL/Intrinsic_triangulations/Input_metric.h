@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric.h>
 
 #include <vector>
 

@@ -316,7 +316,7 @@ public:
   /// Where both faces have zero area, it is negative if both opposite angles are π, and
   /// zero otherwise.
   /// \pre `keeps_input()` and `connectivity().is_flippable(e)`
-  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+  /// \exception Undecided_error as `sign_of_cotangent_weight()`
   Sign sign_of_cotangent_weight(Edge_index e) const
   {
     const Arithmetic arithmetic;

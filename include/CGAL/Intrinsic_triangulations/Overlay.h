@@ -74,7 +74,7 @@ enum class Segment_label : std::uint8_t {
 /// has neither coordinates nor lengths; see `Common_subdivision`. An inserted vertex divides the input edge on which it lies
 /// into segments, as a crossing does, or lies inside an input face.
 ///
-/// The overlay is built from the integers of `Normal_coordinates`; later flips do not change
+/// The overlay is built from the integers that say where the input lies; later flips do not change
 /// it. It is a halfedge graph like `Delta_complex`, with faces of any degree:
 /// halfedges `2s` and `2s + 1` belong to segment `s`. Halfedge `2s` runs in the direction of
 /// halfedge `2e` of the intrinsic edge that contains `s`, or of the input edge if the

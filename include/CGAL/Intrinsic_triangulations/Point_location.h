@@ -84,7 +84,7 @@ public:
   ///   the third coordinate zero; a point in a face with three positive coordinates
   /// \exception Invalid_point_error if the halfedge is a border halfedge or out of range, or the
   ///   coordinates are not finite, negative, or all zero
-  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+  /// \exception Undecided_error as `sign_of_cotangent_weight()`
   Surface_point input_to_intrinsic(const Surface_point& point) const
   {
     const Surface_point p = checked(input_.complex, point);

@@ -231,7 +231,7 @@ Weight_summary summarize_cotangent_weights(const Intrinsic_triangulation<Traits>
 /// has one angle of π and two of 0; the angle of π is that on which the flips decide. An angle is never NaN.
 ///
 /// \pre `h` is not a border halfedge
-/// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+/// \exception Undecided_error as `sign_of_cotangent_weight()`
 template <class Traits>
 double angle(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_index h)
 {

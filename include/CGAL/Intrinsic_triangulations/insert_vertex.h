@@ -155,9 +155,9 @@ inline void check_area(const internal::Exact_engine& engine, const Surface_point
 /// \return the new vertex
 /// \exception Invalid_point_error if the point is no such point, or a vertex of the triangulation lies there. The message names
 ///   the face of the input or the vertex
-/// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
-/// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
-/// \exception Cancelled_error if the visitor says so, or as `sign_of_cotangents()` of `Exact_geometry`
+/// \exception Integer_overflow_error if an edge crosses more than 2^60 input edges
+/// \exception Undecided_error as `sign_of_cotangent_weight()`
+/// \exception Cancelled_error if the visitor says so, or as `sign_of_cotangent_weight()`
 /// \pre `triangulation.keeps_input()`, with traits that use exact geometry
 ///
 /// After any exception the triangulation is valid. If the vertex was inserted, which the number of vertices tells, it is the last one, and edges
@@ -238,9 +238,9 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
 /// \exception Invalid_removal_error if `v` was not inserted, if constrained edges end in it other than the two halves of an
 ///   input edge, or if flips leave other edges at it than three, as can happen where edges lead from `v` around a handle
 ///   back to `v`. The triangulation has the same vertices then, and is Delaunay
-/// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
-/// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
-/// \exception Cancelled_error if the visitor says so, or as `sign_of_cotangents()` of `Exact_geometry`
+/// \exception Integer_overflow_error if an edge crosses more than 2^60 input edges
+/// \exception Undecided_error as `sign_of_cotangent_weight()`
+/// \exception Cancelled_error if the visitor says so, or as `sign_of_cotangent_weight()`
 /// \pre `triangulation.keeps_input()`, with traits that use exact geometry
 ///
 /// After any exception but the first, the triangulation is valid, but may not be Delaunay near `v`, nor near the edges opposite to it. If `v` was removed

@@ -71,7 +71,7 @@ Surface_direction direction_at_vertex(const internal::Exact_engine& engine, Half
 /// \exception Invalid_argument_error if `length` is not finite or is negative
 /// \exception Invalid_point_error if `start` is not finite, the point does not lie on the surface, or the direction
 ///   is zero or leaves the face at once
-/// \exception Undecided_error, Cancelled_error as `sign_of_cotangents()` of `Exact_geometry`
+/// \exception Undecided_error, Cancelled_error as `sign_of_cotangent_weight()`
 ///
 /// O(number of points) arithmetic operations, after the preparation of the exact geometry; tests too close for double-doubles lay
 /// out the whole line once more.

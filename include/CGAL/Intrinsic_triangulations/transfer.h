@@ -98,7 +98,7 @@ void for_each_overlay_fan(const Common_subdivision& subdivision, const Areas_in_
 /// area of that face, so no embedding is needed. The error is a few units in the last place of the
 /// area of the smaller of the two.
 /// \param subdivision the common subdivision. O(size of the overlay).
-/// \exception Invalid_surface_error as `area()` of `Exact_geometry`
+/// \exception Invalid_surface_error as `area()` of `Intrinsic_triangulation`
 inline std::vector<double> face_areas(const Common_subdivision& subdivision)
 {
   std::vector<double> areas(subdivision.overlay().number_of_faces());

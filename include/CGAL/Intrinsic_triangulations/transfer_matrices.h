@@ -106,7 +106,7 @@ struct Transfer_mass_matrices
 /// corners of a face are at the same vertex, the hat function of the vertex is the sum of those of the
 /// corners. Integrals are in the squared unit of the input, up to rounding. O(size of the overlay).
 /// \param subdivision the common subdivision
-/// \exception Invalid_surface_error as `area()` of `Exact_geometry`
+/// \exception Invalid_surface_error as `area()` of `Intrinsic_triangulation`
 inline Transfer_mass_matrices transfer_mass_matrices(const Common_subdivision& subdivision)
 {
   const Overlay& overlay = subdivision.overlay();

@@ -209,7 +209,7 @@ Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
 ///
 /// \return `false` if an edge is certainly not Delaunay; otherwise, an uncertain value if an interval number type cannot
 ///   tell for some edge
-/// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`. O(size).
+/// \exception Undecided_error as `sign_of_cotangent_weight()`. O(size).
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 typename Traits::Boolean is_Delaunay(const Intrinsic_triangulation<Traits>& triangulation,
                                      const NamedParameters& np = parameters::default_values())
@@ -246,7 +246,7 @@ public:
   /// \tparam Triangulation an `Intrinsic_triangulation`
   /// \param triangulation a Delaunay triangulation that keeps its input
   /// \pre `triangulation.keeps_input()`
-  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+  /// \exception Undecided_error as `sign_of_cotangent_weight()`
   template <class Triangulation>
   explicit Delaunay_tessellation(const Triangulation& triangulation)
     : is_tie_(triangulation.connectivity().number_of_edges(), false),
