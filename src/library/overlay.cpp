@@ -8,3 +8,14 @@
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Incremental_overlay_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_builder.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/are_same_overlay_impl.h>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+template Overlay_arrays build_overlay<Sequential_tag>(const Delta_complex&, const Correspondence&,
+                                                      const Progress_function&);
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
