@@ -369,7 +369,7 @@ TEST(Parallel_results, overlays_and_positions)
   for (const auto& [name, t] : surfaces()) {
     SCOPED_TRACE(name);
     const IT::Overlay expected(t);
-    const IT::Overlay_positions expected_positions(t.connectivity(), IT::internal::engine(t), expected);
+    const IT::Overlay_positions expected_positions(IT::internal::engine(t), expected);
     for_each_number_of_threads([&, &t = t] {
       const IT::Common_subdivision subdivision(t, {}, Parallel_tag());
       expect_same_overlay(expected, subdivision.overlay());
