@@ -10,6 +10,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FILE_BLOCKS_H
 
 #include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Huge_page_allocator.h>
 
