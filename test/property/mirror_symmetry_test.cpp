@@ -166,7 +166,7 @@ TEST(Mirror_symmetry, agrees_with_finite_fields_where_lengths_coincide)
   Counts counts;
   for (std::uint64_t seed = 0; seed < 4000 && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
-    const IT::Glued_triangles gluing = IT::random_gluing(2 + 2 * (seed % 5), seed, seed % 3 == 0);
+    const samples::Glued_triangles gluing = samples::random_gluing(2 + 2 * (seed % 5), seed, seed % 3 == 0);
     IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
     std::vector<Rational> squared_lengths(complex.number_of_edges());
     for (Rational& s : squared_lengths)
