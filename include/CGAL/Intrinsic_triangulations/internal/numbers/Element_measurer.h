@@ -242,7 +242,7 @@ private:
 
   const Triangulation& triangulation_;
   const Delta_complex& complex_;
-  const Progress_function& progress_;
+  const Progress_function progress_;
   double fraction_ = 0.5;
   std::optional<Exact_engine::Rounded_numbers> known_; // of a triangulation with exact geometry
 };
