@@ -10,11 +10,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_H
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
@@ -22,7 +19,6 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -32,11 +28,13 @@
 #include <CGAL/Intrinsic_triangulations/graph_traits_Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_H

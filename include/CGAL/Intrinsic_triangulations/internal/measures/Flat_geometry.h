@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/vector_products.h>
 
 #include <CGAL/Mpzf.h>
 #include <CGAL/Uncertain.h>
@@ -45,9 +46,6 @@ inline Rational rational(const Exact_ring& x) { return x; }
 #endif
 
 template <class FT>
-using Vector_3 = std::array<FT, 3>;
-
-template <class FT>
 struct Difference
 {
   FT operator()(double a, double b) const { return FT(a) - FT(b); }
@@ -69,18 +67,6 @@ Vector_3<FT> difference(const Points& points, Vertex_index from, Vertex_index to
   const Difference<FT> d;
   const std::array<double, 3>&p = points[from.idx()], &q = points[to.idx()];
   return {d(q[0], p[0]), d(q[1], p[1]), d(q[2], p[2])};
-}
-
-template <class FT>
-FT scalar_product(const Vector_3<FT>& a, const Vector_3<FT>& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-template <class FT>
-Vector_3<FT> cross_product(const Vector_3<FT>& a, const Vector_3<FT>& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 inline double sum_of_absolute_values(const Vector_3<double>& v)
